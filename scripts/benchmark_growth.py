@@ -12,8 +12,8 @@ BEAMS = "laminated_beams.prm"
 BLOCKS = "../tests/scenes/pressed_blocks.prm"
 # A process that computes next to nothing.
 NOTHING = ("cantilever.prm", ["Theory=EBBT", "Body beam/Kinematics/Axis elements=1"])
-# What is fitted, its mark and colour.
-QUANTITIES = {"assembly, factorisation, solve": ("o", "#0072B2"),
+# What is fitted, its mark and color.
+QUANTITIES = {"assembly, factorization, solve": ("o", "#0072B2"),
               "contact": ("s", "#D55E00"), "whole process": ("^", "#009E73"),
               "memory": ("D", "#CC79A7")}
 
@@ -65,7 +65,7 @@ def measure_sweep(sweep, bench, empty):
         rows, active = (sum(c[key] for c in fastest.summary["contacts"].values())
                         for key in ("rows", "active"))
         points.append((count, fastest.summary["dofs"], rows, active,
-                       [seconds_of(fastest, "assembly", "factorisation", "solve"),
+                       [seconds_of(fastest, "assembly", "factorization", "solve"),
                         seconds_of(fastest, "contact"), fastest.wall,
                         fastest.summary["peak_memory_mb"] - empty]))
     return points
@@ -97,17 +97,17 @@ def draw(bench, results):
     figure, panels = plt.subplots(2, 2, figsize=(9.2, 8.2))
     for panel, (sweep, points) in zip(panels.flat, results):
         x = abscissae(sweep, points)
-        for k, (name, (mark, colour)) in enumerate(QUANTITIES.items()):
+        for k, (name, (mark, color)) in enumerate(QUANTITIES.items()):
             # Memory in GB has about the size of the seconds.
             scale = 1 / 1024 if name == "memory" else 1
             y = [scale * point[4][k] for point in points]
             exponent, factor = fits(sweep, points)[k]
             label = f"{name}{' [GB]' if name == 'memory' else ''}: {exponent:.2f}"
-            panel.loglog(x, y, mark, color=colour, markersize=5, label=label)
+            panel.loglog(x, y, mark, color=color, markersize=5, label=label)
             if factor > 0:
                 ends = [x[-4:][0], x[-1]]
                 panel.loglog(ends, [scale * factor * e ** exponent for e in ends],
-                             color=colour, linewidth=1.2)
+                             color=color, linewidth=1.2)
         panel.set_title(sweep.name)
         panel.set_xlabel("active rows" if sweep.over_rows else sweep.unit)
         panel.set_xticks(x, [f"{value:g}" for value in x])
@@ -183,7 +183,7 @@ def contact(bench):
     return ["Two blocks pressed together over their whole faces "
             "(`tests/scenes/pressed_blocks.prm`), and the paper's scenes as shipped, "
             "strategy `condensed`. The linear solution is setup, assembly, "
-            "factorisation and solve of the same run; the run is that and contact. "
+            "factorization and solve of the same run; the run is that and contact. "
             "The fastest of four.",
             table(["scene", "rows", "active", "DoFs", "linear solution [s]",
                    "contact [s]", "iterations", "run over linear"], rows), demands]

@@ -4,7 +4,7 @@
 from benchmark_scenes import HERTZ, LAMINATED, SANDWICH
 from benchmark_tools import best, number, off, table, wanted
 
-# As printed: model, discretisation, DoFs, seconds.
+# As printed: model, discretization, DoFs, seconds.
 TABLE_1 = [("ABQ - Coarse", "1,000 C3D8R", 8445, 11),
            ("ABQ - Medium", "6,000 C3D8R", 44583, 76),
            ("ABQ - Refined", "32,000 C3D8R", 218559, 719),
@@ -44,12 +44,12 @@ TABLE_9 = [("ABQ3D - Coarse", 0.0527, -1.17, 23.8),
 
 ODD_HERTZ = """\
 *Odd in the paper.* "Hertz - Analytical" is sqrt(F' E* / (pi R*)) of the force 0.3254
-of bodies with free end faces; there the pressure varies along y, and the centre
+of bodies with free end faces; there the pressure varies along y, and the center
 carries 2.5 % more than this two-dimensional value. The other stresses are
-element-centre or quadrature-point values on meshes that do not resolve the half
+element-center or quadrature-point values on meshes that do not resolve the half
 width of 0.123."""
 ODD_LAMINATED = """\
-*Odd in the paper.* The stresses of C3D8R are element-centre values: 2/3, 5/6 and 8/9
+*Odd in the paper.* The stresses of C3D8R are element-center values: 2/3, 5/6 and 8/9
 of the surface's. Those of EBBT, TBT and CUF fit a quadrature point (0.925 of the
 height, y = 0.80694), where a right code gives -126.5: ours is shown there, too. Table
 6 heads u_y with "x 10^3"; 7.19 is 0.0719 mm. "21x fewer degrees of freedom and 6x
@@ -57,7 +57,7 @@ less time" does not follow from Table 4. Displacements are nearly pure kinematic
 hold for any stiffness."""
 ODD_SANDWICH = """\
 *Odd in the paper.* The u_y of the ABAQUS models is 4 % low, that of CUF right. The
-values 23.8, 27.1 and 28.9 of sigma_yy(z = 0) are element-centre values on their way
+values 23.8, 27.1 and 28.9 of sigma_yy(z = 0) are element-center values on their way
 to the surface's. sigma_zz has no stated point, and below the roller it falls from a
 spike of -72 MPa at z = 36 to -0.44 in the core: no single point gives -1.35 on a
 converged mesh. Ours, and the converged one, are at z = 34, ours from below and from
@@ -96,7 +96,7 @@ def models(printed, runs, scene, meshes):
     rows += [[name, mesh, f"{run.summary['dofs']:,}", f"{run.wall:.2f}",
               f"1/{scene.seconds / run.wall:.0f}"]
              for (name, run), mesh in zip(runs.items(), meshes)]
-    return table(["model", "discretisation of a body", "DoFs", "time [s]",
+    return table(["model", "discretization of a body", "DoFs", "time [s]",
                   f"of the paper's CUF, {scene.seconds} s"], rows)
 
 

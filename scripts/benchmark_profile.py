@@ -9,7 +9,7 @@ from benchmark_scenes import SCENES
 from benchmark_tools import ENVIRONMENT, PROGRAM, best, show, table
 
 # In the order of the work; start-up and the rest are what the phases leave.
-PHASES = ("start-up", "setup", "assembly", "factorisation", "solve", "contact",
+PHASES = ("start-up", "setup", "assembly", "factorization", "solve", "contact",
           "beyond", "output", "rest")
 COLOURS = ("#999999", "#E69F00", "#56B4E9", "#0072B2", "#009E73", "#D55E00",
            "#F0E442", "#CC79A7", "#DDDDDD")
@@ -40,9 +40,9 @@ def draw(bench, parts):
     figure, panel = plt.subplots(figsize=(8.4, 3.2))
     names = list(parts)[::-1]
     left = [0.] * len(names)
-    for phase, colour in zip(PHASES, COLOURS):
+    for phase, color in zip(PHASES, COLOURS):
         widths = [max(0., parts[name][phase]) for name in names]
-        panel.barh(names, widths, left=left, color=colour, label=phase, height=0.6)
+        panel.barh(names, widths, left=left, color=color, label=phase, height=0.6)
         for k, width in enumerate(widths):
             if width > 0.05 * max(sum(p.values()) for p in parts.values()):
                 panel.text(left[k] + width / 2, k, f"{width:.2f}", ha="center",

@@ -50,12 +50,12 @@ def beam(elements, breaks=""):
 HERTZ = Scene(
     "hertz.prm", "Two cylinders (Sec. 4.1)",
     ["Section half/Sectors=16", "Section half/Finest cell=8"] + axis(1),
-    ["Contact nip/Discretisation=node to node", "Contact nip/Enforcement=penalty",
+    ["Contact nip/Discretization=node to node", "Contact nip/Enforcement=penalty",
      "Contact nip/Search distance=auto"],
     ["Section half/Sectors=8", "Section half/Finest cell=1"] + axis(1),
     296, 13176,
     [Quantity("force", "supports", "press", 2, -0.3241),
-     Quantity("sigma_zz", "probes", "lower_centre", "szz", -1.728)])
+     Quantity("sigma_zz", "probes", "lower_center", "szz", -1.728)])
 LAMINATED = Scene(
     "laminated_beams.prm", "Two laminated beams (Sec. 4.2)",
     [], [], ["Section strip/Cells across=2"] + axis(4),
@@ -68,7 +68,7 @@ LAMINATED = Scene(
 SANDWICH = Scene(
     "sandwich.prm", "A sandwich under a roller (Sec. 4.3)",
     ["Section sandwich/Cells per ply=1,1,1,2,1,1,1"] + beam(10),
-    ["Contact indentation/Discretisation=node to surface",
+    ["Contact indentation/Discretization=node to surface",
      "Contact indentation/Enforcement=penalty"],
     ["Section sandwich/Cells per ply=1", "Section sandwich/Cells across=2",
      "Contact indentation/Search distance=auto"] + beam(4),

@@ -65,7 +65,7 @@ def seconds_of(result, *phases):
 
 def linear_seconds(result):
     """One linear solution of the bodies, without contact and output."""
-    return seconds_of(result, "setup", "assembly", "factorisation", "solve")
+    return seconds_of(result, "setup", "assembly", "factorization", "solve")
 
 
 # ---- text

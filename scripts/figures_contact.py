@@ -9,7 +9,7 @@ from matplotlib.tri import Triangulation
 
 from figures_data import magnitude
 from figures_sections import Part, SectionPicture, contour
-from figures_style import (COLOURS, DASHES, Frame, Place, Scale, at, colour_bar,
+from figures_style import (COLOURS, DASHES, Frame, Place, Scale, at, color_bar,
                            legend_above, middle, new_figure)
 
 FEWEST = 4  # pairs that make a patch, or a profile across it
@@ -45,8 +45,8 @@ class ContactPatch:
 
     def rough_curvatures(self):
         """Of the gap between the points of the pairs (that of a row may be a mean
-        over its neighbourhood) in both directions, a parabola over the whole
-        neighbourhood; 0 where it is rounding."""
+        over its neighborhood) in both directions, a parabola over the whole
+        neighborhood; 0 where it is rounding."""
         near = self.near(2.)
         gap = sum((near[f"{c}2"] - near[c]) * near[f"n{c}"] for c in "xyz")
         terms = [np.ones(len(near))]
@@ -74,13 +74,13 @@ class ContactPatch:
         tangent -= (tangent @ self.mean_normal) * self.mean_normal
         tangent /= np.linalg.norm(tangent)
         touching = self.across_and_up(self.active, "", tangent)[0]
-        centre, half = middle(touching), 0.5 * np.ptp(touching)
+        center, half = middle(touching), 0.5 * np.ptp(touching)
         bends = []
         for degree in (4, 6):
             bends.append(0.)
             for side, sign in (("", -1.), ("2", 1.)):
                 s, height = self.across_and_up(self.table, side, tangent)
-                found = bend((s - centre) / half, height / half, degree)
+                found = bend((s - center) / half, height / half, degree)
                 if found is None:
                     return None
                 bends[-1] += sign * found / half
@@ -168,10 +168,10 @@ def draw_pressure_across(results, name, patch, stations):
     axis = axes[0, 0]
     active, length = patch.active, results.units.get("length")
     value = Scale(results.unit("pressure"), active["pressure"])
-    centre = middle(active[patch.across])
-    if abs(centre) < 1e-9 * patch.extent[patch.across]:
-        centre = 0.
-    place = Place(length, active[patch.across], origin=centre)
+    center = middle(active[patch.across])
+    if abs(center) < 1e-9 * patch.extent[patch.across]:
+        center = 0.
+    place = Place(length, active[patch.across], origin=center)
     in_middle = min(stations, key=lambda s: abs(s[0] - 0.5 * (
         stations[0][0] + stations[-1][0])))
     shown = [in_middle] if in_middle[0] == stations[0][0] else [in_middle, stations[0]]
@@ -184,7 +184,7 @@ def draw_pressure_across(results, name, patch, stations):
         half_width, peak, force = hertz
         t = np.linspace(-np.pi / 2, np.pi / 2, 200)
         per_length = "/".join(filter(None, (results.units.get("force"), length)))
-        axis.plot(place(centre + half_width * np.sin(t)), value(peak * np.cos(t)),
+        axis.plot(place(center + half_width * np.sin(t)), value(peak * np.cos(t)),
                   color="0.2", linewidth=1.4,
                   label=f"Hertz, mean force {force:.4g} {per_length}".rstrip() + ": "
                   f"a = {place.number(float(f'{half_width:.4g}'))}, "
@@ -268,12 +268,12 @@ def draw_pressure_map(results, name, patch):
     # Long patches have long triangles; what is near is so in the picture.
     triangles = Triangulation((x - x.mean()) / np.ptp(x), (y - y.mean()) / np.ptp(y))
     drawn = Triangulation(places[0](x), places[1](y), triangles.triangles)
-    # From zero: an even pressure is one colour.
+    # From zero: an even pressure is one color.
     pressure = value(near["pressure"])
     levels = MaxNLocator(12).tick_values(0., pressure.max())
     shades = axis.tricontourf(drawn, pressure, levels, cmap="cividis")
     axis.plot(drawn.x, drawn.y, ".", color="0.3", markersize=1.5)
-    colour_bar(axis, shades, value.label("pressure"))
+    color_bar(axis, shades, value.label("pressure"))
     return figure
 
 
@@ -286,44 +286,44 @@ def around_the_contact(results):
         if not patch.is_patch or (patch.across, patch.along) != ("x", "y"):
             continue
         half = 2. * patch.extent["x"]
-        centre = [middle(patch.active[c]) for c in "xz"]
+        center = [middle(patch.active[c]) for c in "xz"]
         y = patch.active["y"]
         cuts = defaultdict(list)
         for cut in (rows for cut in results.cuts.values() for rows in cut.values()):
             if y.min() <= cut["y"][0] <= y.max() and np.ptp(cut["x"]) > 3. * half:
-                window = cut_window(cut, centre, half)
+                window = cut_window(cut, center, half)
                 if len(window):
                     cuts[round(cut["y"][0] / np.ptp(y), 6)].append(window)
         for tables in cuts.values():
             yield (f"contact_{name}_section",
-                   draw_around(results, name, tables, centre, half))
+                   draw_around(results, name, tables, center, half))
 
 
-def cut_window(cut, centre, half):
+def cut_window(cut, center, half):
     """The cells that reach into the window."""
-    inside = (np.abs(cut["x"] - centre[0]) <= half) & (
-        np.abs(cut["z"] - centre[1]) <= half)
+    inside = (np.abs(cut["x"] - center[0]) <= half) & (
+        np.abs(cut["z"] - center[1]) <= half)
     return cut.where(np.isin(cut["cell"], np.unique(cut["cell"][inside])))
 
 
-def window_limits(tables, centre, half):
-    """Of x and z: so far from the centre, but in z no farther than there are bodies."""
+def window_limits(tables, center, half):
+    """Of x and z: so far from the center, but in z no farther than there are bodies."""
     low = min(table["z"].min() for table in tables)
     high = max(table["z"].max() for table in tables)
-    return ((centre[0] - half, centre[0] + half),
-            (max(centre[1] - half, low), min(centre[1] + half, high)))
+    return ((center[0] - half, center[0] + half),
+            (max(center[1] - half, low), min(center[1] + half, high)))
 
 
-def draw_around(results, name, tables, centre, half):
-    limits = window_limits(tables, centre, half)
+def draw_around(results, name, tables, center, half):
+    limits = window_limits(tables, center, half)
     columns = [c for c in ("uz", "szz") if magnitude(tables, c)]
     frame = Frame(len(columns), *(high - low for low, high in limits))
     figure, axes = frame.figure(
         results, f"around contact {name}, {at(results, tables[0], 'y')}", len(columns))
     places = [Place(results.units.get("length"), pair) for pair in limits]
     for axis, column in zip(axes, columns):
-        shown = [table[column][(np.abs(table["x"] - centre[0]) <= half)
-                               & (np.abs(table["z"] - centre[1]) <= half)]
+        shown = [table[column][(np.abs(table["x"] - center[0]) <= half)
+                               & (np.abs(table["z"] - center[1]) <= half)]
                  for table in tables]
         contour(axis, [Part(tables, column, Scale(results.unit(column), *shown))],
                 dict(zip("xz", places)), frame)

@@ -14,7 +14,7 @@ import numpy as np
 ROUNDING = 1e-12  # of the largest coordinate: a place at zero
 NEGLIGIBLE = 1e-6  # of the largest component: rounding, not worth a panel
 LEAST_SHEAR = 1e-3  # of the largest stress: what is drawn beyond the usual ones
-SOFT = 0.1  # of what others bear: a material that stays below has its own colour scale
+SOFT = 0.1  # of what others bear: a material that stays below has its own color scale
 DISPLACEMENTS = ("ux", "uy", "uz")
 STRAINS = ("exx", "eyy", "ezz", "gxy", "gxz", "gyz")
 STRESSES = ("sxx", "syy", "szz", "sxy", "sxz", "syz")
@@ -224,7 +224,7 @@ def stresses_to_show(tables, axis="y", across="x", up="z"):
 
 
 def own_scales(materials, table, column):
-    """(names, rows) of what shares a colour scale, the most stressed first: a material
+    """(names, rows) of what shares a color scale, the most stressed first: a material
     that stays below a tenth of the others, as a core beside its faces, has one of its
     own, so that what varies in it is seen; but for components that are little in it,
     too. A single pair without names where all share one."""

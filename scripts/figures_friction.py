@@ -55,10 +55,10 @@ def draw_shear(results, name, patch):
               label=f"{friction_of(results, name):g} times the pressure")
     shear = tractions(rows)
     axis.plot(place(rows[direction]), value(shear), color="0.3", linewidth=0.8)
-    for state, colour in STATES.items():
+    for state, color in STATES.items():
         there = rows["state"] == state
         if np.any(there) and state != "open":
-            axis.plot(place(rows[direction][there]), value(shear[there]), "o", color=colour,
+            axis.plot(place(rows[direction][there]), value(shear[there]), "o", color=color,
                       markersize=4.5, label=f"shear, {state}s")
     axis.set_xlabel(place.label(direction))
     axis.set_ylabel(value.label("traction"))

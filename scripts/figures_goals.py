@@ -21,7 +21,7 @@ LEAST = 1e-6  # of the scale: errors are drawn from there
 
 
 def fields_of_nodes(results):
-    """A strip along each axis, coloured by the length of the nodes' lists; none where
+    """A strip along each axis, colored by the length of the nodes' lists; none where
     all nodes of the scene carry the same number."""
     table = results.fields
     if not len(table) or np.ptp(table["fields"]) == 0.:
@@ -68,7 +68,7 @@ def round_ticks(low, high):
 
 
 def draw_strip(axis, places, fields, shades):
-    """Each node has the half of the way to its neighbours; below the strip a tick a
+    """Each node has the half of the way to its neighbors; below the strip a tick a
     node, and the number itself where there is room for it."""
     order = np.argsort(places)
     places, fields = places[order], fields[order]
@@ -234,16 +234,16 @@ def widen(axis, values):
         axis.xaxis.set_minor_formatter(NullFormatter())
 
 
-def draw_passes(axis, x, rows, size, colour, label):
+def draw_passes(axis, x, rows, size, color, label):
     error = np.maximum(100. * np.abs(rows["estimate"]) / size, 100. * LEAST)
     bar = np.maximum(100. * rows["bar"] / size, error)
     trusted = rows["trusted"] == 1.
-    axis.plot(x, np.where(trusted, bar, error), color=colour, linewidth=1., alpha=0.5)
-    axis.vlines(x[trusted], error[trusted], bar[trusted], color=colour, linewidth=1.4)
-    axis.plot(x[trusted], bar[trusted], "_", color=colour, markersize=9,
+    axis.plot(x, np.where(trusted, bar, error), color=color, linewidth=1., alpha=0.5)
+    axis.vlines(x[trusted], error[trusted], bar[trusted], color=color, linewidth=1.4)
+    axis.plot(x[trusted], bar[trusted], "_", color=color, markersize=9,
               markeredgewidth=1.6)
-    axis.plot(x[trusted], error[trusted], "o", color=colour, markersize=4.5,
+    axis.plot(x[trusted], error[trusted], "o", color=color, markersize=4.5,
               label=label if trusted.any() else "")
     if not trusted.all():
-        axis.plot(x[~trusted], error[~trusted], "o", color=colour, fillstyle="none",
+        axis.plot(x[~trusted], error[~trusted], "o", color=color, fillstyle="none",
                   markersize=6, label="" if trusted.any() else label)

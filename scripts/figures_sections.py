@@ -15,10 +15,10 @@ from matplotlib.ticker import FixedFormatter, FixedLocator, MaxNLocator
 
 from figures_data import magnitude, own_scales, stress, stresses_to_show
 from figures_style import (COLOURS, LABEL, NAMES, WIDTH, Frame, Place, Plies, Scale,
-                           apart, at, colour_bar, drawn_larger, exaggeration,
+                           apart, at, color_bar, drawn_larger, exaggeration,
                            new_figure, tell_zero)
 
-# Colours of the first, second and third scale of a panel.
+# Colors of the first, second and third scale of a panel.
 TWO_SIGNS = ("RdBu_r", "PuOr_r", "BrBG_r")
 ONE_SIGN = ("cividis", "YlGn_r", "copper")
 
@@ -79,7 +79,7 @@ def show_edges(panel, drawn, values, height):
 
 
 class Part:
-    """Tables that are drawn on one colour scale, and what they are called beside the
+    """Tables that are drawn on one color scale, and what they are called beside the
     bar where there are several."""
 
     def __init__(self, tables, column, scale, names=""):
@@ -94,8 +94,8 @@ class Part:
 
 
 def shades(values, number):
-    """(levels, what turns values into colours); about zero where they have two signs.
-    Scales of different numbers have different colours."""
+    """(levels, what turns values into colors); about zero where they have two signs.
+    Scales of different numbers have different colors."""
     low, high = values.min(), values.max()
     two_signs = low < -0.1 * high and high > -0.1 * low
     if two_signs:
@@ -106,8 +106,8 @@ def shades(values, number):
         margin = 0.05 * max(-low, high) or 1.
         low, high = low - margin, high + margin
     levels = MaxNLocator(14).tick_values(low, high)
-    colours = plt.get_cmap((TWO_SIGNS if two_signs else ONE_SIGN)[number % 3])
-    return levels, ScalarMappable(BoundaryNorm(levels, colours.N), colours)
+    colors = plt.get_cmap((TWO_SIGNS if two_signs else ONE_SIGN)[number % 3])
+    return levels, ScalarMappable(BoundaryNorm(levels, colors.N), colors)
 
 
 def contour(panel, parts, position, frame):
@@ -122,14 +122,14 @@ def contour(panel, parts, position, frame):
     panel.autoscale(False)
     outlines = []
     for number, (part, bar) in enumerate(zip(parts, frame.bars(len(parts)))):
-        levels, colours = shades(part.values(), number)
+        levels, colors = shades(part.values(), number)
         for table in part.tables:
             for _, cell in table.split("cell"):
                 x, z, v = cell_grids(cell, position, part)
-                panel.contourf(x, z, v, reached(levels, v), cmap=colours.cmap,
-                               norm=colours.norm, antialiased=False)
+                panel.contourf(x, z, v, reached(levels, v), cmap=colors.cmap,
+                               norm=colors.norm, antialiased=False)
                 outlines.append(outline(x, z))
-        colour_bar(panel, colours, part.label(), *bar)
+        color_bar(panel, colors, part.label(), *bar)
     panel.add_collection(LineCollection(outlines, colors="0.25", linewidths=0.5
                                         if len(outlines) <= 200 else 0.2))
     # They stay within the panel, and asking each for its place takes long.
@@ -201,7 +201,7 @@ class SectionPicture:
         return bool((self.normals[:, 1] < 1.).any())
 
     def marked_cells(self, most=48):
-        """Cells for the marks of plane and fibre: in each ply every so many."""
+        """Cells for the marks of plane and fiber: in each ply every so many."""
         marked = []
         plies = sorted(set(self.plies))
         for ply in plies:
@@ -265,22 +265,22 @@ def draw_section(results, name, picture):
         facecolors=[shade[fabric] for fabric in picture.fabrics]))
     handles = [Patch(facecolor=shade[fabric], edgecolor="0.45", label=fabric)
                for fabric in fabrics]
-    colours = {boundary: COLOURS[(k + 1) % len(COLOURS)]
+    colors = {boundary: COLOURS[(k + 1) % len(COLOURS)]
                for k, boundary in enumerate(sorted(picture.edges))}
-    for boundary, colour in colours.items():
+    for boundary, color in colors.items():
         axis.add_collection(LineCollection(
-            [scale(side) for side in picture.edges[boundary]], colors=colour,
+            [scale(side) for side in picture.edges[boundary]], colors=color,
             linewidths=2.4, capstyle="round", zorder=3))
-        handles.append(Line2D([], [], color=colour, linewidth=2.4, label=boundary))
+        handles.append(Line2D([], [], color=color, linewidth=2.4, label=boundary))
     if picture.has_walls():
         handles += mark_plies(axis, picture, scale)
     axis.legend(handles=handles, loc="center left", bbox_to_anchor=(1.02, 0.5))
-    label_boundaries(figure, axis, picture, scale, colours)
+    label_boundaries(figure, axis, picture, scale, colors)
     return figure
 
 
 def mark_plies(axis, picture, scale):
-    """Of each ply in some cells: a line in its plane, and on it how far the fibre goes
+    """Of each ply in some cells: a line in its plane, and on it how far the fiber goes
     sideways on its way along +y, which points away from who looks. What they mean, for
     the legend."""
     ink, half = "0.1", 0.42
@@ -303,14 +303,14 @@ def mark_plies(axis, picture, scale):
     return [Line2D([], [], color=ink, linewidth=0.7, marker="o", markersize=2.2,
                    label="plane of a ply, seen along y"),
             Line2D([], [], color=ink, linewidth=0, marker=r"$\rightarrow$", markersize=10,
-                   label="fibre, followed into the picture")]
+                   label="fiber, followed into the picture")]
 
 
-def tint(colour, strength):
-    return 1 - strength * (1 - np.array(to_rgb(colour)))
+def tint(color, strength):
+    return 1 - strength * (1 - np.array(to_rgb(color)))
 
 
-def label_boundaries(figure, axis, picture, scale, colours):
+def label_boundaries(figure, axis, picture, scale, colors):
     """The names beside their edges, where they cover neither cells nor others;
     a name that finds no place is in the legend all the same."""
     figure.canvas.draw()
@@ -318,13 +318,13 @@ def label_boundaries(figure, axis, picture, scale, colours):
     to_pixels = axis.transData.transform
     cells = [MplPath(to_pixels(scale(cell)), closed=False) for cell in picture.cells]
     taken = []
-    for boundary, colour in colours.items():
+    for boundary, color in colors.items():
         for point, outwards in picture.label_places(boundary):
             normal = to_pixels(scale(point + outwards)) - to_pixels(scale(point))
             normal /= max(np.linalg.norm(normal), 1e-12)
             text = axis.annotate(
                 boundary, scale(point), xytext=9 * normal,
-                textcoords="offset points", color=colour, fontweight="bold",
+                textcoords="offset points", color=color, fontweight="bold",
                 ha=("center", "left", "right")[side_of(normal[0])],
                 va=("center", "bottom", "top")[side_of(normal[1])],
                 annotation_clip=False)

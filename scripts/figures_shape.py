@@ -124,9 +124,9 @@ def draw_bodies(axis, surface, drawn, values, shades, view):
     facets = fine_facets(np.dstack([drawn[1], values, surface.places[:, :, depth]]))
     order = np.argsort(facets[:, :, 3].mean(axis=1) * (-1 if depth == 0 else 1))
     facets = facets[order]
-    colours = shades.to_rgba(facets[:, :, 2].mean(axis=1))
-    axis.add_collection(PolyCollection(facets[:, :, :2], facecolors=colours,
-                                       edgecolors=colours, linewidths=0.3))
+    colors = shades.to_rgba(facets[:, :, 2].mean(axis=1))
+    axis.add_collection(PolyCollection(facets[:, :, :2], facecolors=colors,
+                                       edgecolors=colors, linewidths=0.3))
     side, corner = edges_of_bodies(surface.places, surface.bodies).T
     axis.add_collection(LineCollection(
         np.stack([drawn[1][side, corner], drawn[1][side, (corner + 1) % 4]], axis=1),
@@ -154,16 +154,16 @@ def draw_obstacles(axis, results, view, place, factor):
         direction = np.array([float(v) for v in entries[
             "Normal" if is_plane else "Axis"].split(",")])
         direction /= np.linalg.norm(direction)
-        centre = [place[0](through[right]), place[1](through[up])]
+        center = [place[0](through[right]), place[1](through[up])]
         if is_plane and abs(direction[depth]) < 1e-6:
             along = np.array([direction[up] * place[0].factor,
                               -direction[right] * place[1].factor])
             far = 1e3 * max(np.ptp(axis.get_xlim()), np.ptp(axis.get_ylim()))
             along *= far / np.linalg.norm(along)
-            axis.add_collection(LineCollection([[centre - along, centre + along]],
+            axis.add_collection(LineCollection([[center - along, center + along]],
                                                colors="0.35", linewidths=1.2))
         elif not is_plane and abs(direction[depth]) > 1. - 1e-6:
             radius = float(entries["Radius"])
-            axis.add_patch(Ellipse(centre, 2. * radius * place[0].factor,
+            axis.add_patch(Ellipse(center, 2. * radius * place[0].factor,
                                    2. * radius * place[1].factor, facecolor="none",
                                    edgecolor="0.35", linewidth=1.2))

@@ -24,7 +24,7 @@ def ply_stacks(results):
     shades = ScalarMappable(Normalize(0., largest or 1.), plt.get_cmap("YlOrRd"))
     heights = [np.clip(ROW * len(np.unique(rows["ply"])), LEAST, MOST)
                for _, rows in bodies]
-    # Room for the last tick of an axis and the first of its neighbour.
+    # Room for the last tick of an axis and the first of its neighbor.
     with plt.rc_context({"figure.constrained_layout.w_pad": 0.12}):
         figure, axes = new_figure(
             results, "how near plies are to failure", rows=len(bodies), columns=2,
@@ -59,7 +59,7 @@ def largest_of(values):
 
 def draw_stack(axis, places, rows, shades):
     """The numbers of plies from the bottom; each station has the half of the way to its
-    neighbours."""
+    neighbors."""
     plies, stations = np.unique(rows["ply"]), np.unique(places)
     grid = np.full((len(plies), len(stations)), np.nan)
     grid[np.searchsorted(plies, rows["ply"]),

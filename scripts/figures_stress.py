@@ -21,8 +21,8 @@ from figures_surface import (MOST_FACES, continuous, edges_of_bodies, fine_facet
 THICK, THIN = 0.2, 0.06  # of the longest extent: how thick at least bodies are drawn
 VISIBLE = 0.1  # of the larger thickness drawn: displacements below are enlarged
 WANTED = 0.3  # of it, if they are
-PEAK = 0.998  # of all values are on the colour scale, where few are far beyond
-FAR = 1.5  # times the others: a peak that would take the colours from all others
+PEAK = 0.998  # of all values are on the color scale, where few are far beyond
+FAR = 1.5  # times the others: a peak that would take the colors from all others
 TALLEST = 7.  # inches of the picture
 COS, SIN = np.sqrt(0.75), 0.5  # of 30 degrees
 
@@ -78,7 +78,7 @@ def draw_stress(results, surface, component, values):
     before = view(surface.places)
     low, high = (f(np.concatenate([drawn, before]), axis=(0, 1))[:2]
                  for f in (np.min, np.max))
-    # Beside it are the colour bars.
+    # Beside it are the color bars.
     height = 0.76 * WIDTH * (high[1] - low[1]) / (high[0] - low[0]) + 0.3
     figure, axes = new_figure(results, f"{NAMES[component]} on the deformed shape",
                               height=min(height, TALLEST))
@@ -88,18 +88,18 @@ def draw_stress(results, surface, component, values):
     axis.set_xlim(low[0], high[0])
     axis.set_ylim(low[1], high[1])
     parts = scales_of_bodies(results, surface, values)
-    facets, colours = [], []
+    facets, colors = [], []
     for number, (names, mask) in enumerate(parts):
         scale = Scale(results.unit(component), values[mask])
         shades = smooth_shades(scale(values[mask]), number)
         facets.append(fine_facets(np.dstack([drawn[mask], scale(values[mask])])))
-        colours.append(shades.to_rgba(facets[-1][:, :, 3].mean(axis=1)))
+        colors.append(shades.to_rgba(facets[-1][:, :, 3].mean(axis=1)))
         label = scale.label(NAMES[component])
         add_bar(axis, shades, f"{names}: {label}" if names else label, number, len(parts))
     edges = edges_of_bodies(surface.places, surface.bodies)
     axis.add_collection(LineCollection(ends_of(edges, before)[:, :, :2], colors="0.75",
                                        linewidths=0.6, zorder=0.5))
-    draw_facets(axis, np.concatenate(facets), np.concatenate(colours),
+    draw_facets(axis, np.concatenate(facets), np.concatenate(colors),
                 in_steps(ends_of(edges, drawn), 4))
     draw_directions(axis, results, view, low, high)
     tell(figure, view, factor)
@@ -116,7 +116,7 @@ def enlargement(results, surface, view):
 
 
 def scales_of_bodies(results, surface, values):
-    """(names, which quadrilaterals) that share a colour scale: materials of which the
+    """(names, which quadrilaterals) that share a color scale: materials of which the
     stress stays below a tenth of the others' have their own."""
     bodies = [name.strip() for name in results.scene.get("Bodies", "").split(",")]
     material = np.full(len(surface), "", object)
@@ -166,7 +166,7 @@ def ends_of(edges, where):
     return np.stack([where[side, corner], where[side, (corner + 1) % 4]], axis=1)
 
 
-def draw_facets(axis, facets, colours, edges):
+def draw_facets(axis, facets, colors, edges):
     """From the farthest to the nearest, edges between them, so that what is behind is
     hidden."""
     # Just in front of the facets that they bound.
@@ -174,10 +174,10 @@ def draw_facets(axis, facets, colours, edges):
     order = np.argsort(np.concatenate([facets[:, :, 2].mean(axis=1),
                                        edges[:, :, 2].mean(axis=1) + lift]))
     shapes = np.concatenate([facets[:, :, :2], edges[:, [0, 1, 1, 0], :2]])
-    colours = np.concatenate([colours, np.tile([0.15, 0.15, 0.15, 1.], (len(edges), 1))])
+    colors = np.concatenate([colors, np.tile([0.15, 0.15, 0.15, 1.], (len(edges), 1))])
     widths = np.concatenate([np.full(len(facets), 0.3), np.full(len(edges), 0.7)])
     axis.add_collection(PolyCollection(
-        shapes[order], facecolors=colours[order], edgecolors=colours[order],
+        shapes[order], facecolors=colors[order], edgecolors=colors[order],
         linewidths=widths[order]))
     for artist in axis.collections:
         artist.set_in_layout(False)

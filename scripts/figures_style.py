@@ -13,13 +13,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-# Okabe and Ito's colours, told apart by colour-blind readers, too.
+# Okabe and Ito's colors, told apart by color-blind readers, too.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 DASHES = ("-", "--", "-.", ":")
 WIDTH = 8.4  # inches of every figure; 1260 pixels
-BESIDE = 1.7  # inches beside a contour: labels and colour bar
+BESIDE = 1.7  # inches beside a contour: labels and color bar
 ROW = 0.5  # inches below it
-LEAST_BAR = 0.9  # inches of a colour bar
+LEAST_BAR = 0.9  # inches of a color bar
 TALLEST = 11.  # inches of a figure of contours
 LABEL = 0.18  # inches that a label takes in height
 FAR = 200.  # times their range: values that are drawn from their middle
@@ -170,8 +170,8 @@ def show_no_less(axis, direction, least=0.02):
     low, high = getattr(axis, f"get_{direction}lim")()
     need = least * max(-low, high)
     if high - low < need:
-        centre = 0.5 * (low + high)
-        getattr(axis, f"set_{direction}lim")(centre - need / 2, centre + need / 2)
+        center = 0.5 * (low + high)
+        getattr(axis, f"set_{direction}lim")(center - need / 2, center + need / 2)
 
 
 # ---- the sizes of contours
@@ -215,7 +215,7 @@ class Frame:
             drawn = 1. if free else width * self.stretch[0] / (height * self.stretch[1])
             self.height = min(across / drawn, 4.5)
             self.width = self.columns * (self.height * drawn + BESIDE)
-            # A flat section leaves its colour bar the height that that needs.
+            # A flat section leaves its color bar the height that that needs.
             self.room = max(self.height, LEAST_BAR)
             fits = self.rows * (self.room + ROW) <= TALLEST
             if count <= self.columns or (fits and (drawn > 1.4 or self.columns > 1)):
@@ -237,7 +237,7 @@ class Frame:
         return figure, axes.flat[:count]
 
     def bars(self, count):
-        """The (low, high) of so many colour bars one above the other, over the height
+        """The (low, high) of so many color bars one above the other, over the height
         of a panel, the first uppermost."""
         high = 0.5 + 0.5 * self.room / self.height
         step = (2. * high - 1.) / count
@@ -254,7 +254,7 @@ class Frame:
                 axis.tick_params(labelbottom=True)
 
 
-def colour_bar(axis, shades, label, low=0., high=1.):
+def color_bar(axis, shades, label, low=0., high=1.):
     """Beside the axes and as high as they are drawn, or over a part of the height."""
     columns = axis.get_subplotspec().get_gridspec().ncols
     width = WIDTH / columns - BESIDE
@@ -298,7 +298,7 @@ class Plies:
             [[0.], np.cumsum(drawn) / drawn.sum()])
 
     def labels(self, spacing):
-        """(text, place) no closer than the spacing: neighbours too thin for one each
+        """(text, place) no closer than the spacing: neighbors too thin for one each
         share it."""
         groups = [[low, high, [ply]] for low, high, ply in zip(
             self.edges, self.edges[1:], self.numbers)]

@@ -150,7 +150,7 @@ def outer_surface(files):
 
 
 def quadrilaterals(faces):
-    """Those between neighbouring points of (faces, n, m, fields)."""
+    """Those between neighboring points of (faces, n, m, fields)."""
     quads = np.stack([faces[:, :-1, :-1], faces[:, 1:, :-1], faces[:, 1:, 1:],
                       faces[:, :-1, 1:]], axis=3)
     return quads.reshape(-1, 4, faces.shape[3])

@@ -115,12 +115,12 @@ def cost():
             if strategy == "condensed":
                 # What the bodies cost by themselves.
                 linear = sum(seconds[phase] for phase in
-                             ("setup", "assembly", "factorisation", "solve"))
+                             ("setup", "assembly", "factorization", "solve"))
                 rows.append([run.summary["dofs"],
                              run.summary["contacts"]["faces"]["active"],
                              f"{linear:.2f}"])
             whole = sum(seconds[phase] for phase in
-                        ("setup", "assembly", "factorisation", "solve", "contact"))
+                        ("setup", "assembly", "factorization", "solve", "contact"))
             rows[-1] += [sum(run.summary["iterations"]), f"{seconds['contact']:.2f}",
                          f"{whole / linear:.2f}"]
     rows[-1] += ["", "", ""]
@@ -152,7 +152,7 @@ def crossed():
     for degrees in (90, 45):
         runs = {(cells, kind): Run("../tests/scenes/crossed_beams.prm",
                                    crossed_mesh(degrees, cells) +
-                                   [f"Contact cross/Discretisation={kind}"])
+                                   [f"Contact cross/Discretization={kind}"])
                 for cells in (1, 2, 3, 4, 6, 8) for kind in kinds}
         force = {key: -run.summary["contacts"]["cross"]["force"][2]
                  for key, run in runs.items()}
@@ -173,16 +173,16 @@ def crossed():
 def phases():
     """Whole-process seconds with all output, the fastest and the slowest of five."""
     runs = [Run("laminated_beams.prm", [], vtu=True) for _ in range(5)]
-    names = ["setup", "assembly", "factorisation", "solve", "contact", "output",
+    names = ["setup", "assembly", "factorization", "solve", "contact", "output",
              "total"]
     rows = [[name] + [f"{pick(r.summary['seconds'][name] for r in runs):.3f}"
                       for pick in (min, max)] for name in names]
     rows.append(["whole process"] + [f"{pick(r.wall for r in runs):.3f}"
                                      for pick in (min, max)])
     table(["phase", "fastest [s]", "slowest [s]"], rows)
-    ratio = [r.summary["seconds"]["contact"] / r.summary["seconds"]["factorisation"]
+    ratio = [r.summary["seconds"]["contact"] / r.summary["seconds"]["factorization"]
              for r in runs]
-    print(f"contact over factorisation: {min(ratio):.2f} to {max(ratio):.2f}; "
+    print(f"contact over factorization: {min(ratio):.2f} to {max(ratio):.2f}; "
           f"peak memory {runs[0].summary['peak_memory_mb']:.0f} MB; condition "
           f"estimate {runs[0].summary['condition_estimate']:.1e}\n")
 
@@ -211,14 +211,14 @@ def parallel():
                           for body in run.summary["bodies"].values())
             rows.append([processes, solver] +
                         [f"{seconds[phase]:.1f}" for phase in
-                         ("setup", "assembly", "factorisation", "solve", "contact",
+                         ("setup", "assembly", "factorization", "solve", "contact",
                           "output", "total")] +
                         [f"{factors:.2e}"] +
                         [f"{run.summary[key] / 1024:.1f}" for key in
                          ("peak_memory_mb", "peak_memory_of_all_mb")])
             dofs = run.summary["dofs"]
         print(f"{dofs} DoFs, {across} x 3 L9 and {elements} B4 each, seconds:\n")
-        table(["processes", "solver", "setup", "assembly", "factorisation", "solve",
+        table(["processes", "solver", "setup", "assembly", "factorization", "solve",
                "contact", "output", "total", "factors' non-zeros",
                "peak memory, process with most [GB]", "all [GB]"], rows)
 
@@ -308,7 +308,7 @@ def draw_stability(lengths, curves):
     plt = drawing()
     figure, panels = plt.subplots(1, 2, figsize=(8.4, 4.2), sharey=True)
     marks = dict(zip(("EBBT", "TBT", "TE-2", "LE-2"), "sv^o"))
-    colours = dict(zip(SECTIONS, ("#0072B2", "#D55E00", "#009E73")))
+    colors = dict(zip(SECTIONS, ("#0072B2", "#D55E00", "#009E73")))
     for panel, load in zip(panels, ("bending", "torsion")):
         for (section, kind, theory), off in curves.items():
             if kind == load:
@@ -316,7 +316,7 @@ def draw_stability(lengths, curves):
                 points = [(s, max(o, 1e-16)) for s, o in zip(lengths, off)
                           if o is not None]
                 panel.loglog(*zip(*points),
-                             marks[theory] + "-", color=colours[section],
+                             marks[theory] + "-", color=colors[section],
                              markersize=5, linewidth=1.2)
         panel.axhline(1e-6, color="0.4", linestyle=":", linewidth=1)
         panel.set_title(load)
@@ -324,7 +324,7 @@ def draw_stability(lengths, curves):
         panel.grid(color="0.92")
     panels[0].set_ylabel("off $a + b\\,(h/L)^2$, relative")
     panels[0].text(2, 1.6e-6, "1e-6", color="0.4")
-    handles = [plt.Line2D([], [], color=c, label=s) for s, c in colours.items()]
+    handles = [plt.Line2D([], [], color=c, label=s) for s, c in colors.items()]
     handles += [plt.Line2D([], [], color="0.3", marker=m, linestyle="", label=t)
                 for t, m in marks.items()]
     panels[1].legend(handles=handles, frameon=False, fontsize=9, ncols=2)

@@ -99,7 +99,7 @@ def hairs():
                 if run.failure:
                     row += [reason(run.failure), "", ""]
                     continue
-                values.append(run.value("end_centre", "uz"))
+                values.append(run.value("end_center", "uz"))
                 error = values[-1] / beam - 1
                 row += [f"{error:.2e}", f"{error * slenderness:.4f}",
                         f"{(run.summary['free_corrections'] or [0.])[0]:.0e}"]
@@ -112,10 +112,10 @@ def hairs():
 
 # Walls, twisted and loaded beside their middle.
 
-def twisted(scene, centre, length, size):
-    """@p scene as a cantilever under tractions that turn about @p centre of its end."""
+def twisted(scene, center, length, size):
+    """@p scene as a cantilever under tractions that turn about @p center of its end."""
     scene = {key: value for key, value in scene.items() if not key.startswith("Load")}
-    x, z = centre
+    x, z = center
     scene["Support clamp"] = {"On": "beam: start"}
     scene["Load load"] = {"On": "beam: end",
                           "Force": f"-(z - {z}), 0, x - {x}"}
@@ -126,13 +126,13 @@ def twisted(scene, centre, length, size):
 
 def wall_scenes():
     """Names, scenes, heights of sections, distances from both ends."""
-    for name, scene, height, length, centre in (
+    for name, scene, height, length, center in (
             ("double-T", double_t(), 20., 600., (10., 15.)),
             ("box", box(), 20., 400., (15., 10.)),
             ("half disc", half_disc(), 10., 200., (10., 4.)),
             ("Gmsh section", gmsh_sandwich(), 12., 300., (20., 6.))):
         yield name + ", eccentric patch", scene, height, length
-        yield name + ", twisted", twisted(scene, centre, length, 2.5), height, length
+        yield name + ", twisted", twisted(scene, center, length, 2.5), height, length
 
 
 WALL_HEADER = ["scene", "theory", "fields a node", "DoFs", "of LE-3's", "CPU [s]", "w",

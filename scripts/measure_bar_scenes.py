@@ -156,7 +156,7 @@ def leaves():
         "Support clamp": {"On": "lower: start; upper: start"},
         "Load tip": {"On": "upper: end", "Force": "0, 0, -0.5"},
         "Contact between": {"First": "upper: bottom", "Second": "lower: top",
-                            "Discretisation": "surface to surface", "Enforcement": "exact"},
+                            "Discretization": "surface to surface", "Enforcement": "exact"},
         "Probe tip": {"At": "upper: 10, 120, 7.5"}, "Probe top": {"At": "upper: 10, 40, 10"},
         "Probe end": {"At": "lower: 10, 80, 2.5"}}
 

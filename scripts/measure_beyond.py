@@ -136,7 +136,7 @@ def shipped():
             continue
         seconds = run.summary["seconds"]
         steps = run.summary["load_steps"]
-        step = (seconds["assembly"] + seconds["factorisation"] +
+        step = (seconds["assembly"] + seconds["factorization"] +
                 (seconds["solve"] + seconds["contact"]) / steps)
         found = run.summary["beyond_linear"]
         factor = found["buckling_factor"]

@@ -212,7 +212,7 @@ def beam_scene(section, length, load, box, axis, both=True, at=None, lines=()):
              "Load load": {"On": "beam: top", **load}}
     at = at or {"middle": length / 2, "third": length / 3}
     for name, y in at.items():
-        for side, x in (("left", x0), ("centre", (x0 + x1) / 2), ("right", x1)):
+        for side, x in (("left", x0), ("center", (x0 + x1) / 2), ("right", x1)):
             scene[f"Probe {name}_{side}"] = {"At": f"beam: {x}, {y:.9g}, {z}"}
     for name, p, q, samples in lines:
         scene[f"Line {name}"] = line_between(p, q, samples)
@@ -337,7 +337,7 @@ def beam_errors(run, reference, height):
 
 
 def turns(run, names):
-    largest = max(abs(run.value(n + "_centre", "uz")) for n in names)
+    largest = max(abs(run.value(n + "_center", "uz")) for n in names)
     return any(abs(twist(run, n + "_left", n + "_right")) > 1e-4 * largest
                for n in names)
 
@@ -376,7 +376,7 @@ def coupon(section, width, height, span, radii, press, across_cells, elements):
              "Section laminate": {"Width": width, "Cells across": across_cells,
                                   **section},
              "Body coupon": {"Section": "laminate", "Length": length,
-                             "Stabilisation": "1e-7",
+                             "Stabilization": "1e-7",
                              "Kinematics": {
                                  "Axis elements": f"3, {n}, 8, {n}, 8, {n}, 3",
                                  "Axis breaks": ", ".join(f"{y:.9g}"
@@ -390,7 +390,7 @@ def coupon(section, width, height, span, radii, press, across_cells, elements):
                                      "Radius": radius, "u": u}
         scene[f"Contact c_{name}"] = {
             "First": f"coupon: {'top' if name == 'nose' else 'bottom'}",
-            "Second": name, "Discretisation": "surface to surface",
+            "Second": name, "Discretization": "surface to surface",
             "Enforcement": "exact", "Search distance": max(radii)}
     for name, y, u in (("guide", middle, "0, 0, free"),
                        ("guide_y", margin, "0, free, free")):
@@ -424,13 +424,13 @@ def coupons():
            coupon(section, 20., 3.2, 80., (5., 2.), 2., 6, (1., 6)))
 
 
-def mean_pressure(run, reference, contact, centre=0.25):
+def mean_pressure(run, reference, contact, center=0.25):
     """Mean over those rows that press in @p reference, near the middle across; how
     many press."""
     pairs = [(r, s) for r, s in zip(run.rows[contact], reference.rows[contact])
              if int(s["active"])]
     x = [float(s["x"]) for s in reference.rows[contact]]
-    middle, reach = (min(x) + max(x)) / 2, centre * (max(x) - min(x))
+    middle, reach = (min(x) + max(x)) / 2, center * (max(x) - min(x))
     # Of two crossed bodies only edges press.
     pairs = [(r, s) for r, s in pairs
              if abs(float(s["x"]) - middle) <= reach] or pairs
@@ -506,7 +506,7 @@ def disc_on_laminate():
             "Support clamps": {"On": "strip: ends"},
             "Support press": {"On": "disc: ends", "u": "0, 0, -0.5"},
             "Contact nip": {"First": "strip: top", "Second": "disc: arc",
-                            "Discretisation": "surface to surface",
+                            "Discretization": "surface to surface",
                             "Enforcement": "exact", "Search distance": 2.},
             "Probe strip_bottom": {"At": "strip: 6, 40, 0.1"},
             "Probe strip_quarter": {"At": "strip: 6, 20, 1.4"},
@@ -604,13 +604,13 @@ def central():
 
 
 def central_rows(name, section, load, slenderness):
-    probes, pair = ["end_centre"], ("end_left", "end_right")
+    probes, pair = ["end_center"], ("end_left", "end_right")
     found = {"w": [], "twist": [], "stresses at mid-span": []}
     for s in slenderness:
         scene = cantilever_scene(section, s, load)
         reference, run = FieldRun(scene, "LE-3"), FieldRun(scene, "SV", 3)
         turn = abs(twist(reference, *pair))
-        deflection = abs(reference.value("end_centre", "uz"))
+        deflection = abs(reference.value("end_center", "uz"))
         found["w"].append(percent(off(run, reference, probes))
                           if deflection > 1e-3 * turn else "")
         found["twist"].append(percent(twist_off(run, reference, [pair]))

@@ -24,11 +24,11 @@ def solution():
     return K ** 2 * a, amplitude, mean
 
 
-def errors(degree, discretisation, n):
+def errors(degree, discretization, n):
     """The pressure's in L2, relative; the largest of the deflections at the probes."""
     pressure, amplitude, mean = solution()
-    other = n if discretisation == "node to node" else 3 * n // 2
-    overrides = [f"Theory=LE-{degree}", f"Contact faces/Discretisation={discretisation}",
+    other = n if discretization == "node to node" else 3 * n // 2
+    overrides = [f"Theory=LE-{degree}", f"Contact faces/Discretization={discretization}",
                  f"Section strip/Cells per ply={n}"]
     for body, elements in (("upper", n), ("lower", other)):
         overrides += [f"Body {body}/Kinematics/Axis element=B{degree + 1}",
@@ -48,10 +48,10 @@ def errors(degree, discretisation, n):
 def rates():
     """doc/theory/contact.md: errors of pressure and deflection for 2, 4, 8 elements."""
     rows = []
-    for discretisation in ("node to node", "surface to surface", "node to surface"):
-        row = [f"`{discretisation}`"]
+    for discretization in ("node to node", "surface to surface", "node to surface"):
+        row = [f"`{discretization}`"]
         for degree in (1, 2):
-            found = [errors(degree, discretisation, n) for n in (2, 4, 8)]
+            found = [errors(degree, discretization, n) for n in (2, 4, 8)]
             row += [", ".join(f"{100 * error[0]:.2g}" for error in found),
                     ", ".join(f"{error[1]:.1e}" for error in found)]
         rows.append(row)

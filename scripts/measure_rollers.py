@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Discretisations of a contact with a roller beside rods by shooting (doc/theory/contact.md); see
+"""Discretizations of a contact with a roller beside rods by shooting (doc/theory/contact.md); see
 scripts/measure."""
 
 import numpy as np
@@ -41,18 +41,18 @@ def force_of_rod(thickness, radius, half_span, down, mu):
 
 def off(settings, known):
     """How far the force of a run is off the known one, in per cent of that, and what the
-    discretisation came to."""
+    discretization came to."""
     run = BarRun(ROLLER, settings)
     if run.failure:
         return "none", ""
     face = run.summary["contacts"]["face"]
     mine = np.array([-face["force"][1], -face["force"][2]])
     return (f"{100. * np.linalg.norm(mine - known) / np.linalg.norm(known):.1g}",
-            face["discretisation"])
+            face["discretization"])
 
 
 def rollers():
-    """Half a strip over a roller, by all discretisations."""
+    """Half a strip over a roller, by all discretizations."""
     rows = []
     for thickness, radius, slenderness, size, theory in COUPONS:
         half_span = 0.5 * slenderness * thickness
@@ -61,7 +61,7 @@ def rollers():
         for mu in (0., 0.3):
             known = force_of_rod(thickness, radius, half_span, down, mu)
             found = [off([f"Theory={theory}", f"Contact face/Friction={mu or 'none'}",
-                          f"Contact face/Discretisation={kind}",
+                          f"Contact face/Discretization={kind}",
                           *overrides(thickness, radius, half_span, elements, down)], known)
                      for kind in KINDS]
             rows.append([f"{thickness:g}, {radius:g}, {slenderness:g}", f"{size:g}", theory,

@@ -32,10 +32,10 @@ def solids():
 
     scenes = [
         ("hertz.prm", [("force", press, -0.3241),
-                       ("sigma_zz", of("lower_centre", "szz"), -1.728)],
+                       ("sigma_zz", of("lower_center", "szz"), -1.728)],
          [("LE-2", []), ("solid-2", []), ("solid-1", kinematics(BOTH, Refinements=1))]),
         (PLANE, [("force", press, -0.3559),
-                 ("sigma_zz", of("lower_centre", "szz"), -1.7646)],
+                 ("sigma_zz", of("lower_center", "szz"), -1.7646)],
          [("LE-2", []), ("solid-2", []),
           ("solid-2", ["Section half/Finest cell=0.01"])]),
         ("laminated_beams.prm",
@@ -112,13 +112,13 @@ def draw_hanging(profiles, width):
     top.plot([x / width for x in fine],
              [math.sqrt(max(0, 1 - (x / width) ** 2)) for x in fine],
              color="0.6", linewidth=3, label="Hertz, of the same force")
-    for (name, profile), mark, colour in zip(profiles.items(), "sox",
+    for (name, profile), mark, color in zip(profiles.items(), "sox",
                                              ("#009E73", "#0072B2", "#D55E00")):
         x = [point[0] / width for point in profile]
-        top.plot(x, [point[1] for point in profile], mark, color=colour,
+        top.plot(x, [point[1] for point in profile], mark, color=color,
                  markersize=4, label=name)
         bottom.plot(x, [100 * (p - h) for _, p, h in profile], mark + "-",
-                    color=colour, markersize=4, linewidth=0.8)
+                    color=color, markersize=4, linewidth=0.8)
     for panel in (top, bottom):
         panel.axvline(-0.02 / width, color="0.4", linestyle=":", linewidth=1)
         panel.grid(color="0.92")
@@ -170,7 +170,7 @@ def million():
         seconds, solver = run.summary["seconds"], run.summary["bodies"]["beam"]["solver"]
         rows.append([processes, run.summary["dofs"]] +
                     [f"{seconds[phase]:.1f}" for phase in
-                     ("setup", "assembly", "factorisation", "solve", "output", "total")] +
+                     ("setup", "assembly", "factorization", "solve", "output", "total")] +
                     [solver["solutions"], solver["iterations"]] +
                     [f"{run.summary[key] / 1024:.1f}" for key in
                      ("peak_memory_mb", "peak_memory_of_all_mb")])

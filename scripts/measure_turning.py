@@ -80,14 +80,14 @@ def on_roller(section, half_span, radius, mu=0.):
     """Half a strip whose middle goes down on a roller, over which it slides inwards: the
     angle where it touches, the normal force, how far along the strip. Its middle section
     stays upright."""
-    centre = np.array([half_span, -section.half - radius])
+    center = np.array([half_span, -section.half - radius])
 
     def rod(down, guess):
         def residual(q):
             angle, force, at = q
             # The face is normal to the section's director, the rod's shear is not.
             push = force * (across(angle) + mu * along(angle))
-            x = centre + (radius + section.half) * across(angle)
+            x = center + (radius + section.half) * across(angle)
             couple = arm(-section.half * across(angle), push)
             end = shoot(section, [*x, angle, couple], -at, push)
             return np.array([end[0], end[1] + down, 100. * end[2]])
@@ -286,7 +286,7 @@ def pulled_over_corner():
     force = pieces(solve(residual, (39., 8., -0.3, 22., 4.)))[2]
     run = BarRun(CORNER_PULL, ["Contacts=face"])
     mine = -np.array(run.summary["contacts"]["face"]["force"])[1:]
-    table(["corner, rod: y", "z", "Discretisation = auto, TBT: y", "z"],
+    table(["corner, rod: y", "z", "Discretization = auto, TBT: y", "z"],
           [[f"{value:.5f}" for value in (*force, *mine)]])
 
 
@@ -302,7 +302,7 @@ def pressed_by_end():
 
     _, _, normal, angle = solve(residual, (-14., 40., 0.36, -0.19))
     run = BarRun(THROUGH, [])
-    table(["block, rod: y", "z", "Discretisation = auto, LE-1: y", "z"],
+    table(["block, rod: y", "z", "Discretization = auto, LE-1: y", "z"],
           [[f"{value:.5f}" for value in (*(-normal * across(angle)),
                                          *run.summary["contacts"]["face"]["force"][1:])]])
 
@@ -398,7 +398,7 @@ def turned_by(q, v):
 def measures(law, of_section, tilt):
     """Gamma and kappa that bear the force and moment of_section in the axes of the section, y
     along the rod: of the matrix law of the seven strains of frame_strains(), or with no tilt
-    of fibres of Reissner's six."""
+    of fibers of Reissner's six."""
     e = of_section / np.diag(law)[:6]
     for _ in range(30):
         (g_x, _, g_z), (_, k_y, _) = e[:3], e[3:]
@@ -456,7 +456,7 @@ def in_space():
     law = np.diag([shear * area, modulus * area, shear * area, modulus * about_x,
                    shear * polar, modulus * about_z, modulus * fourth])
     law[1, 6] = law[6, 1] = modulus * polar
-    for name, tilt in (("fibres tilt", True), ("Reissner's", False)):
+    for name, tilt in (("fibers tilt", True), ("Reissner's", False)):
         print(f"turning_spatial: the tip of a rod, {name}")
         print(rod_in_space(law, 260., np.array([22., -9., 14.]), tilt))
 

@@ -2,7 +2,7 @@
 """Draws trade.png and trade.svg beside it from trade.csv: change it to taste.
 
 A row of two panels for each quantity: error against seconds and against degrees of
-freedom, axes logarithmic. Theories differ by colour and mark; the Pareto front, which
+freedom, axes logarithmic. Theories differ by color and mark; the Pareto front, which
 nothing beats in both (accidents, which a richer rung gives away, aside), is filled, named
 where there is room, and joined by steps.
 """
@@ -40,13 +40,13 @@ COSTS = (("seconds", "front_seconds", "seconds of the whole process"),
 
 def look_of(theory):
     if theory.startswith("tolerance "):
-        mark, colours = LOOKS["tolerance"]
+        mark, colors = LOOKS["tolerance"]
         decade = round(1 - math.log10(float(theory.split()[1])))
-        return mark, colours[min(max(decade, 0), len(colours) - 1)]
+        return mark, colors[min(max(decade, 0), len(colors) - 1)]
     family, _, order = theory.partition("-")
-    mark, colours = LOOKS[family]
+    mark, colors = LOOKS[family]
     digits = re.match(r"\d+", order)
-    return mark, colours[min(int(digits[0]) if digits else 1, len(colours)) - 1]
+    return mark, colors[min(int(digits[0]) if digits else 1, len(colors)) - 1]
 
 
 def rows_by_quantity():
@@ -94,8 +94,8 @@ def draw_front(panel, front, cost):
 
 def draw_panel(panel, rows, cost, on_front, label):
     for row in rows:
-        mark, colour = look_of(row["theory"])
-        panel.loglog(float(row[cost]), row["error"], mark, color=colour, markersize=7,
+        mark, color = look_of(row["theory"])
+        panel.loglog(float(row[cost]), row["error"], mark, color=color, markersize=7,
                      fillstyle="full" if row[on_front] == "1" else "none", zorder=2)
     for tolerance in TOLERANCES:
         panel.axhline(tolerance, color="#505050", linewidth=0.9, linestyle=":", zorder=1.5)

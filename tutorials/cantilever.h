@@ -32,7 +32,7 @@ namespace lamella
   {
     List                                 list;
     std::unique_ptr<Structure>           structure;
-    std::shared_ptr<const Linearisation> factors;
+    std::shared_ptr<const Linearization> factors;
     Vector                               u;
   };
 
@@ -104,7 +104,7 @@ namespace lamella
       model.structure = std::make_unique<Structure>(std::move(bodies),
                                                     scene.supports,
                                                     scene.loads);
-      model.factors   = linearised(*model.structure);
+      model.factors   = linearized(*model.structure);
       const std::vector<GapRow> no_rows;
       model.u = ContactSolver(model.factors, no_rows).solve_free(1.).u.block(0);
       return model;

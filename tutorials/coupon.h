@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The section of step-8 and step-15, that of the coupon of
-// prm/flexure_test.prm, in millimetres and newtons: 32 plies, one cell a ply
+// prm/flexure_test.prm, in millimeters and newtons: 32 plies, one cell a ply
 // and six across. With it what may press on its top, and its fields on a grid
 // for the pictures.
 
@@ -200,7 +200,7 @@ namespace lamella
 
 
   /// Responses @p of_loads at the wave numbers @p waves, each a real and an
-  /// imaginary part, which are fields of their own. SectionResponse factorises
+  /// imaginary part, which are fields of their own. SectionResponse factorizes
   /// once for each wave number, for all loads.
   inline std::vector<std::vector<Vector>>
   responses(const Section             &section,

@@ -20,9 +20,9 @@ PLIES = ("0.93", "0.80", "0.93")
 plt.rcParams.update({"font.size": 11, "figure.dpi": 150})
 
 
-def arrow(axis, start, end, colour="black", width=1.8):
+def arrow(axis, start, end, color="black", width=1.8):
     axis.annotate("", end, start, arrowprops=dict(
-        arrowstyle="-|>,head_width=0.25,head_length=0.5", color=colour,
+        arrowstyle="-|>,head_width=0.25,head_length=0.5", color=color,
         linewidth=width, shrinkA=0, shrinkB=0))
 
 
@@ -48,17 +48,17 @@ def beam(axis):
     width, length, ply = 2.4, 5.4, 0.44
     height = len(PLIES) * ply
 
-    def face(points, colour):
-        axis.add_patch(Polygon([oblique(*p) for p in points], facecolor=colour,
+    def face(points, color):
+        axis.add_patch(Polygon([oblique(*p) for p in points], facecolor=color,
                                edgecolor="black", linewidth=0.9))
 
     face([(0, 0, height), (width, 0, height), (width, length, height),
           (0, length, height)], "white")
-    for k, colour in enumerate(PLIES):
+    for k, color in enumerate(PLIES):
         low, high = k * ply, (k + 1) * ply
         face([(0, 0, low), (0, length, low), (0, length, high), (0, 0, high)],
-             colour)
-        face([(0, 0, low), (width, 0, low), (width, 0, high), (0, 0, high)], colour)
+             color)
+        face([(0, 0, low), (width, 0, low), (width, 0, high), (0, 0, high)], color)
         axis.text(*oblique(width / 2, 0, (low + high) / 2), f"ply {k + 1}",
                   ha="center", va="center", fontsize=10)
     axis.text(*oblique(width + 0.2, 0, 2.5 * ply), "plies from\nbottom to top",
@@ -84,21 +84,21 @@ def ply_angle(axis):
     panel(axis, "Ply angle, seen from above", (-0.5, 4.9), (-0.95, 5.0))
     axis.add_patch(Rectangle((0, 0), 2.6, 3.6, facecolor="0.95", edgecolor="black",
                              linewidth=0.9))
-    centre, angle = np.array([1.3, 1.1]), np.radians(30)
-    fibre = np.array([np.sin(angle), np.cos(angle)])
+    center, angle = np.array([1.3, 1.1]), np.radians(30)
+    fiber = np.array([np.sin(angle), np.cos(angle)])
     clip = axis.patches[-1]
     for shift in np.arange(-3, 3.1, 0.34):
-        start = centre + shift * np.array([1, 0])
-        line, = axis.plot(*zip(start - 6 * fibre, start + 6 * fibre), color="0.78",
+        start = center + shift * np.array([1, 0])
+        line, = axis.plot(*zip(start - 6 * fiber, start + 6 * fiber), color="0.78",
                           linewidth=1.)
         line.set_clip_path(clip)
-    axis.plot(*zip(centre, centre + (0, 2.2)), color=BLUE, linestyle="--",
+    axis.plot(*zip(center, center + (0, 2.2)), color=BLUE, linestyle="--",
               linewidth=1.3)
-    arrow(axis, centre, centre + 2.2 * fibre, "black", 2.2)
-    axis.add_patch(Arc(centre, 2.6, 2.6, theta1=60, theta2=90, linewidth=1.5))
-    axis.text(*(centre + 1.55 * np.array([np.sin(angle / 2), np.cos(angle / 2)])),
+    arrow(axis, center, center + 2.2 * fiber, "black", 2.2)
+    axis.add_patch(Arc(center, 2.6, 2.6, theta1=60, theta2=90, linewidth=1.5))
+    axis.text(*(center + 1.55 * np.array([np.sin(angle / 2), np.cos(angle / 2)])),
               r"$\theta$", ha="center", va="center", fontsize=13)
-    axis.text(2.75, 2.9, "fibre at\n$\\theta = +30°$", fontsize=10, va="center")
+    axis.text(2.75, 2.9, "fiber at\n$\\theta = +30°$", fontsize=10, va="center")
     arrow(axis, (0, 0), (0, 4.4), BLUE)
     axis.text(0, 4.5, "y", color=BLUE, ha="center", va="bottom")
     arrow(axis, (0, 0), (3.3, 0), RED)
@@ -122,7 +122,7 @@ def stress_order(axis):
               va="center")
     axis.text(0, 0.1, "11, 22, 33, 12, 13, 23: the same order in ply axes", fontsize=10,
               va="center")
-    axis.text(0, -0.38, r"$e_1 = (\sin\theta, \cos\theta, 0)$ along the fibre,"
+    axis.text(0, -0.38, r"$e_1 = (\sin\theta, \cos\theta, 0)$ along the fiber,"
               r" $e_3 = z$,", fontsize=10, va="center")
     axis.text(0, -0.86, r"$e_2 = e_3 \times e_1 = (-\cos\theta, \sin\theta, 0)$",
               fontsize=10, va="center")

@@ -5,7 +5,7 @@
 // Six transfinite walls, from corner to corner; the scene calls the material
 // carbon as well, so it needs no Parts.
 
-outside = 10;                          // centre to corner
+outside = 10;                          // center to corner
 inside  = outside - 2 / Cos(Pi / 6);   // walls 2 thick
 across  = 2;                           // cells through a wall
 along   = 3;                           // cells along a wall

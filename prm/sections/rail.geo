@@ -19,7 +19,7 @@ Point(12) = {a - radius, height - flange, 0, size};
 Point(13) = {a, height - flange - radius, 0, size};
 Point(14) = {a, flange + radius, 0, size};      Point(15) = {a - radius, flange, 0, size};
 Point(16) = {0, flange, 0, size};
-// Centres of the rounded corners.
+// Centers of the rounded corners.
 Point(21) = {b + radius, flange + radius, 0};
 Point(22) = {b + radius, height - flange - radius, 0};
 Point(23) = {a - radius, height - flange - radius, 0};

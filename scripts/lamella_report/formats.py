@@ -47,7 +47,7 @@ def number(value, scale=0., digits=5):
     all digits for programs, and readable() ones for people.
 
     A dash where there is none, the text itself if it spells none. What is below 1e-9 of
-    scale, the size of its neighbours, is rounding and is shown as 0.
+    scale, the size of its neighbors, is rounding and is shown as 0.
     """
     if isinstance(value, Written):
         value = value.text

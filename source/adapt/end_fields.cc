@@ -6,7 +6,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>
 #include <lamella/conditions/row_reduction.h>
-#include <lamella/conditions/stabilisation.h>
+#include <lamella/conditions/stabilization.h>
 
 #include <algorithm>
 #include <cmath>
@@ -144,7 +144,7 @@ namespace lamella
       std::vector<SpringTerm>   springs;
       // No load works on them: how stiff they are does not matter.
       if (!motions.empty())
-        for (const Spring &spring : stabilising_springs(piece, 0, rows, {1.}))
+        for (const Spring &spring : stabilizing_springs(piece, 0, rows, {1.}))
           springs.emplace_back(spring.row, spring.stiffness);
       const unsigned int last = piece.axis().n_nodes() - 1,
                          far  = held.goes_forward ? last : 0;

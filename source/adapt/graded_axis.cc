@@ -178,7 +178,7 @@ namespace lamella
 
 
     /// The smallest gap of rows that are each a pair of y and gap: y of the
-    /// lowest point of the parabola through the lowest row and its neighbours.
+    /// lowest point of the parabola through the lowest row and its neighbors.
     double
     nearest(const std::map<double, double> &gaps)
     {

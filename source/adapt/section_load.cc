@@ -205,7 +205,7 @@ namespace lamella
   smooth_of(const std::vector<SectionLoad> &loads, const unsigned int n_fields)
   {
     Point<2>     low = loads[0].in_section, high = low;
-    Tensor<1, 2> centre;
+    Tensor<1, 2> center;
     double       area = 0.;
     for (const SectionLoad &load : loads)
       {
@@ -215,16 +215,16 @@ namespace lamella
             high[d] = std::max(high[d], load.in_section[d]);
           }
         area += load.area;
-        centre += load.area * load.in_section;
+        center += load.area * load.in_section;
       }
-    centre /= area;
+    center /= area;
     const unsigned int across = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
     Vector             mean(n_fields), linear(n_fields);
     for (const SectionLoad &load : loads)
       {
         load.f.add_to(mean, load.area);
         load.f.add_to(linear,
-                      load.area * (load.in_section[across] - centre[across]));
+                      load.area * (load.in_section[across] - center[across]));
       }
     std::vector<Vector> result;
     if (mean.l2_norm() > 0.)

@@ -78,14 +78,14 @@ namespace lamella
       return false;
     };
     for (const ContactInterface &contact : contacts)
-      if (contact.discretisation == Discretisation::surface_to_surface &&
+      if (contact.discretization == Discretization::surface_to_surface &&
           std::any_of(contact.rows.begin(), contact.rows.end(), reaches))
         notes.push_back(
           "body " + beam.name() + ": rows of contact " + contact.name +
           " outnumber what nodes of LE of a lower degree can deform; where "
           "it closes there its force is right and single pressures are not "
           "to be used. Let the piece of the highest degree reach further, or "
-          "use Discretisation = node to surface");
+          "use Discretization = node to surface");
   }
 
 

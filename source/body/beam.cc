@@ -187,16 +187,16 @@ namespace lamella
   Beam::dof_position(const DofIndex dof) const
   {
     const double   y = beam_axis->nodes()[dof_map.node_of(dof)];
-    const Point<2> c = beam_section->element().centre();
+    const Point<2> c = beam_section->element().center();
     return placement.to_scene({c[0], y, c[1]});
   }
 
 
 
   Point<3>
-  Beam::centre() const
+  Beam::center() const
   {
-    const Point<2> c = beam_section->element().centre();
+    const Point<2> c = beam_section->element().center();
     return placement.to_scene({c[0], 0.5 * beam_axis->length(), c[1]});
   }
 

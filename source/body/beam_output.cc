@@ -300,7 +300,7 @@ namespace lamella
       beam_section->element().map(section_cell, {0.5, 0.5}).position);
     OutputCell cell;
     cell.ply        = beam_section->cell_ply(section_cell);
-    cell.fibre      = placement.vector_to_scene(axes[0]);
+    cell.fiber      = placement.vector_to_scene(axes[0]);
     cell.ply_normal = placement.vector_to_scene(axes[2]);
     return cell;
   }

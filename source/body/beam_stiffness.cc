@@ -5,8 +5,8 @@
 
 #include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
-#include <lamella/linear/block_factorisation.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/block_factorization.h>
+#include <lamella/linear/factorization.h>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ namespace lamella
 
   namespace
   {
-    /// Whether every node couples all its fields with all of its neighbours'.
+    /// Whether every node couples all its fields with all of its neighbors'.
     bool
     is_dense(const FieldSpace &space, const Axis &axis, const BeamDofMap &dofs)
     {
@@ -161,7 +161,7 @@ namespace lamella
       });
     try
       {
-        return factorise_blocks(
+        return factorize_blocks(
           terms, blocks, constraints, "body '" + name() + "'", monitor);
       }
     catch (const NotPositiveDefinite &error)

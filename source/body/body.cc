@@ -4,7 +4,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/body/body.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -46,7 +46,7 @@ namespace lamella
 
 
   Point<3>
-  Body::centre() const
+  Body::center() const
   {
     return bounding_box().center();
   }
@@ -225,7 +225,7 @@ namespace lamella
       monitor.assembled();
     try
       {
-        return matrix->factorise("body '" + name() + "'",
+        return matrix->factorize("body '" + name() + "'",
                                  [&](const FactorSize &size) {
                                    matrix->release();
                                    if (monitor.sized)
@@ -343,7 +343,7 @@ namespace lamella
       std::string(error.what()) + " It shows first near " +
         to_text(dof_position(error.dof)) +
         ": look for elements that are very short or thin beside their "
-        "neighbours there.",
+        "neighbors there.",
       error.dof);
   }
 } // namespace lamella

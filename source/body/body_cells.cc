@@ -122,7 +122,7 @@ namespace lamella
     const PlyAt middle = ply_at({cell, Point<3>(0.5, 0.5, 0.5)});
     OutputCell  result;
     result.ply        = middle.ply;
-    result.fibre      = placement.vector_to_scene(middle.axes[0]);
+    result.fiber      = placement.vector_to_scene(middle.axes[0]);
     result.ply_normal = placement.vector_to_scene(middle.axes[2]);
     for (unsigned int k = 0; k <= n[2]; ++k)
       for (const double eta : etas)

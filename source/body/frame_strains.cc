@@ -138,9 +138,9 @@ namespace lamella
 
 
 
-    /// With what shear and twist stretch fibres by.
+    /// With what shear and twist stretch fibers by.
     FrameStrains
-    with_tilt_of_fibres(FrameStrains e)
+    with_tilt_of_fibers(FrameStrains e)
     {
       constexpr unsigned int G_x = 0, G_y = 1, G_z = 2, k_x = 3, k_y = 4,
                              k_z = 5, half_square_of_k_y = 6;
@@ -250,7 +250,7 @@ namespace lamella
           }
       }
     divide_by_square(Q, e);
-    return with_tilt_of_fibres(e);
+    return with_tilt_of_fibers(e);
   }
 
 

@@ -227,11 +227,11 @@ namespace lamella
         if (cell->is_locally_owned())
           {
             const BoundingBox<3> box     = cell->bounding_box();
-            Point<3>             nearest = ball.centre;
+            Point<3>             nearest = ball.center;
             for (unsigned int d = 0; d < 3; ++d)
               nearest[d] = std::min(box.upper_bound(d),
                                     std::max(box.lower_bound(d), nearest[d]));
-            if (nearest.distance(ball.centre) < ball.radius)
+            if (nearest.distance(ball.center) < ball.radius)
               {
                 cell->set_refine_flag();
                 ++flagged;
@@ -263,7 +263,7 @@ namespace lamella
                              "no hexahedron of the body reaches into the ball "
                              "of radius " +
                                to_text(ball.radius),
-                             "Its centre is in the scene's axes; is it near "
+                             "Its center is in the scene's axes; is it near "
                              "the body?");
           require(mesh.n_global_active_cells() + 7. * flagged);
           mesh.execute_coarsening_and_refinement();

@@ -24,9 +24,9 @@ namespace lamella
   namespace
   {
     // Above it a body could no longer be called held by contact alone.
-    constexpr double largest_stabilisation = 1e-2;
+    constexpr double largest_stabilization = 1e-2;
     // Of held bodies, where a contact is to hold them.
-    constexpr double stabilisation_of_held = 1e-6;
+    constexpr double stabilization_of_held = 1e-6;
   } // namespace
 
 
@@ -59,7 +59,7 @@ namespace lamella
                       "Makes a stack of the body: NAME-1, NAME-2, ..., so "
                       "many. What names the body in On, First and Second "
                       "stands for them; a contact of it with itself is "
-                      "between neighbours.");
+                      "between neighbors.");
     prm.declare_entry("Origin step",
                       "",
                       patterns::numbers(),
@@ -71,7 +71,7 @@ namespace lamella
                       "From the Length of one copy to that of the next "
                       "[length]; default 0.");
     prm.declare_entry(
-      "Stabilisation",
+      "Stabilization",
       "0",
       patterns::number(),
       "For a body that contact alone holds, e.g. a roller under a force: "
@@ -85,7 +85,7 @@ namespace lamella
       "`statically determinate` holds a body that no support holds: where "
       "nothing acts against a rigid motion, the body's middle stays where it "
       "is, and the loads must be in equilibrium; where a contact may, springs "
-      "as of Stabilisation = 1e-6 do until it does, and are iterated out of "
+      "as of Stabilization = 1e-6 do until it does, and are iterated out of "
       "the result. Empty: none.");
     prm.enter_subsection("Kinematics");
     TheoryParameters::declare(prm);
@@ -116,12 +116,12 @@ namespace lamella
 
 
     double
-    parse_stabilisation(const Entry &entry)
+    parse_stabilization(const Entry &entry)
     {
       const double share = entry.number();
-      if (!(share >= 0. && share <= largest_stabilisation))
+      if (!(share >= 0. && share <= largest_stabilization))
         entry.refuse("must lie between 0 (none) and " +
-                     to_text(largest_stabilisation) +
+                     to_text(largest_stabilization) +
                      "; 1e-6 holds a body without changing the result");
       return share;
     }
@@ -173,10 +173,10 @@ namespace lamella
     body.section        = in["Section"].among(sections, "section", "Sections");
     const double length = in["Length"].positive();
     body.placement      = parse_placement(in);
-    body.stabilisation  = parse_stabilisation(in["Stabilisation"]);
+    body.stabilization  = parse_stabilization(in["Stabilization"]);
     body.is_held        = parse_hold(in["Hold"]);
-    if (body.is_held && body.stabilisation == 0.)
-      body.stabilisation = stabilisation_of_held;
+    if (body.is_held && body.stabilization == 0.)
+      body.stabilization = stabilization_of_held;
     prm.enter_subsection("Kinematics");
     parse_kinematics(Entries(prm, in.path() + "/Kinematics"),
                      length,

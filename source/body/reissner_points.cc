@@ -60,7 +60,7 @@ namespace lamella
 
 
   Tensor<1, 3>
-  ReissnerBeam::from_centre(const SectionPoint &point) const
+  ReissnerBeam::from_center(const SectionPoint &point) const
   {
     // The slopes are (x - x_c) / h and (z - z_c) / h along y.
     const auto along = [&](const unsigned int alpha) {
@@ -81,7 +81,7 @@ namespace lamella
                              const SectionState &state) const
   {
     const Tensor<2, 3> R = rotation_of(state.frame.Q);
-    const Tensor<1, 3> X = from_centre(point);
+    const Tensor<1, 3> X = from_center(point);
     Tensor<1, 3>       warping;
     for (unsigned int k = 0; k < point.fields->size(); ++k)
       warping += state.warping[(*point.fields)[k]] * point.value[k];
@@ -100,7 +100,7 @@ namespace lamella
       section().evaluate(place.cell % n, {place.unit[0], place.unit[2]});
     PointFields result;
     result.on_axis = axis().evaluate(cell, place.unit[1]);
-    result.X       = from_centre(point);
+    result.X       = from_center(point);
     for (const unsigned int alpha : laws[cell]->warpings)
       {
         const double *mode = fields().mode(alpha - fields().first_mode());
@@ -354,7 +354,7 @@ namespace lamella
   ReissnerBeam::twist_strain(const SectionPoint &point) const
   {
     return &section() == deforming.get() ? twist_stretch->strain(point) :
-                                           stretch_of_fibre(section(), point);
+                                           stretch_of_fiber(section(), point);
   }
 
 

@@ -167,7 +167,7 @@ namespace lamella
 
 
   Point<3>
-  Solid::centre() const
+  Solid::center() const
   {
     return placement.to_scene(box.center());
   }

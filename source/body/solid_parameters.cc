@@ -31,7 +31,7 @@ namespace lamella
 
 
 
-    /// `x, y, z: radius: times`, the centre in the scene's axes.
+    /// `x, y, z: radius: times`, the center in the scene's axes.
     SolidRefinement::Ball
     parse_ball(const Entry &entry, const Placement &placement)
     {
@@ -39,7 +39,7 @@ namespace lamella
       if (parts.size() != 3)
         entry.refuse("must be x, y, z: radius: times");
       SolidRefinement::Ball ball;
-      ball.centre = placement.to_body(entry.point(parts[0]));
+      ball.center = placement.to_body(entry.point(parts[0]));
       ball.radius = entry.number(parts[1]);
       ball.times  = times(entry, parts[2]);
       if (!(ball.radius > 0.))

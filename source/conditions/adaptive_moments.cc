@@ -331,7 +331,7 @@ namespace lamella
         {
           result.bisections = halves[0].bisections[worst.direction];
           result.cell       = worst.cell;
-          result.place      = worst.box.centre();
+          result.place      = worst.box.center();
         }
     }
 

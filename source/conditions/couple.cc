@@ -33,23 +33,23 @@ namespace lamella
   Couple::place(const std::vector<Point<3>> &x) const
   {
     double       area = 0.;
-    Tensor<1, 3> centre;
+    Tensor<1, 3> center;
     for (unsigned int k = 0; k < all.size(); ++k)
       {
         area += all[k].area;
-        centre += all[k].area * x[k];
+        center += all[k].area * x[k];
       }
-    centre /= area;
+    center /= area;
     Tensor<2, 3> J;
     for (unsigned int k = 0; k < all.size(); ++k)
       {
-        const Tensor<1, 3> r = x[k] - centre;
+        const Tensor<1, 3> r = x[k] - center;
         for (unsigned int c = 0; c < 3; ++c)
           J[c][c] += all[k].area * r.norm_square();
         J -= all[k].area * outer_product(r, r);
       }
     const Tensor<2, 3> inverse = invert(J);
-    return {centre, inverse, inverse * moment};
+    return {center, inverse, inverse * moment};
   }
 
 
@@ -61,7 +61,7 @@ namespace lamella
     std::vector<Tensor<1, 3>> result;
     for (unsigned int k = 0; k < all.size(); ++k)
       result.push_back(all[k].area *
-                       cross_product_3d(at.theta, x[k] - at.centre));
+                       cross_product_3d(at.theta, x[k] - at.center));
     return result;
   }
 
@@ -74,21 +74,21 @@ namespace lamella
     const Place   at   = place(x);
     const Turning by   = turning(x);
     double        area = 0.;
-    Tensor<1, 3>  centre, of_theta;
+    Tensor<1, 3>  center, of_theta;
     for (unsigned int p = 0; p < all.size(); ++p)
       {
         area += all[p].area;
-        centre += all[p].area * u[p];
+        center += all[p].area * u[p];
         for (unsigned int k = 0; k < 3; ++k)
           of_theta[k] -= by.stretch[k][p] * u[p];
       }
-    centre /= area;
+    center /= area;
     of_theta = at.inverse * of_theta;
     std::vector<Tensor<1, 3>> result;
     for (unsigned int p = 0; p < all.size(); ++p)
       result.push_back(all[p].area *
-                       (cross_product_3d(at.theta, u[p] - centre) +
-                        cross_product_3d(of_theta, x[p] - at.centre)));
+                       (cross_product_3d(at.theta, u[p] - center) +
+                        cross_product_3d(of_theta, x[p] - at.center)));
     return result;
   }
 
@@ -102,7 +102,7 @@ namespace lamella
     Turning             result;
     for (unsigned int p = 0; p < all.size(); ++p)
       {
-        const Tensor<1, 3> r = x[p] - at.centre;
+        const Tensor<1, 3> r = x[p] - at.center;
         for (unsigned int k = 0; k < 3; ++k)
           {
             Tensor<1, 3> along;

@@ -4,7 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/hold.h>
-#include <lamella/conditions/stabilisation.h>
+#include <lamella/conditions/stabilization.h>
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +182,7 @@ namespace lamella
               "the loads on the body are not in equilibrium, and no support "
               "and no contact acts against its " +
                 motion.words + ": their resultant is " + to_text(force) +
-                ", their moment about its centre " + to_text(moment),
+                ", their moment about its center " + to_text(moment),
               "Add the load that balances them, or a support or contact that "
               "bears them.");
           }

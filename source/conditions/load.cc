@@ -296,7 +296,7 @@ namespace lamella
           double         torque = 0., size = 0.;
           for (unsigned int i = 0; i < at.forces.size(); ++i)
             {
-              Tensor<1, 3> arm = at.locations[i].position - body.centre();
+              Tensor<1, 3> arm = at.locations[i].position - body.center();
               arm -= (arm * axis) * axis;
               torque += cross_product_3d(arm, at.forces[i]) * axis;
               size += arm.norm() * at.forces[i].norm();

@@ -36,7 +36,7 @@ namespace lamella
 
   template <int dim>
   Point<dim>
-  ParameterBox<dim>::centre() const
+  ParameterBox<dim>::center() const
   {
     return low + 0.5 * (high - low);
   }
@@ -48,7 +48,7 @@ namespace lamella
   ParameterBox<dim>::halves(const unsigned int d) const
   {
     std::array<ParameterBox, 2> both{{*this, *this}};
-    both[0].high[d] = both[1].low[d] = centre()[d];
+    both[0].high[d] = both[1].low[d] = center()[d];
     for (ParameterBox &half : both)
       ++half.bisections[d];
     return both;

@@ -251,7 +251,7 @@ namespace lamella
 
 
 
-    /// The rotation and its centre of @p support, all else of which is there.
+    /// The rotation and its center of @p support, all else of which is there.
     void
     parse_rotation(const Entries &in, Support &support)
     {
@@ -415,7 +415,7 @@ namespace lamella
                         "Use Force at a point or along a line.");
           if (load.couple && region.is_several_surfaces())
             on.refuse("'" + region.surface +
-                        "' is several surfaces, and a couple has one centre",
+                        "' is several surfaces, and a couple has one center",
                       "Name one: start, end, or a side.");
         }
     }

@@ -282,7 +282,7 @@ namespace lamella
             weight *= held.sizes[dof] / held.sizes[equation.pivot];
           equation.value /= held.sizes[equation.pivot];
         }
-    factorise(held.functionals);
+    factorize(held.functionals);
   }
 
 
@@ -347,7 +347,7 @@ namespace lamella
 
 
   void
-  RowElimination::factorise(const std::vector<Row> &functionals)
+  RowElimination::factorize(const std::vector<Row> &functionals)
   {
     // As sparse as the rows are: a section that is held as a whole has one row
     // a node, with entries of that node and of the rigid fields.

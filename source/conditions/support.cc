@@ -273,7 +273,7 @@ namespace lamella
 
     /// Combines @p motions so that each has a rotation, or failing that a
     /// translation, that no other has: those are motions that a user can see.
-    /// (At most six rows in echelon form, which no factorisation is.)
+    /// (At most six rows in echelon form, which no factorization is.)
     void
     reduce_to_echelon(std::vector<std::array<double, 6>> &motions)
     {
@@ -352,7 +352,7 @@ namespace lamella
     const Tensor<1, 3> turn =
       Point<3>(motion[3], motion[4], motion[5]) / body.size();
     return Point<3>(motion[0], motion[1], motion[2]) +
-           cross_product_3d(turn, x - body.centre());
+           cross_product_3d(turn, x - body.center());
   }
 
 

@@ -65,7 +65,7 @@ namespace lamella
             moment[c] = own * rigid[3 + c];
           }
         result.force += force;
-        result.moment += moment + cross_product_3d(body.centre(), force);
+        result.moment += moment + cross_product_3d(body.center(), force);
       }
     return result;
   }

@@ -98,13 +98,13 @@ namespace lamella
                   const Bodies                        &bodies)
   {
     const auto is_weighted = [](const ContactInterface &interface) {
-      return interface.discretisation == Discretisation::surface_to_surface;
+      return interface.discretization == Discretization::surface_to_surface;
     };
     // The gap of an end is another one than the average of those around it.
     const auto differ = [&is_weighted](const ContactInterface &a,
                                        const ContactInterface &b) {
       return is_weighted(a) &&
-             b.discretisation == Discretisation::edge_to_surface;
+             b.discretization == Discretization::edge_to_surface;
     };
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
@@ -137,13 +137,13 @@ namespace lamella
     for (const ContactInterface &contact : interfaces)
       {
         const unsigned int pairs = contact.rows.size();
-        if (contact.discretisation != Discretisation::node_to_node ||
+        if (contact.discretization != Discretization::node_to_node ||
             pairs >=
               std::min(contact.beside_nodes, contact.beside_nodes_second))
           continue;
         throw InputError(
-          "Contact " + contact.name + "/Discretisation",
-          name_of(contact.discretisation),
+          "Contact " + contact.name + "/Discretization",
+          name_of(contact.discretization),
           "only " + std::to_string(pairs) +
             " nodes of First and of Second "
             "face each other, " +

@@ -267,7 +267,7 @@ namespace lamella
 
   namespace
   {
-    /// A node with rows of its own, and its neighbour along a line.
+    /// A node with rows of its own, and its neighbor along a line.
     struct LineNode
     {
       Point<3>                    position;

@@ -69,7 +69,7 @@ namespace lamella
     pair_undeformed();
     if (bodies[contact.first.body]->turns())
       reach = std::max(reach, automatic_search_distance(contact, bodies));
-    undeformed.decide(interface.discretisation,
+    undeformed.decide(interface.discretization,
                       interface.points_on_second ? PointsOn::second :
                                                    PointsOn::first);
     if (contact.friction > 0.)
@@ -116,7 +116,7 @@ namespace lamella
   Contact::keep_lines()
   {
     lines.reset();
-    if (interface.discretisation == Discretisation::line_to_roller)
+    if (interface.discretization == Discretization::line_to_roller)
       lines = std::make_unique<RollerLines>(*undeformed.surface(false),
                                             *undeformed.obstacle(),
                                             interface);
@@ -130,7 +130,7 @@ namespace lamella
     if (!points.empty())
       return;
     points = interface.sampled;
-    if (interface.discretisation == Discretisation::surface_to_surface)
+    if (interface.discretization == Discretization::surface_to_surface)
       return;
     const bool         on_second = interface.points_on_second;
     const MeshSurface &carrying  = *undeformed.surface(on_second),
@@ -188,7 +188,7 @@ namespace lamella
   const CarryingSurface *
   Contact::functions() const
   {
-    return interface.discretisation == Discretisation::surface_to_surface ?
+    return interface.discretization == Discretization::surface_to_surface ?
              interface.surface.get() :
              nullptr;
   }
@@ -212,7 +212,7 @@ namespace lamella
       const FacetMap &map = on.facets()[point.carrying.facet].map;
       return map.outward(map(point.carrying.st)).norm();
     };
-    if (interface.discretisation == Discretisation::surface_to_surface)
+    if (interface.discretization == Discretization::surface_to_surface)
       for (GapPoint &point : points)
         point.area *= density(before, point) / density(now, point);
     if (begun_at.n_blocks() > 0)
@@ -265,7 +265,7 @@ namespace lamella
   ContactMemory
   Contact::memory() const
   {
-    return {paired_at, paired_factor, points, interface.discretisation};
+    return {paired_at, paired_factor, points, interface.discretization};
   }
 
 
@@ -277,7 +277,7 @@ namespace lamella
   {
     begun_at = BlockVector();
     held.clear();
-    undeformed.decide(known.discretisation, undeformed.contact().points_on);
+    undeformed.decide(known.discretization, undeformed.contact().points_on);
     if (known.u.n_blocks() > 0)
       pair(known.u, known.factor);
     else if (paired_at.n_blocks() > 0)
@@ -736,7 +736,7 @@ namespace lamella
   {
     if (!is_automatic())
       return false;
-    undeformed.decide(Discretisation::surface_to_surface, PointsOn::first);
+    undeformed.decide(Discretization::surface_to_surface, PointsOn::first);
     return true;
   }
 

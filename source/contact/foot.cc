@@ -12,7 +12,7 @@ namespace lamella
 
   namespace
   {
-    // Of a facet's length: how far a foot goes beyond a side with a neighbour,
+    // Of a facet's length: how far a foot goes beyond a side with a neighbor,
     // and beyond the rim along a body. Strips of one width have points on
     // each other's rims, which bending moves to and fro across them.
     constexpr double beyond = 0.05, beyond_rim = 0.01;

@@ -78,7 +78,7 @@ namespace lamella
       Assert(contact.points_on != PointsOn::undefined,
              ExcMessage("The side that carries the points was never set."));
       if (contact.obstacle != nullptr ||
-          contact.discretisation == Discretisation::node_to_node ||
+          contact.discretization == Discretization::node_to_node ||
           contact.points_on == PointsOn::first)
         return false;
       return contact.points_on == PointsOn::second ||
@@ -92,7 +92,7 @@ namespace lamella
               const double        reach,
               ContactInterface   &interface)
     {
-      if (interface.discretisation == Discretisation::node_to_node)
+      if (interface.discretization == Discretization::node_to_node)
         {
           Assert(at.contact().obstacle == nullptr,
                  ExcMessage("An obstacle has no nodes."));
@@ -116,9 +116,9 @@ namespace lamella
       else if (!sides.of_edges)
         (on_second ? interface.unpaired : interface.unpaired_second) =
           nodes_facing_nothing(*sides.opposing_mesh, *sides.carrying, reach);
-      Assert(interface.discretisation != Discretisation::undefined,
-             ExcMessage("The discretisation was never set."));
-      return interface.discretisation == Discretisation::surface_to_surface ?
+      Assert(interface.discretization != Discretization::undefined,
+             ExcMessage("The discretization was never set."));
+      return interface.discretization == Discretization::surface_to_surface ?
                weighted_gaps(sides) :
                pair_node_to_surface(sides, at.points(on_second));
     }
@@ -214,8 +214,8 @@ namespace lamella
         surface_of_nodes(*bodies[body],
                          interface.carrying_surface,
                          nodes,
-                         interface.discretisation ==
-                           Discretisation::node_to_node));
+                         interface.discretization ==
+                           Discretization::node_to_node));
     }
 
 
@@ -353,10 +353,10 @@ namespace lamella
   {
     const Bodies &bodies   = sides.bodies();
     ContactPair   contact  = sides.contact();
-    contact.discretisation = decided(sides, reach);
+    contact.discretization = decided(sides, reach);
     ContactInterface interface;
     interface.name           = contact.name;
-    interface.discretisation = contact.discretisation;
+    interface.discretization = contact.discretization;
     interface.first_body     = contact.first.body;
     if (contact.obstacle == nullptr)
       interface.second_body = contact.second.body;

@@ -36,7 +36,7 @@ namespace lamella
     for (const SurfaceTopology::Facet &facet : topology.facets)
       make_facet(facet);
     split_at_edges(topology);
-    find_neighbours();
+    find_neighbors();
     average_normals();
     make_search();
   }
@@ -107,11 +107,11 @@ namespace lamella
   MeshSurface::measure(Facet &facet) const
   {
     const auto &x = facet.side.corners;
-    facet.centre =
+    facet.center =
       x[0] + 0.25 * ((x[1] - x[0]) + (x[2] - x[0]) + (x[3] - x[0]));
     facet.radius = 0.;
     for (const Point<3> &node : facet.map.control_points())
-      facet.radius = std::max(facet.radius, node.distance(facet.centre));
+      facet.radius = std::max(facet.radius, node.distance(facet.center));
     // Between its nodes a curve may leave their ball a little.
     facet.radius *=
       facet.map.is_straight() ? 1. + arithmetic::same_in_element : 1.1;
@@ -120,7 +120,7 @@ namespace lamella
 
 
   void
-  MeshSurface::find_neighbours()
+  MeshSurface::find_neighbors()
   {
     // Sides by the numbers of their ends, which two facets share; what is finer
     // beyond a side hangs on it.
@@ -408,8 +408,8 @@ namespace lamella
                           const Tensor<1, 3> &d) const
   {
     const Facet       &facet     = all_facets[number];
-    const Tensor<1, 3> to_centre = facet.centre - x;
-    if ((to_centre - (to_centre * d) * d).norm_square() >
+    const Tensor<1, 3> to_center = facet.center - x;
+    if ((to_center - (to_center * d) * d).norm_square() >
         facet.radius * facet.radius)
       return {};
 

@@ -111,26 +111,26 @@ namespace lamella
           "contact " + interface.name + ": " + std::to_string(nodes.beside) +
           " nodes of First and " + std::to_string(nodes.beside_second) +
           " of Second face the other surface, but none of its nodes, and can "
-          "pass through it. Use Discretisation = auto or surface to surface, "
+          "pass through it. Use Discretization = auto or surface to surface, "
           "or give both surfaces the same nodes");
     }
   } // namespace
 
 
 
-  Discretisation
+  Discretization
   decided(const ContactSides &sides, const double reach)
   {
     const ContactPair &contact = sides.contact();
-    if (contact.discretisation != Discretisation::automatic)
-      return contact.discretisation;
+    if (contact.discretization != Discretization::automatic)
+      return contact.discretization;
     if (contact.obstacle != nullptr)
-      return Discretisation::surface_to_surface;
+      return Discretization::surface_to_surface;
     const NodePairs nodes = pair_nodes(sides, reach);
     return !nodes.pairing.pairs.empty() &&
                nodes.beside + nodes.beside_second == 0 ?
-             Discretisation::node_to_node :
-             Discretisation::surface_to_surface;
+             Discretization::node_to_node :
+             Discretization::surface_to_surface;
   }
 
 

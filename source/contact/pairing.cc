@@ -296,7 +296,7 @@ namespace lamella
     for (const MeshSurface::Facet &facet : a.facets())
       {
         const auto facing =
-          opposing_place(b, facet.centre, facet.normal, reach);
+          opposing_place(b, facet.center, facet.normal, reach);
         const ChordPlane plane(facet.side.corners, facet.normal);
         double           covered = 0.;
         for (const Segment &segment :

@@ -66,7 +66,7 @@ namespace lamella
                          contact.obstacle->name + "' within Search distance " +
                          to_text(reach),
                        "Check the surface's name and where the obstacle is.");
-    const bool to_node = contact.discretisation == Discretisation::node_to_node;
+    const bool to_node = contact.discretization == Discretization::node_to_node;
     const Pairing pairing = pair_node_to_node(points(contact.first),
                                               points(contact.second),
                                               contact.tolerance);

@@ -60,9 +60,9 @@ namespace lamella
       "BODY: SURFACE opposite, or the name of an obstacle; the contact force "
       "is reported as it acts on this one.");
     prm.declare_entry(
-      "Discretisation",
-      name_of(Discretisation::automatic),
-      selection<Discretisation>(),
+      "Discretization",
+      name_of(Discretization::automatic),
+      selection<Discretization>(),
       "auto: node to node where every node that faces the other surface faces "
       "one of its nodes, line to roller on rollers that are small beside the "
       "elements (doc/theory/contact.md), else surface to surface, with edge to "
@@ -185,7 +185,7 @@ namespace lamella
       if (contact.first.body == contact.second.body)
         in.refuse("First and Second are the same body '" +
                     bodies[contact.first.body] + "'",
-                  "Contact of a body with itself is not modelled.");
+                  "Contact of a body with itself is not modeled.");
     }
 
 
@@ -253,17 +253,17 @@ namespace lamella
     {
       const std::string rule =
         "the obstacle '" + contact.obstacle->name + "' has no nodes";
-      if (contact.discretisation == Discretisation::node_to_node)
-        in["Discretisation"].refuse(
+      if (contact.discretization == Discretization::node_to_node)
+        in["Discretization"].refuse(
           rule, "Use auto, surface to surface, or node to surface.");
-      if (contact.discretisation == Discretisation::edge_to_surface)
-        in["Discretisation"].refuse(
+      if (contact.discretization == Discretization::edge_to_surface)
+        in["Discretization"].refuse(
           "the obstacle '" + contact.obstacle->name +
             "' is met by all nodes of First, those at its ends among them",
           "Use node to surface.");
-      if (contact.discretisation == Discretisation::line_to_roller &&
+      if (contact.discretization == Discretization::line_to_roller &&
           contact.obstacle->shape != Obstacle::Shape::cylinder)
-        in["Discretisation"].refuse("the obstacle '" + contact.obstacle->name +
+        in["Discretization"].refuse("the obstacle '" + contact.obstacle->name +
                                       "' is no roller",
                                     "Use auto.");
       if (contact.points_on == PointsOn::second)
@@ -282,16 +282,16 @@ namespace lamella
     ContactPair contact;
     contact.name = name;
     parse_sides(in, bodies, obstacles, contact);
-    contact.discretisation = in["Discretisation"].choice<Discretisation>();
-    contact.is_automatic = contact.discretisation == Discretisation::automatic;
+    contact.discretization = in["Discretization"].choice<Discretization>();
+    contact.is_automatic = contact.discretization == Discretization::automatic;
     contact.enforcement  = in["Enforcement"].choice<Enforcement>();
     contact.points_on    = in["Points on"].choice<PointsOn>();
     contact.overclosure  = in["Overclosure"].choice<Overclosure>();
     if (contact.obstacle != nullptr)
       check_obstacle(contact, in);
-    else if (contact.discretisation == Discretisation::line_to_roller)
-      in["Discretisation"].refuse("its Second is no obstacle", "Use auto.");
-    else if (contact.discretisation == Discretisation::edge_to_surface)
+    else if (contact.discretization == Discretization::line_to_roller)
+      in["Discretization"].refuse("its Second is no obstacle", "Use auto.");
+    else if (contact.discretization == Discretization::edge_to_surface)
       check_edges(contact, in);
     contact.search_distance = parse_search_distance(in["Search distance"]);
     contact.penalty         = parse_penalty(in);

@@ -29,7 +29,7 @@ namespace lamella
 
 
 
-    /// Half way to its neighbours @p s[k - 1] and @p s[k + 1]; at the ends of
+    /// Half way to its neighbors @p s[k - 1] and @p s[k + 1]; at the ends of
     /// the list up to the place itself.
     std::pair<double, double>
     interval_of(const std::vector<double> &s, const unsigned int k)

@@ -17,7 +17,7 @@ namespace lamella
 
   namespace
   {
-    // Of a facet's length: how far a foot goes beyond a side with a neighbour.
+    // Of a facet's length: how far a foot goes beyond a side with a neighbor.
     constexpr double past_the_side = 0.05;
 
 

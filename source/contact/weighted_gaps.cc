@@ -309,7 +309,7 @@ namespace lamella
       const std::vector<unsigned int> own{search.facet};
       const auto                      on_own = opposing_place(
         SurfacePart(mesh, own), point.position, point.normal, reach, opposed);
-      // Next to the edge of a curved facet the neighbour's segment may begin a
+      // Next to the edge of a curved facet the neighbor's segment may begin a
       // little earlier or later than the facet, or be a sliver that was left
       // out.
       if (!on_own)

@@ -17,8 +17,8 @@ namespace lamella
       return std::any_of(scene.contacts.begin(),
                          scene.contacts.end(),
                          [](const ContactPair &contact) {
-                           return contact.discretisation ==
-                                  Discretisation::node_to_node;
+                           return contact.discretization ==
+                                  Discretization::node_to_node;
                          });
     }
   } // namespace

@@ -98,8 +98,8 @@ namespace lamella
              std::none_of(scene.contacts.begin(),
                           scene.contacts.end(),
                           [](const ContactPair &contact) {
-                            return contact.discretisation ==
-                                   Discretisation::node_to_node;
+                            return contact.discretization ==
+                                   Discretization::node_to_node;
                           });
     }
 

@@ -56,7 +56,7 @@ namespace lamella
 
 
   bool
-  Localisation::is_possible(const Simulation &coarse, const Simulation &fine)
+  Localization::is_possible(const Simulation &coarse, const Simulation &fine)
   {
     const auto ones = beams_in(coarse), others = beams_in(fine);
     for (unsigned int b = 0; b < ones.size(); ++b)
@@ -73,7 +73,7 @@ namespace lamella
 
 
 
-  Localisation::Localisation(const Simulation &coarse, const Simulation &fine)
+  Localization::Localization(const Simulation &coarse, const Simulation &fine)
     : coarse(coarse)
     , fine(fine)
     , factor(fine.results().last().load_factor)
@@ -110,7 +110,7 @@ namespace lamella
 
 
   BlockVector
-  Localisation::on_fine(const BlockVector &u) const
+  Localization::on_fine(const BlockVector &u) const
   {
     return moved(coarse, u, fine);
   }
@@ -118,7 +118,7 @@ namespace lamella
 
 
   BlockVector
-  Localisation::on_coarse(const BlockVector &u) const
+  Localization::on_coarse(const BlockVector &u) const
   {
     return moved(fine, u, coarse);
   }
@@ -126,7 +126,7 @@ namespace lamella
 
 
   void
-  Localisation::add_elements(const unsigned int body,
+  Localization::add_elements(const unsigned int body,
                              const Vector      &share,
                              LocalErrors       &result) const
   {
@@ -154,7 +154,7 @@ namespace lamella
 
 
   LocalErrors
-  Localisation::of_elements(const BlockVector &z) const
+  Localization::of_elements(const BlockVector &z) const
   {
     BlockVector local = z;
     local -= on_fine(on_coarse(z));
@@ -173,7 +173,7 @@ namespace lamella
 
 
   std::optional<LocalErrors>
-  Localisation::errors(const NamedQuantity &goal, const double change) const
+  Localization::errors(const NamedQuantity &goal, const double change) const
   {
     const auto functional = dual.derivative(goal);
     if (!functional)
@@ -231,12 +231,12 @@ namespace lamella
             const Simulation &finer)
   {
     std::vector<std::optional<LocalErrors>> result;
-    if (!Localisation::is_possible(run, finer))
+    if (!Localization::is_possible(run, finer))
       return result;
     const ResultNumbers numbers(finer.results());
-    const Localisation  localisation(run, finer);
+    const Localization  localization(run, finer);
     for (const NamedQuantity &quantity : goals.quantities())
-      result.push_back(localisation.errors(quantity,
+      result.push_back(localization.errors(quantity,
                                            numbers.value(quantity) -
                                              goals.numbers().value(quantity)));
     return result;

@@ -106,9 +106,9 @@ namespace lamella
     {
       const auto &[everywhere, balls, memory_limit] = refinement;
       std::string words                             = words_of(everywhere);
-      for (const auto &[centre, radius, times] : balls)
-        words += words_of(centre[0]) + words_of(centre[1]) +
-                 words_of(centre[2]) + words_of(radius) + words_of(times);
+      for (const auto &[center, radius, times] : balls)
+        words += words_of(center[0]) + words_of(center[1]) +
+                 words_of(center[2]) + words_of(radius) + words_of(times);
       return words;
     }
 
@@ -123,14 +123,14 @@ namespace lamella
                    pieces,
                    placement,
                    axis,
-                   stabilisation,
+                   stabilization,
                    is_held,
                    turns,
                    refinement]     = body;
       const auto &[theories, ends] = pieces;
       return name + " " + section + " " + words_of(theory) +
              words_of(theories) + words_of(ends) + words_of(axis) +
-             words_of(stabilisation) + (is_held ? "held " : "") +
+             words_of(stabilization) + (is_held ? "held " : "") +
              (turns ? "turns " : "") + words_of(refinement);
     }
 
@@ -143,7 +143,7 @@ namespace lamella
                    first,
                    second,
                    obstacle,
-                   discretisation,
+                   discretization,
                    enforcement,
                    overclosure,
                    points_on,
@@ -155,7 +155,7 @@ namespace lamella
                    part_of]     = contact;
       const auto &[kind, value] = penalty;
       std::string words         = name;
-      for (const auto choice : {static_cast<unsigned int>(discretisation),
+      for (const auto choice : {static_cast<unsigned int>(discretization),
                                 static_cast<unsigned int>(enforcement),
                                 static_cast<unsigned int>(overclosure),
                                 static_cast<unsigned int>(points_on),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/linear/block_factor.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 
 #include <deal.II/lac/lapack_templates.h>
 
@@ -235,7 +235,7 @@ namespace lamella
 
 
   void
-  BlockFactor::factorise(const std::string &what)
+  BlockFactor::factorize(const std::string &what)
   {
     double least = std::numeric_limits<double>::max(), most = 0.;
     for (unsigned int s = 0; s < pattern.n_blocks(); ++s)

@@ -148,7 +148,7 @@ namespace lamella
                 lamella::to_text(control.last_value() / size, 2) + " after " +
                 std::to_string(control.last_step()) +
                 " iterations. Long elements and different stiffnesses do that: "
-                "take a factorisation (Linear solver = mumps), which holds "
+                "take a factorization (Linear solver = mumps), which holds "
                 "more, or a less slender body.");
             }
           taken.iterations += control.last_step();

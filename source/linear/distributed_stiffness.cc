@@ -2,7 +2,7 @@
 
 #include <lamella/base/processes.h>
 #include <lamella/linear/conjugate_gradients.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/linear/own_rows.h>
 #include <lamella/linear/stiffness_matrix.h>
 
@@ -167,7 +167,7 @@ namespace lamella
       Vector
       diagonal() const override;
       std::unique_ptr<LinearSolver>
-      factorise(const std::string   &what,
+      factorize(const std::string   &what,
                 const FactorMonitor &monitor) const override;
 
     private:
@@ -349,7 +349,7 @@ namespace lamella
 
 
     std::unique_ptr<LinearSolver>
-    DistributedStiffness::factorise(const std::string   &what,
+    DistributedStiffness::factorize(const std::string   &what,
                                     const FactorMonitor &monitor) const
     {
       if (kind == SolverKind::cg)
@@ -365,7 +365,7 @@ namespace lamella
         [&](const DofIndex row, const DofIndex column, const double value) {
           entries.add(row, column, value);
         });
-      return factorise_shared(n_dofs, std::move(entries), what, monitor);
+      return factorize_shared(n_dofs, std::move(entries), what, monitor);
     }
   } // namespace
 

@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/linear/row_products.h>
 
 #include <dmumps_c.h>
@@ -16,16 +16,16 @@ namespace lamella
   namespace
   {
     /// The workspace of MUMPS and the factor, both freed with the object.
-    class MumpsFactorisation : public LinearSolver
+    class MumpsFactorization : public LinearSolver
     {
     public:
-      /// Analyses the places of @p matrix. Makes it ready for factorise().
-      MumpsFactorisation(const DofIndex     n,
+      /// Analyses the places of @p matrix. Makes it ready for factorize().
+      MumpsFactorization(const DofIndex     n,
                          MatrixEntries      matrix,
                          const Symmetry     symmetry,
                          const std::string &what);
-      MumpsFactorisation(const MumpsFactorisation &) = delete;
-      ~MumpsFactorisation() override;
+      MumpsFactorization(const MumpsFactorization &) = delete;
+      ~MumpsFactorization() override;
 
       /// What the factor will take.
       FactorSize
@@ -34,10 +34,10 @@ namespace lamella
         return {count(20), 1e6 * mumps.info[15 - 1]};
       }
 
-      /// Factorises with the values in `matrix`; with more workspace if that is
+      /// Factorizes with the values in `matrix`; with more workspace if that is
       /// asked for.
       void
-      factorise();
+      factorize();
 
       /// Solving takes the factor alone.
       void
@@ -60,7 +60,7 @@ namespace lamella
       void
       solve(Vector &x) const override;
 
-      /// As RepeatedFactorisation has it: where pivots are chosen MUMPS knows
+      /// As RepeatedFactorization has it: where pivots are chosen MUMPS knows
       /// it, as a mantissa beside an exponent.
       int
       sign_of_determinant() const
@@ -100,7 +100,7 @@ namespace lamella
       static constexpr int unsymmetric = 0, definite = 1;
 
       void
-      initialise(const Symmetry symmetry);
+      initialize(const Symmetry symmetry);
 
       /// Runs @p job of MUMPS.
       void
@@ -131,7 +131,7 @@ namespace lamella
 
       /// The symbolic analysis.
       void
-      analyse();
+      analyze();
 
       /// Throws NumericsError if the last job failed.
       void
@@ -149,7 +149,7 @@ namespace lamella
                    const unsigned int      end,
                    double *const           result) const;
 
-      /// MUMPS refers to it while it factorises.
+      /// MUMPS refers to it while it factorizes.
       MatrixEntries     matrix;
       const std::string what;
       double            greatest = 0.;
@@ -161,7 +161,7 @@ namespace lamella
 
 
     void
-    MumpsFactorisation::initialise(const Symmetry symmetry)
+    MumpsFactorization::initialize(const Symmetry symmetry)
     {
       mumps.comm_fortran = MPI_Comm_c2f(communicator());
       mumps.par          = 1; // the first process computes, too
@@ -176,14 +176,14 @@ namespace lamella
 
 
 
-    MumpsFactorisation::MumpsFactorisation(const DofIndex     n,
+    MumpsFactorization::MumpsFactorization(const DofIndex     n,
                                            MatrixEntries      all,
                                            const Symmetry     symmetry,
                                            const std::string &what)
       : matrix(std::move(all))
       , what(what)
     {
-      initialise(symmetry);
+      initialize(symmetry);
       mumps.n       = n;
       mumps.nnz_loc = matrix.rows.size();
       mumps.irn_loc = matrix.rows.data();
@@ -191,7 +191,7 @@ namespace lamella
       mumps.a_loc   = matrix.values.data();
       try
         {
-          analyse();
+          analyze();
         }
       catch (...)
         {
@@ -202,7 +202,7 @@ namespace lamella
 
 
 
-    MumpsFactorisation::~MumpsFactorisation()
+    MumpsFactorization::~MumpsFactorization()
     {
       run(-2);
     }
@@ -210,11 +210,11 @@ namespace lamella
 
 
     void
-    MumpsFactorisation::analyse()
+    MumpsFactorization::analyze()
     {
       // CHOLMOD's rule: minimum degree is quick and good for beams, whose
       // matrices have long rows and little fill (nested dissection then takes
-      // longer than the factorisation); where there is much fill, nested
+      // longer than the factorization); where there is much fill, nested
       // dissection pays.
       constexpr int minimum_degree = 0, nested_dissection = 5;
       control(7) = minimum_degree;
@@ -234,7 +234,7 @@ namespace lamella
 
 
     void
-    MumpsFactorisation::factorise()
+    MumpsFactorization::factorize()
     {
       // What is needed is not known exactly beforehand.
       constexpr int workspace_too_small_1 = -8, workspace_too_small_2 = -9,
@@ -268,22 +268,22 @@ namespace lamella
 
 
     void
-    MumpsFactorisation::check(const std::string &what) const
+    MumpsFactorization::check(const std::string &what) const
     {
       constexpr int singular = -10, not_positive = -40, no_memory = -13;
       // Of an unsymmetric matrix it counts there what it exchanged.
       const int error           = info(1),
                 negative_pivots = mumps.sym == definite ? info(12) : 0;
       if (error == no_memory)
-        throw NumericsError("The factorisation of " + what +
+        throw NumericsError("The factorization of " + what +
                             " does not fit in memory. Use a coarser mesh "
                             "or a lower order, or more machines.");
-      const bool factorised = mumps.job == 2;
+      const bool factorized = mumps.job == 2;
       if (error == singular && mumps.sym == unsymmetric)
         throw NumericsError("The tangent of " + what +
                             " is singular to rounding.");
       if (error == singular || error == not_positive ||
-          (factorised && error >= 0 && negative_pivots > 0))
+          (factorized && error >= 0 && negative_pivots > 0))
         throw NumericsError(
           "The stiffness matrix of " + what + " is not positive definite (" +
           (error < 0 ? std::string("singular to rounding") :
@@ -292,7 +292,7 @@ namespace lamella
           "). Either the body can still move, or its slenderness or its "
           "ratio of stiffnesses is beyond what double precision holds.");
       if (error < 0)
-        throw NumericsError("MUMPS could not factorise " + what +
+        throw NumericsError("MUMPS could not factorize " + what +
                             " (its error " + std::to_string(error) + ", " +
                             std::to_string(info(2)) + ").");
     }
@@ -300,7 +300,7 @@ namespace lamella
 
 
     void
-    MumpsFactorisation::solve(Vector &x) const
+    MumpsFactorization::solve(Vector &x) const
     {
       control(20) = 0; // the whole right-hand side on the first process,
       control(21) = 0; // and so the solution
@@ -342,7 +342,7 @@ namespace lamella
 
 
     std::vector<double>
-    MumpsFactorisation::products(const std::vector<Row> &rows,
+    MumpsFactorization::products(const std::vector<Row> &rows,
                                  const unsigned int      first) const
     {
       // As many at a time as make good use of the BLAS, while their solutions
@@ -363,7 +363,7 @@ namespace lamella
 
 
     void
-    MumpsFactorisation::add_products(const std::vector<Row> &rows,
+    MumpsFactorization::add_products(const std::vector<Row> &rows,
                                      const unsigned int      begin,
                                      const unsigned int      end,
                                      double *const           result) const
@@ -405,7 +405,7 @@ namespace lamella
 
   namespace
   {
-    class RepeatedMumps : public RepeatedFactorisation
+    class RepeatedMumps : public RepeatedFactorization
     {
     public:
       RepeatedMumps(const DofIndex     n,
@@ -416,11 +416,11 @@ namespace lamella
       {}
 
       void
-      factorise(std::vector<double> values) override
+      factorize(std::vector<double> values) override
       {
         AssertDimension(values.size(), solver.values().size());
         solver.values() = std::move(values);
-        solver.factorise();
+        solver.factorize();
       }
 
       void
@@ -436,14 +436,14 @@ namespace lamella
       }
 
     private:
-      MumpsFactorisation solver;
+      MumpsFactorization solver;
     };
   } // namespace
 
 
 
-  std::unique_ptr<RepeatedFactorisation>
-  analyse_shared(const DofIndex     n,
+  std::unique_ptr<RepeatedFactorization>
+  analyze_shared(const DofIndex     n,
                  MatrixEntries      pattern,
                  const Symmetry     symmetry,
                  const std::string &what)
@@ -457,18 +457,18 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  factorise_shared(const DofIndex       n,
+  factorize_shared(const DofIndex       n,
                    UpperTriangle        matrix,
                    const std::string   &what,
                    const FactorMonitor &monitor)
   {
-    auto solver = std::make_unique<MumpsFactorisation>(n,
+    auto solver = std::make_unique<MumpsFactorization>(n,
                                                        std::move(matrix),
                                                        Symmetry::definite,
                                                        what);
     if (monitor)
       monitor(solver->size());
-    solver->factorise();
+    solver->factorize();
     solver->drop_matrix();
     return solver;
   }

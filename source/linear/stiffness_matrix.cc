@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/linear/stiffness_matrix.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -61,10 +61,10 @@ namespace lamella
       }
 
       std::unique_ptr<LinearSolver>
-      factorise(const std::string   &what,
+      factorize(const std::string   &what,
                 const FactorMonitor &monitor) const override
       {
-        return lamella::factorise(matrix, what, monitor);
+        return lamella::factorize(matrix, what, monitor);
       }
 
       void

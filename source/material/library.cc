@@ -18,7 +18,7 @@ namespace lamella
 
 
 
-    /// Of a ply that is the same in all directions across its fibre, by five
+    /// Of a ply that is the same in all directions across its fiber, by five
     /// constants [GPa].
     EngineeringConstants
     ply_constants(const double E1,

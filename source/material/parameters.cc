@@ -43,7 +43,7 @@ namespace lamella
                         "carbon",
                         Anything(),
                         "The published defaults for carbon or glass, or four "
-                        "numbers: of shear along the fibre towards tension and "
+                        "numbers: of shear along the fiber towards tension and "
                         "compression, and of shear across it.");
     }
   } // namespace
@@ -63,7 +63,7 @@ namespace lamella
       "",
       patterns::numbers(),
       "Orthotropic: E1, E2, E3, G12, G13, G23, nu12, nu13, nu23 "
-      "with 1 along the fibre and 3 normal to the ply, in the "
+      "with 1 along the fiber and 3 normal to the ply, in the "
       "scene's stresses.");
     prm.declare_entry("Isotropic",
                       "",

@@ -120,7 +120,7 @@ namespace lamella
     unsigned int       degree        = body.line_degree(a, b);
     if (!is_smooth)
       {
-        // Neighbours, and at ends as many elements as elsewhere.
+        // Neighbors, and at ends as many elements as elsewhere.
         first  = first == 0 ? 0 : first - 1;
         last   = std::min(last + 1, n - 1);
         first  = std::min(first, last + 1 - std::min(last + 1, least));

@@ -116,7 +116,7 @@ namespace lamella
             0.5 * (range[d].second - range[d].first);
         result.to_box[d] = to_local[d] / half;
       }
-    result.centre = Point<3>(frame * middle);
+    result.center = Point<3>(frame * middle);
 
     result.terms = terms_of(degrees);
     result.coefficients.resize(result.terms.size());
@@ -128,7 +128,7 @@ namespace lamella
   std::vector<double>
   PatchFit::Polynomial::basis(const Point<3> &x) const
   {
-    const Tensor<1, 3>                 t    = to_box * (x - centre);
+    const Tensor<1, 3>                 t    = to_box * (x - center);
     const Term                         most = terms.back();
     std::array<std::vector<double>, 3> P;
     for (unsigned int d = 0; d < 3; ++d)

@@ -104,7 +104,7 @@ namespace lamella
                         length     = unit(results.units.length),
                         work = unit(results.units.force, results.units.length);
       out << "  contact " << contact.name << " ("
-          << name_of(contact.discretisation) << ", "
+          << name_of(contact.discretization) << ", "
           << name_of(contact.enforcement) << "): " << kkt.active << " of "
           << contact.rows << " pairs touch (in this load step " << change.closed
           << " closed, " << change.opened << " opened)";
@@ -118,7 +118,7 @@ namespace lamella
           << work << " about the origin";
       if (kkt.force.norm() > 0.)
         out << ", its line of action through "
-            << to_text(kkt.centre_of_pressure);
+            << to_text(kkt.center_of_pressure);
       out << "\n    penetration " << to_text(kkt.max_penetration, 3) << length
           << ", " << to_text(kkt.max_penetration / results.size, 2)
           << " of the scene's size"
@@ -151,9 +151,9 @@ namespace lamella
               << ", moment " << to_text(reaction.moment)
               << unit(results.units.force, results.units.length) << " about "
               << to_text(reaction.about);
-          if (reaction.centre_of_pressure)
+          if (reaction.center_of_pressure)
             out << ", its line of action through "
-                << to_text(*reaction.centre_of_pressure);
+                << to_text(*reaction.center_of_pressure);
           out << "\n";
         }
       for (unsigned int k = 0; k < checks.contacts.size(); ++k)
@@ -309,9 +309,9 @@ namespace lamella
                   " times these loads" :
                 "more than 100 times these loads, or never")
           << "\n";
-      if (checks.stabilisation_energy > 0.)
-        out << "  stabilising springs hold "
-            << to_text(100. * checks.stabilisation_share, 2)
+      if (checks.stabilization_energy > 0.)
+        out << "  stabilizing springs hold "
+            << to_text(100. * checks.stabilization_share, 2)
             << " % of the energy\n";
     }
   } // namespace

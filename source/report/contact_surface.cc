@@ -166,7 +166,7 @@ namespace lamella
   {
     // Lines of a beam touch a roller anywhere.
     const bool is_line =
-      contact.discretisation == Discretisation::line_to_roller;
+      contact.discretization == Discretization::line_to_roller;
     const Body           &first = *structure.bodies()[contact.first_body];
     std::vector<Location> places;
     for (const ContactInterface::Point &point : contact.points)

@@ -90,7 +90,7 @@ namespace boost
               const unsigned int)
     {
       serialize_blocks(archive, memory.u);
-      archive &memory.factor &memory.points &memory.discretisation;
+      archive &memory.factor &memory.points &memory.discretization;
     }
 
 

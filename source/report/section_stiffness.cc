@@ -69,12 +69,12 @@ namespace lamella
 
     SectionConstants
     constants_of(const SectionTensor &compliance,
-                 const Point<2>      &centre,
+                 const Point<2>      &center,
                  const double         size)
     {
-      SectionConstants result = section_constants(compliance, centre);
-      result.tension_centre   = cleaned(result.tension_centre, size);
-      result.shear_centre     = cleaned(result.shear_centre, size);
+      SectionConstants result = section_constants(compliance, center);
+      result.tension_center   = cleaned(result.tension_center, size);
+      result.shear_center     = cleaned(result.shear_center, size);
       // Upright is upright, whichever way rounding turned it; in degrees.
       constexpr double same_angle = arithmetic::as_written;
       if (result.angle < same_angle - 90.)
@@ -103,11 +103,11 @@ namespace lamella
           return {};
       const auto    &points = section.integration_points();
       SectionTensor  mass;
-      const Point<2> centre = section.element().centre();
+      const Point<2> center = section.element().center();
       for (unsigned int q = 0; q < points.size(); ++q)
         {
-          const double x = points[q].position[0] - centre[0],
-                       z = points[q].position[1] - centre[1];
+          const double x = points[q].position[0] - center[0],
+                       z = points[q].position[1] - center[1];
           const double m = section.integration_weights()[q] *
                            *section.plies()[section.cell_ply(points[q].cell)]
                               .properties.density;
@@ -131,12 +131,12 @@ namespace lamella
     compute(const Section &section, SectionStiffness &result)
     {
       const double size      = section.element().reference_length();
-      result.reference_point = cleaned(section.element().centre(), size);
+      result.reference_point = cleaned(section.element().center(), size);
       const SaintVenant states(section);
       result.compliance = cleaned(states.compliance());
       result.stiffness  = cleaned(states.stiffness());
       result.constants =
-        constants_of(result.compliance, section.element().centre(), size);
+        constants_of(result.compliance, section.element().center(), size);
       result.mass = mass_of(section);
     }
 
@@ -223,8 +223,8 @@ namespace lamella
         json["GJ"]                        = constants.GJ;
         json["kGA_x"]                     = constants.kGA_x;
         json["kGA_z"]                     = constants.kGA_z;
-        json["tension_centre"]            = to_json(constants.tension_centre);
-        json["shear_centre"]              = to_json(constants.shear_centre);
+        json["tension_center"]            = to_json(constants.tension_center);
+        json["shear_center"]              = to_json(constants.shear_center);
         json["stiffness"]                 = to_json(section.stiffness);
         json["compliance"]                = to_json(section.compliance);
         if (section.mass)

@@ -36,7 +36,7 @@ namespace lamella
           closed.push_back(step.changes[k].closed);
           opened.push_back(step.changes[k].opened);
         }
-      Json json{{"discretisation", name_of(contact.discretisation)},
+      Json json{{"discretization", name_of(contact.discretization)},
                 {"enforcement", name_of(contact.enforcement)},
                 {"rows", contact.rows},
                 {"unpaired", contact.unpaired},
@@ -46,7 +46,7 @@ namespace lamella
                 {"opened", opened},
                 {"force", to_json(kkt.force)},
                 {"moment", to_json(kkt.moment)},
-                {"centre_of_pressure", to_json(kkt.centre_of_pressure)},
+                {"center_of_pressure", to_json(kkt.center_of_pressure)},
                 {"max_penetration", kkt.max_penetration},
                 {"max_penetration_relative",
                  kkt.max_penetration / results.size},
@@ -196,8 +196,8 @@ namespace lamella
       Json json{{"reaction", to_json(reaction.force)},
                 {"moment", to_json(reaction.moment)},
                 {"about", to_json(reaction.about)}};
-      if (reaction.centre_of_pressure)
-        json["centre_of_pressure"] = to_json(*reaction.centre_of_pressure);
+      if (reaction.center_of_pressure)
+        json["center_of_pressure"] = to_json(*reaction.center_of_pressure);
       return json;
     }
 
@@ -296,7 +296,7 @@ namespace lamella
       json["residual"]             = checks.residual;
       json["max_rotation"]         = checks.max_rotation;
       json["energy"]               = checks.energy;
-      json["stabilisation_energy"] = checks.stabilisation_energy;
+      json["stabilization_energy"] = checks.stabilization_energy;
       json["rotations"]            = checks.is_large ? "large" : "linear";
       if (checks.is_large)
         {

@@ -302,9 +302,9 @@ namespace lamella
         << ", kGA_z " << c.kGA_z << unit(units, 0) << "\n  EI_1 " << c.EI[0]
         << unit(units, 2) << " about the axis at " << c.angle
         << " deg from x towards z, EI_2 " << c.EI[1] << unit(units, 2)
-        << " about that at right angles\n  tension centre "
-        << in_words(c.tension_centre) << ", shear centre "
-        << in_words(c.shear_centre) << "\n  stiffness about "
+        << " about that at right angles\n  tension center "
+        << in_words(c.tension_center) << ", shear center "
+        << in_words(c.shear_center) << "\n  stiffness about "
         << in_words(section.reference_point) << ": forces" << unit(units, 0)
         << ", couplings of forces and moments" << unit(units, 1) << ", moments"
         << unit(units, 2) << "\n";
@@ -367,7 +367,7 @@ namespace lamella
       print_load(out, load, structure.size(), units);
     for (const ContactInterface &contact : contacts)
       out << "Contact " << contact.name << ": " << contact.rows.size()
-          << " pairs that may touch, " << name_of(contact.discretisation)
+          << " pairs that may touch, " << name_of(contact.discretization)
           << (contact.unpaired == 0 ? "" :
                                       ", " + std::to_string(contact.unpaired) +
                                         " nodes of First that face none")

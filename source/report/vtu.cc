@@ -22,7 +22,7 @@ namespace lamella
   {
     // Binary digits that are kept of what is largest in a file, those of a
     // float, and in an element: five decimals for who reads values off a
-    // picture. (With 11, an eighth of a step of 256 colours, the files of
+    // picture. (With 11, an eighth of a step of 256 colors, the files of
     // prm/flexure_test.prm are a seventh shorter.)
     constexpr int digits_of_file = 24, digits_of_element = 16;
 
@@ -131,7 +131,7 @@ namespace lamella
             add_to_cells(first_cell + k, n, cell, number);
             add_to_points(first_point + k * size, lattice, cell, number);
           });
-        // By their numbers elements that are neighbours in the section follow
+        // By their numbers elements that are neighbors in the section follow
         // each other, and what they share is near in the file.
         for (std::size_t k = 0; first_cell + k < plies.size(); ++k)
           {
@@ -161,14 +161,14 @@ namespace lamella
           grid.at_points.push_back({names[f], 1, std::move(fields[f])});
         grid.of_cells = {{"ply", 1, std::move(plies)},
                          {"body", 1, std::move(bodies)},
-                         {"fibre", 3, std::move(fibres)},
+                         {"fiber", 3, std::move(fibers)},
                          {VtuGrid::degrees_name, 3, std::move(degrees)}};
         return std::move(grid);
       }
 
     private:
       /// The points of an element as the file has them, along the axis fastest:
-      /// neighbours share the longest runs then. Their numbers in an
+      /// neighbors share the longest runs then. Their numbers in an
       /// OutputCell, and those of the file in the order of VTK.
       struct Lattice
       {
@@ -213,9 +213,9 @@ namespace lamella
         *part_of(plies, k, 1)  = cell.ply + 1;
         *part_of(bodies, k, 1) = body + 1;
         std::copy(n.begin(), n.end(), part_of(degrees, 3 * k, 3));
-        float *const fibre = part_of(fibres, 3 * k, 3);
+        float *const fiber = part_of(fibers, 3 * k, 3);
         for (unsigned int c = 0; c < 3; ++c)
-          fibre[c] = cell.fibre[c];
+          fiber[c] = cell.fiber[c];
       }
 
       void
@@ -263,7 +263,7 @@ namespace lamella
 
       const StrengthSweep            *strength;
       VtuGrid                         grid;
-      std::vector<float>              positions, displacements, fibres;
+      std::vector<float>              positions, displacements, fibers;
       std::vector<std::vector<float>> fields;
       std::vector<std::int32_t>       plies, bodies;
       std::vector<std::uint8_t>       degrees;

@@ -49,7 +49,7 @@ namespace lamella
                             });
       return {contact.name,
               contact.second_name,
-              contact.discretisation,
+              contact.discretization,
               enforcement,
               static_cast<unsigned int>(contact.rows.size()),
               contact.unpaired,
@@ -95,15 +95,15 @@ namespace lamella
                given.loads,
                given.contacts,
                given.gravity);
-    std::vector<Stabilisation> stabilisations;
+    std::vector<Stabilization> stabilizations;
     for (const BodyDescription &body : given.bodies)
-      stabilisations.push_back({body.stabilisation});
+      stabilizations.push_back({body.stabilization});
     Bodies bodies = make_bodies_with_fields();
     hold_bodies(bodies);
     whole = std::make_unique<Structure>(std::move(bodies),
                                         given.supports,
                                         given.loads,
-                                        stabilisations,
+                                        stabilizations,
                                         given.gravity);
     for (const LoadFactor &factor : given.solve.load_factors)
       check_balance_of_held(given.supports,
@@ -114,7 +114,7 @@ namespace lamella
           body->turns() && kind == SolverKind::cg)
         throw InputError("Linear solver",
                          name_of(given.solve.solver),
-                         "with Rotations = large each stiffness is factorised, "
+                         "with Rotations = large each stiffness is factorized, "
                          "which tells whether a state is stable, and body '" +
                            body->name() + "' with " +
                            std::to_string(body->n_dofs()) +
@@ -235,20 +235,20 @@ namespace lamella
         ContactPair &contact = given.contacts[k];
         lives.push_back(
           std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
-        contact.discretisation = contacts[k].discretisation;
+        contact.discretization = contacts[k].discretization;
         drop_held_slips(contacts[k], *whole);
         // Choices that a run may revise are made again by who reads the scene.
         if (contact.part_of ||
             (contact.is_automatic &&
              (contact.obstacle == nullptr ||
-              contact.discretisation == Discretisation::line_to_roller) &&
-             contact.discretisation != Discretisation::node_to_node))
+              contact.discretization == Discretization::line_to_roller) &&
+             contact.discretization != Discretization::node_to_node))
           continue;
         given.resolved =
           SceneText::with_automatic(given.resolved,
                                     "Contact " + contact.name,
-                                    "Discretisation",
-                                    name_of(contact.discretisation));
+                                    "Discretization",
+                                    name_of(contact.discretization));
       }
     number_rows();
     check_partners(contacts);
@@ -265,8 +265,8 @@ namespace lamella
     Scene again = given;
     for (ContactPair &contact : again.contacts)
       if (contact.is_automatic &&
-          contact.discretisation == Discretisation::node_to_node)
-        contact.discretisation = Discretisation::automatic;
+          contact.discretization == Discretization::node_to_node)
+        contact.discretization = Discretization::automatic;
     return again;
   }
 
@@ -424,7 +424,7 @@ namespace lamella
   {
     for (unsigned int k = 0; k < contacts.size(); ++k)
       {
-        found[k].discretisation  = contacts[k].discretisation;
+        found[k].discretization  = contacts[k].discretization;
         found[k].rows            = contacts[k].rows.size();
         found[k].unpaired        = contacts[k].unpaired;
         found[k].unpaired_second = contacts[k].unpaired_second;

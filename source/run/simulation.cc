@@ -98,7 +98,7 @@ namespace lamella
       const Region     &side  = end.of_second ? part.second : part.first;
       const std::string whole = part.name, body = scene.bodies[side.body].name;
       part.name += "_end_of_" + body;
-      part.discretisation = Discretisation::edge_to_surface;
+      part.discretization = Discretization::edge_to_surface;
       part.points_on      = end.of_second ? PointsOn::second : PointsOn::first;
       part.is_automatic   = false;
       part.part_of        = end.contact;
@@ -261,7 +261,7 @@ namespace lamella
   std::unique_ptr<Step>
   Simulation::make_large_step(const MemoryBudget &budget)
   {
-    Linearisation::BodyMonitor monitor;
+    Linearization::BodyMonitor monitor;
     monitor.sized = [budget](const Body &body, const FactorSize &size) {
       budget.require_factor(body, size);
     };
@@ -280,15 +280,15 @@ namespace lamella
   void
   Simulation::make_solver(const MemoryBudget &budget)
   {
-    std::shared_ptr<const Linearisation> about;
+    std::shared_ptr<const Linearization> about;
     std::optional<TimerOutput::Scope>    phase;
     if (scene().solve.strategy == Strategy::condensed)
-      about = linearise(budget);
+      about = linearize(budget);
     else
       {
         // The strategy makes the matrix.
         phase.emplace(timer, name_of(Phase::assembly));
-        about = linearised_without_solvers(built->structure());
+        about = linearized_without_solvers(built->structure());
       }
     solver           = std::make_unique<ContactSolver>(std::move(about),
                                              built->rows(),
@@ -309,23 +309,23 @@ namespace lamella
 
 
 
-  std::shared_ptr<const Linearisation>
-  Simulation::linearise(const MemoryBudget &budget)
+  std::shared_ptr<const Linearization>
+  Simulation::linearize(const MemoryBudget &budget)
   {
     // Phases that alternate from body to body, and end with whatever is thrown.
     std::optional<TimerOutput::Scope> phase;
-    Linearisation::BodyMonitor        monitor;
+    Linearization::BodyMonitor        monitor;
     const auto                        begin = [&](const Phase which) {
       phase.reset();
       phase.emplace(timer, name_of(which));
     };
     monitor.begins    = [&](const Body &) { begin(Phase::assembly); };
-    monitor.assembled = [&](const Body &) { begin(Phase::factorisation); };
+    monitor.assembled = [&](const Body &) { begin(Phase::factorization); };
     monitor.sized     = [&](const Body &body, const FactorSize &size) {
       out << "Memory: " << budget.require_factor(body, size) << std::endl;
     };
     monitor.ends = [&](const Body &) { phase.reset(); };
-    return linearised(built->structure(), scene().solve.solver, monitor);
+    return linearized(built->structure(), scene().solve.solver, monitor);
   }
 
 

@@ -164,7 +164,7 @@ namespace lamella
              to_text(radius, 4) +
              ", so that the direction of its force is off by up to " +
              to_text(0.5 * spacing / radius, 2) + " rad: take " +
-             (may_be ? "Discretisation = line to roller, or " : "") +
+             (may_be ? "Discretization = line to roller, or " : "") +
              "shorter elements wherever it touches";
     }
   } // namespace
@@ -189,12 +189,12 @@ namespace lamella
                                                             solved.load_factor,
                                                             active),
                    is_line =
-                     contact.discretisation == Discretisation::line_to_roller;
+                     contact.discretization == Discretization::line_to_roller;
         if (is_line && wraps_around)
           warnings.push_back(
             "contact " + contact.name + ": the body bends around '" +
             contact.second_name +
-            "', where a line is not all that touches: take Discretisation = "
+            "', where a line is not all that touches: take Discretization = "
             "auto or surface to surface");
         if (is_line || wraps_around)
           continue;
@@ -281,7 +281,7 @@ namespace lamella
         (longest > 0. ? "elements of at most " + to_text(longest, 2) :
                         std::string("shorter elements")) +
         " there (Axis breaks)" +
-        (longest > 0. ? "; or take Discretisation = line to roller." : "."),
+        (longest > 0. ? "; or take Discretization = line to roller." : "."),
       body,
       scene.bodies[body].placement.to_body(sunk.position)[1],
       longest);
@@ -298,11 +298,11 @@ namespace lamella
     {
       std::set<std::pair<std::string, std::string>> found;
       for (const ContactInterface &contact : contacts)
-        if (contact.discretisation != Discretisation::surface_to_surface)
+        if (contact.discretization != Discretization::surface_to_surface)
           {
             const std::string &first = bodies[contact.first_body]->name();
             const bool         is_both =
-              contact.discretisation == Discretisation::node_to_node;
+              contact.discretization == Discretization::node_to_node;
             if (!contact.points_on_second || is_both)
               found.emplace(first, contact.second_name);
             if (contact.points_on_second || is_both)
@@ -360,7 +360,7 @@ namespace lamella
             "contact " + contact.name + ": an end of body '" + one + "' is " +
             to_text(end->depth, 2) + " behind the surface of body '" + other +
             "', where no row holds it: beside this contact take one of the same "
-            "surfaces with Discretisation = edge to surface, whose Points on are "
+            "surfaces with Discretization = edge to surface, whose Points on are "
             "of body '" +
             one + "'");
       }

@@ -115,7 +115,7 @@ namespace lamella
     {
       const std::string place = "Contact " + contact.name + "/";
       const bool        is_line =
-        contact.discretisation == Discretisation::line_to_roller;
+        contact.discretization == Discretization::line_to_roller;
       if (is_line && has_area_penalty(contact))
         throw InputError(
           place + "Penalty",
@@ -124,16 +124,16 @@ namespace lamella
           "Take Enforcement = exact, or Penalty = auto.");
       if (is_line && !has_roller(contact, body))
         throw InputError(
-          place + "Discretisation",
-          name_of(contact.discretisation),
+          place + "Discretization",
+          name_of(contact.discretization),
           "the roller does not lie across the axis of a beam, which body '" +
             body.name + "' would have to be",
           "Take auto.");
-      if (contact.discretisation != Discretisation::automatic ||
+      if (contact.discretization != Discretization::automatic ||
           !can_be_line(contact, body) ||
           !touches_on_a_line(body, *contact.obstacle))
         return;
-      contact.discretisation = Discretisation::line_to_roller;
+      contact.discretization = Discretization::line_to_roller;
     }
 
 
@@ -143,15 +143,15 @@ namespace lamella
     {
       const std::string      place = "Contact " + contact.name + "/";
       const BodyDescription &body  = scene.bodies[contact.first.body];
-      if (contact.discretisation == Discretisation::node_to_node)
-        refuse(place + "Discretisation",
-               name_of(contact.discretisation),
+      if (contact.discretization == Discretization::node_to_node)
+        refuse(place + "Discretization",
+               name_of(contact.discretization),
                "pairs of nodes stay pairs, and surfaces of bodies that turn "
                "slide",
                "Take surface to surface or node to surface.");
       choose_line(contact, body);
-      if (contact.discretisation == Discretisation::automatic)
-        contact.discretisation = Discretisation::surface_to_surface;
+      if (contact.discretization == Discretization::automatic)
+        contact.discretization = Discretization::surface_to_surface;
     }
 
 

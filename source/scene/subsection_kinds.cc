@@ -198,7 +198,7 @@ namespace lamella
     share_rows(const ContactPair &one, const ContactPair &other)
     {
       const auto body_of_edges = [](const ContactPair &contact) {
-        if (contact.discretisation != Discretisation::edge_to_surface)
+        if (contact.discretization != Discretization::edge_to_surface)
           return dealii::numbers::invalid_unsigned_int;
         return contact.points_on == PointsOn::second ? contact.second.body :
                                                        contact.first.body;

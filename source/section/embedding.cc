@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/section/embedding.h>
 
 namespace lamella
@@ -64,7 +64,7 @@ namespace lamella
             columns[j][numbers[a]] += value * wanted[j];
         }
     });
-    factorise(mass, "the fields of a section")->solve_all(columns);
+    factorize(mass, "the fields of a section")->solve_all(columns);
     return columns;
   }
 } // namespace lamella

@@ -23,7 +23,7 @@ namespace lamella
     , beyond(degree() - 1)
   {
     const std::vector<EdgePoint> nodes = section.element().section_points();
-    factorise(nodes);
+    factorize(nodes);
     for (unsigned int q = 1; q < degree(); ++q)
       for (const EdgePoint &node : nodes)
         {
@@ -77,7 +77,7 @@ namespace lamella
 
 
   void
-  HierarchicalSurplus::factorise(const std::vector<EdgePoint> &nodes)
+  HierarchicalSurplus::factorize(const std::vector<EdgePoint> &nodes)
   {
     std::vector<Row> rows;
     for (const EdgePoint &node : nodes)

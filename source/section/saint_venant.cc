@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/section/saint_venant.h>
 
 #include <algorithm>
@@ -91,7 +91,7 @@ namespace lamella
     : section(section)
   {
     Assert(section.n_fields() > r_y, ExcMessage("There is no torsion field."));
-    solver = factorise(without_held(section.S(0, 0)), "the section");
+    solver = factorize(without_held(section.S(0, 0)), "the section");
     find_states();
     find_compliance();
   }
@@ -300,7 +300,7 @@ namespace lamella
 
 
   SectionConstants
-  section_constants(const SectionTensor &c, const Point<2> &centre)
+  section_constants(const SectionTensor &c, const Point<2> &center)
   {
     using Force                = SaintVenant::Force;
     constexpr unsigned int F_x = Force::F_x, F_y = Force::F_y, F_z = Force::F_z,
@@ -325,11 +325,11 @@ namespace lamella
     bending[1][1] = c[M_z][M_z];
     const Tensor<1, 2> tension =
       invert(bending) * Tensor<1, 2>({-c[M_x][F_y], -c[M_z][F_y]});
-    result.tension_centre = centre + Tensor<1, 2>({tension[1], tension[0]});
+    result.tension_center = center + Tensor<1, 2>({tension[1], tension[0]});
     result.EA =
       1. / (c[F_y][F_y] - tension[0] * c[M_x][F_y] + tension[1] * c[M_z][F_y]);
     const double x = c[M_y][F_z] / c[M_y][M_y], z = -c[M_y][F_x] / c[M_y][M_y];
-    result.shear_centre = centre + Tensor<1, 2>({x, z});
+    result.shear_center = center + Tensor<1, 2>({x, z});
     result.kGA_x        = 1. / (c[F_x][F_x] + z * c[M_y][F_x]);
     result.kGA_z        = 1. / (c[F_z][F_z] - x * c[M_y][F_z]);
     return result;

@@ -55,7 +55,7 @@ namespace lamella
       };
       Kinematics
       at(const SectionPoint &point) const;
-      /// From the centre of the section to @p point.
+      /// From the center of the section to @p point.
       Tensor<1, 3>
       arm(const SectionPoint &point) const;
       void

@@ -106,7 +106,7 @@ namespace lamella
         add_energies(point, weights[k], C, K);
       }
     // Modes across a thin section are stiffer than those along it by orders of
-    // magnitude, to which Cholesky's factorisation is indifferent.
+    // magnitude, to which Cholesky's factorization is indifferent.
     K.set_property(LAPACKSupport::symmetric);
     K.compute_cholesky_factorization();
     K.solve(of_in_plane);

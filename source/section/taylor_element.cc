@@ -44,7 +44,7 @@ namespace lamella
     const auto box = bounding_box().get_boundary_points();
     middle         = box.first + 0.5 * (box.second - box.first);
     half           = 0.5 * (box.second - box.first);
-    orthonormalise();
+    orthonormalize();
     functions.resize(recurrence.size());
     std::iota(functions.begin(), functions.end(), 0);
   }
@@ -128,7 +128,7 @@ namespace lamella
 
 
   void
-  TaylorElement::orthonormalise()
+  TaylorElement::orthonormalize()
   {
     std::vector<Point<2>> points;
     std::vector<double>   weights;

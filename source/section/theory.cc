@@ -220,7 +220,7 @@ namespace lamella
       if (theory.is_classical())
         all.refuse(word +
                      " has a reduced law, which cannot stand beside others "
-                     "at neighbouring nodes",
+                     "at neighboring nodes",
                    "Say SV, which takes its place.");
       if (theory.kind == Theory::Kind::TE)
         all.refuse(word + " has functions of its own, which LE-N and SV-N do "

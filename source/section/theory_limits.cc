@@ -128,7 +128,7 @@ namespace lamella
                   const double            width,
                   const unsigned int      N)
   {
-    // w = sum_i a_i P_i minimises 1/2 int G w'^2 - int E (z - z_0) w V / (E I):
+    // w = sum_i a_i P_i minimizes 1/2 int G w'^2 - int E (z - z_0) w V / (E I):
     // 1 / (k G A) = b . A^-1 b.
     const std::vector<Layer> layers = layers_of(plies, width);
     const auto [z0, EI]             = bending(layers);
@@ -144,9 +144,9 @@ namespace lamella
     std::vector<double> b(N);
     for (unsigned int i = 0; i < N; ++i)
       {
-        const double centre = z0, bending_stiffness = EI;
+        const double center = z0, bending_stiffness = EI;
         b[i] = integral(layers, N + 2, [&](const Layer &l, const double z) {
-          return l.E * (z - centre) * basis[i].value((z - bottom) / height) /
+          return l.E * (z - center) * basis[i].value((z - bottom) / height) /
                  bending_stiffness;
         });
         for (unsigned int j = 0; j < N; ++j)
@@ -171,7 +171,7 @@ namespace lamella
   {
     /// Of a section's @p n fields the places among those whose section strain
     /// does not vanish, and how many these are. (The slopes are among them:
-    /// they let the section turn about its shear centre.)
+    /// they let the section turn about its shear center.)
     std::pair<std::vector<unsigned int>, unsigned int>
     strained_fields(const unsigned int n)
     {

@@ -9,10 +9,10 @@ namespace lamella
   using namespace dealii;
 
   Voigt
-  stretch_of_fibre(const Section &section, const SectionPoint &point)
+  stretch_of_fiber(const Section &section, const SectionPoint &point)
   {
     const double square =
-      point.position.distance_square(section.element().centre());
+      point.position.distance_square(section.element().center());
     for (unsigned int k = 0; k < point.fields->size(); ++k)
       if ((*point.fields)[k] == RigidField::translation_y)
         return square * point.along[k];
@@ -28,10 +28,10 @@ namespace lamella
   {
     Vector on_values(section.n_fields());
     section.for_each_point([&](const SectionPoint &point, const double weight) {
-      const Voigt fibre = stretch_of_fibre(section, point);
+      const Voigt fiber = stretch_of_fiber(section, point);
       const Voigt stress =
-        weight * section.law(point.cell, point.position).stress(fibre);
-      square += fibre * stress;
+        weight * section.law(point.cell, point.position).stress(fiber);
+      square += fiber * stress;
       for (unsigned int k = 0; k < point.fields->size(); ++k)
         {
           const unsigned int alpha = (*point.fields)[k];
@@ -59,7 +59,7 @@ namespace lamella
                     axial[]  = {Force::F_y, Force::M_x, Force::M_z};
     const SectionTensor &C = states.compliance(), &D = states.stiffness();
     const double         h = section.element().reference_length();
-    // The shears that go with a twist of 1 about the torsion centre, and what
+    // The shears that go with a twist of 1 about the torsion center, and what
     // these make of the stretch and the curvatures, of k^2 / 2.
     const double G_x = C[shears[0]][Force::M_y] / C[Force::M_y][Force::M_y],
                  G_z = C[shears[1]][Force::M_y] / C[Force::M_y][Force::M_y];
@@ -86,7 +86,7 @@ namespace lamella
   Voigt
   TwistStretch::strain(const SectionPoint &point) const
   {
-    Voigt sum = stretch_of_fibre(section, point);
+    Voigt sum = stretch_of_fiber(section, point);
     for (unsigned int k = 0; k < point.fields->size(); ++k)
       sum += relaxation[(*point.fields)[k]] * point.in_plane[k];
     return sum;

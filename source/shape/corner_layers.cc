@@ -39,7 +39,7 @@ namespace lamella
     double
     angle_at(const Cell &cell, const unsigned int v)
     {
-      // The neighbours of a vertex differ from it in one bit.
+      // The neighbors of a vertex differ from it in one bit.
       const Tensor<1, 2> a = cell->vertex(v ^ 1u) - cell->vertex(v),
                          b = cell->vertex(v ^ 2u) - cell->vertex(v);
       return std::acos(a * b / (a.norm() * b.norm())) * 180. / numbers::PI;

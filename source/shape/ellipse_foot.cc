@@ -17,7 +17,7 @@ namespace lamella
   double
   EllipseFoot::parameter(const Point<2> &x) const
   {
-    const Tensor<1, 2> d = x - centre;
+    const Tensor<1, 2> d = x - center;
     if (a == b)
       return std::atan2(d[1], d[0]);
     // In the first quadrant, and back.
@@ -45,7 +45,7 @@ namespace lamella
   Point<2>
   EllipseFoot::point(const double phi) const
   {
-    return {centre[0] + a * std::cos(phi), centre[1] + b * std::sin(phi)};
+    return {center[0] + a * std::cos(phi), center[1] + b * std::sin(phi)};
   }
 
 

@@ -277,17 +277,17 @@ namespace lamella
       // Around a cell in the file, rows from below in deal.II.
       constexpr std::array<unsigned int, 4> place_in_cell{{0, 1, 3, 2}};
       CellData<2>                           cell;
-      Tensor<1, 2>                          centre;
+      Tensor<1, 2>                          center;
       for (unsigned int i = 0; i < 4; ++i)
         {
           cell.vertices[place_in_cell[i]] = element.nodes[i];
-          centre += vertices[element.nodes[i]] / 4.;
+          center += vertices[element.nodes[i]] / 4.;
         }
       const auto ply = ply_of_tag.find(element.group);
       if (ply == ply_of_tag.end())
         refuse_line(entry,
                     element.line,
-                    "the cell at " + to_text(Point<2>(centre)) +
+                    "the cell at " + to_text(Point<2>(center)) +
                       " is in no named physical surface, so nothing says of "
                       "what it is made");
       cell.material_id = ply->second;

@@ -57,14 +57,14 @@ namespace lamella
         if (!(area_between(corner.to_next, corner.to_last) >
               arithmetic::flat * corner.to_next.norm() * corner.to_last.norm()))
           {
-            Tensor<1, 2> centre;
+            Tensor<1, 2> center;
             for (const unsigned int v : mesh.cells[c].vertices)
-              centre += mesh.vertices[v] / 4.;
+              center += mesh.vertices[v] / 4.;
             refuse_line(
               entry,
               mesh.elements[c]->line,
               "a cell is folded or has no area, at " +
-                to_text(Point<2>(centre)) +
+                to_text(Point<2>(center)) +
                 " (an inner angle of 180 degrees or more)",
               "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
               "transfinite surfaces make better cells.");

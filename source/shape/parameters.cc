@@ -148,7 +148,7 @@ namespace lamella
          "DEBWT",
          "All shapes but laminate and file: a name of Materials. May be left "
          "out if the scene has one material."},
-        {"Fibre angle",
+        {"Fiber angle",
          "0",
          number(),
          "DEBW",
@@ -247,7 +247,7 @@ namespace lamella
          "degrees, in the wall's own plane: 0 along +y, positive to the right "
          "for who looks at the wall from outside with +y pointing up. One layup "
          "for all walls, or one a wall between '|': webs from left to right, "
-         "then flanges from bottom to top. Without: one material at Fibre angle, "
+         "then flanges from bottom to top. Without: one material at Fiber angle, "
          "or at 0 degrees in a tube."}};
     }
 

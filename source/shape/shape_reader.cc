@@ -36,7 +36,7 @@ namespace lamella
   {
     const Entry entry = in["Material"];
     Fabric      result;
-    result.angle = in["Fibre angle"].number();
+    result.angle = in["Fiber angle"].number();
     if (entry.is_empty() && materials.size() == 1)
       result.material = materials[0];
     else if (entry.is_empty())

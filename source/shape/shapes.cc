@@ -92,29 +92,29 @@ namespace lamella
 
 
 
-    /// Polar coordinates (r, angle) of an ellipse about a centre, r = 1 on its
+    /// Polar coordinates (r, angle) of an ellipse about a center, r = 1 on its
     /// edge. Unlike EllipticalManifold's they include the circle.
     class EllipseManifold : public ChartManifold<2, 2, 2>
     {
     public:
       /// With half the extensions @p axes.
-      EllipseManifold(const Point<2> &centre, const Tensor<1, 2> &axes)
+      EllipseManifold(const Point<2> &center, const Tensor<1, 2> &axes)
         : ChartManifold<2, 2, 2>(Point<2>(0., 2. * numbers::PI))
-        , centre(centre)
+        , center(center)
         , axes(axes)
       {}
 
       std::unique_ptr<Manifold<2, 2>>
       clone() const override
       {
-        return std::make_unique<EllipseManifold>(centre, axes);
+        return std::make_unique<EllipseManifold>(center, axes);
       }
 
       Point<2>
       pull_back(const Point<2> &x) const override
       {
-        const Point<2> p((x[0] - centre[0]) / axes[0],
-                         (x[1] - centre[1]) / axes[1]);
+        const Point<2> p((x[0] - center[0]) / axes[0],
+                         (x[1] - center[1]) / axes[1]);
         const double   angle = std::atan2(p[1], p[0]);
         return {p.norm(), angle < 0. ? angle + 2. * numbers::PI : angle};
       }
@@ -122,12 +122,12 @@ namespace lamella
       Point<2>
       push_forward(const Point<2> &chart) const override
       {
-        return {centre[0] + axes[0] * chart[0] * std::cos(chart[1]),
-                centre[1] + axes[1] * chart[0] * std::sin(chart[1])};
+        return {center[0] + axes[0] * chart[0] * std::cos(chart[1]),
+                center[1] + axes[1] * chart[0] * std::sin(chart[1])};
       }
 
     private:
-      Point<2>     centre;
+      Point<2>     center;
       Tensor<1, 2> axes;
     };
   } // namespace

@@ -132,8 +132,8 @@ namespace lamella
     check_layup_entries(const ShapeReader &reader, const bool has_layup)
     {
       const Entries &in = reader.in;
-      if (has_layup && in["Fibre angle"].text() != "0")
-        in["Fibre angle"].refuse(
+      if (has_layup && in["Fiber angle"].text() != "0")
+        in["Fiber angle"].refuse(
           "with Wall layup plies have their angles there, in the plane of each "
           "wall",
           "Remove one of the two.");

@@ -49,7 +49,7 @@ namespace lamella
         , bodies(bodies)
       {}
 
-      /// Iterates until the largest mu that is no mode of stabilising springs
+      /// Iterates until the largest mu that is no mode of stabilizing springs
       /// is known to a part in a million or certainly below @p least. Returns
       /// it with its mode, or none that is at least that. What springs hold of
       /// the mode is taken off its energy, as Rayleigh's quotient has it.
@@ -67,11 +67,11 @@ namespace lamella
       /// Takes the parts along all q out of @p v, whose load is @p load;
       /// returns them.
       std::vector<double>
-      orthogonalise(BlockVector &v, BlockVector &load) const;
+      orthogonalize(BlockVector &v, BlockVector &load) const;
       /// Makes @p v and its load the next q, unless it has no length.
       bool
       append(BlockVector v, BlockVector load);
-      /// The share of the energy of @p mode, of unit energy, that stabilising
+      /// The share of the energy of @p mode, of unit energy, that stabilizing
       /// springs hold.
       double
       share_of_springs(const BlockVector &mode) const;
@@ -111,7 +111,7 @@ namespace lamella
 
 
     std::vector<double>
-    BucklingModes::orthogonalise(BlockVector &v, BlockVector &load) const
+    BucklingModes::orthogonalize(BlockVector &v, BlockVector &load) const
     {
       std::vector<double> parts(q.size(), 0.);
       for (unsigned int pass = 0; pass < 2; ++pass)
@@ -183,7 +183,7 @@ namespace lamella
           BlockVector next_load = geometric_forces(q.back());
           next_load *= -1.;
           BlockVector next = solve(next_load);
-          columns.push_back(orthogonalise(next, next_load));
+          columns.push_back(orthogonalize(next, next_load));
           const unsigned int n = columns.size();
           const bool         is_exhausted =
             !append(std::move(next), std::move(next_load)) ||

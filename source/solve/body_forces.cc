@@ -17,22 +17,22 @@ namespace lamella
 
 
   Wrench
-  BodyForces::at_origin(const Wrench &about_centre) const
+  BodyForces::at_origin(const Wrench &about_center) const
   {
-    return {about_centre.force,
-            about_centre.moment +
-              cross_product_3d(body.centre(), about_centre.force)};
+    return {about_center.force,
+            about_center.moment +
+              cross_product_3d(body.center(), about_center.force)};
   }
 
 
 
   void
-  BodyForces::add(const Wrench &about_centre)
+  BodyForces::add(const Wrench &about_center)
   {
-    sum.force += about_centre.force;
-    sum.moment += about_centre.moment;
+    sum.force += about_center.force;
+    sum.moment += about_center.moment;
     at_least(
-      std::max(about_centre.force.norm(), about_centre.moment.norm() / size));
+      std::max(about_center.force.norm(), about_center.moment.norm() / size));
   }
 
 

@@ -74,17 +74,17 @@ namespace lamella
 
 
     /// What one row of a support does at @p place with @p force to the body
-    /// with that @p centre, about it: by its place and direction, whatever the
+    /// with that @p center, about it: by its place and direction, whatever the
     /// body's theory feels.
     Wrench
     wrench_of(const PrescribedRow &row,
               const Point<3>      &place,
               const double         force,
-              const Point<3>      &centre)
+              const Point<3>      &center)
     {
       return {force * row.direction,
               force *
-                (row.couple + cross_product_3d(place - centre, row.direction))};
+                (row.couple + cross_product_3d(place - center, row.direction))};
     }
 
 
@@ -93,7 +93,7 @@ namespace lamella
     /// @p places, and gives their work; adds to the forces @p on_body the
     /// moments that the body's theory feels.
     double
-    add_reactions(const Linearisation         &tangent,
+    add_reactions(const Linearization         &tangent,
                   const std::vector<Point<3>> &places,
                   const unsigned int           b,
                   const Vector                &unbalanced,
@@ -103,14 +103,14 @@ namespace lamella
     {
       // Each support is a force of its own: two opposite reactions must not
       // hide in a sum of zero.
-      const Point<3>      centre = on_body.body.centre();
+      const Point<3>      center = on_body.body.center();
       std::vector<Wrench> of_support(reactions.size()), felt(reactions.size());
       double              work = 0.;
       for (const auto &[row, force] :
            tangent.reduction(b).multipliers(unbalanced))
         {
           const PrescribedRow &p     = tangent.prescribed()[row];
-          const Wrench         whole = wrench_of(p, places[row], force, centre);
+          const Wrench         whole = wrench_of(p, places[row], force, center);
           of_support[p.support].force += whole.force;
           of_support[p.support].moment += whole.moment;
           const double multiplier = force;
@@ -128,7 +128,7 @@ namespace lamella
           reactions[s].force += force;
           reactions[s].moment +=
             of_support[s].moment +
-            cross_product_3d(centre - reactions[s].about, force);
+            cross_product_3d(center - reactions[s].about, force);
           on_body.add({force, felt[s].moment});
         }
       return work;
@@ -138,13 +138,13 @@ namespace lamella
 
     /// Where each of @p reactions acts.
     void
-    find_centres(std::vector<Resultant> &reactions, const double size)
+    find_centers(std::vector<Resultant> &reactions, const double size)
     {
       // Of the moment over the size of the scene.
       constexpr double rounding = arithmetic::negligible;
       for (Resultant &reaction : reactions)
         if (reaction.force.norm() * size > rounding * reaction.moment.norm())
-          reaction.centre_of_pressure =
+          reaction.center_of_pressure =
             reaction.about + cross_product_3d(reaction.force, reaction.moment) /
                                reaction.force.norm_square();
     }
@@ -160,7 +160,7 @@ namespace lamella
 
 
 
-    /// Adds the forces of the stabilising springs of body @p b; returns their
+    /// Adds the forces of the stabilizing springs of body @p b; returns their
     /// energy.
     double
     add_springs(const Structure   &structure,
@@ -215,16 +215,16 @@ namespace lamella
           return;
         }
       const double elastic = checks.energy;
-      const double stored  = elastic + checks.stabilisation_energy;
+      const double stored  = elastic + checks.stabilization_energy;
       if (stored <= rounding)
         return;
       const double size = std::max({std::abs(elastic),
                                     std::abs(checks.external_work),
-                                    checks.stabilisation_energy});
+                                    checks.stabilization_energy});
       checks.energy_balance =
         std::abs(stored - checks.external_work - other_work) / size;
-      if (checks.stabilisation_energy > rounding)
-        checks.stabilisation_share = checks.stabilisation_energy / stored;
+      if (checks.stabilization_energy > rounding)
+        checks.stabilization_share = checks.stabilization_energy / stored;
     }
 
 
@@ -273,7 +273,7 @@ namespace lamella
     /// @p on_body, of supports and contacts so far, balance. Returns the energy
     /// that is rounding.
     double
-    check_body(const Linearisation &tangent,
+    check_body(const Linearization &tangent,
                const unsigned int   b,
                const State         &state,
                const Vector        &load,
@@ -289,7 +289,7 @@ namespace lamella
       on_body.add(load_on(on_body, load));
       on_body.at_least(of_heat *
                        std::max(heat_load.linfty_norm(), load.linfty_norm()));
-      checks.stabilisation_energy += add_springs(structure, b, state, on_body);
+      checks.stabilization_energy += add_springs(structure, b, state, on_body);
       const Deformation deformation = on_body.body.deformation(u);
       add_deformation(deformation, checks);
       const double noise =
@@ -356,7 +356,7 @@ namespace lamella
     /// unbalanced are the forces on degrees of freedom that loads, contacts and
     /// strains leave to the supports.
     void
-    add_forces_from_outside(const Linearisation                 &tangent,
+    add_forces_from_outside(const Linearization                 &tangent,
                             const std::vector<Point<3>>         &places,
                             const std::vector<ContactInterface> &contacts,
                             const BlockVector                   &unbalanced,
@@ -383,7 +383,7 @@ namespace lamella
                                               factor,
                                               checks.reactions,
                                               on_body[b]);
-      find_centres(checks.reactions, tangent.of().size());
+      find_centers(checks.reactions, tangent.of().size());
     }
   } // namespace
 
@@ -399,7 +399,7 @@ namespace lamella
 
 
   Checks
-  check_state(const Linearisation                 &tangent,
+  check_state(const Linearization                 &tangent,
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,

@@ -270,9 +270,9 @@ namespace lamella
       for (unsigned int i = 0; i < n; ++i)
         left += (x.lambda[i] + reach * newton.lambda[i]) *
                 (x.s[i] + reach * newton.s[i]);
-      const double centre = std::pow(left / mu, 3) * mu / n;
+      const double center = std::pow(left / mu, 3) * mu / n;
       for (unsigned int i = 0; i < n; ++i)
-        target[i] = centre - newton.lambda[i] * newton.s[i];
+        target[i] = center - newton.lambda[i] * newton.s[i];
       const Pair   d      = direction(factor, x, exact, target);
       const double almost = std::max(0.9, 1. - mu / n);
       const double length =

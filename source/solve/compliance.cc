@@ -4,14 +4,14 @@
 
 namespace lamella
 {
-  Compliance::Compliance(const Linearisation &linearisation,
+  Compliance::Compliance(const Linearization &linearization,
                          const GapRows       &rows)
-    : linearisation(linearisation)
+    : linearization(linearization)
     , rows(rows)
     , place(rows.end_of_slips(), dealii::numbers::invalid_unsigned_int)
   {
-    for (unsigned int b = 0; b < linearisation.of().bodies().size(); ++b)
-      bodies.push_back({linearisation.solver(b).solved_rows(), {}});
+    for (unsigned int b = 0; b < linearization.of().bodies().size(); ++b)
+      bodies.push_back({linearization.solver(b).solved_rows(), {}});
   }
 
 
@@ -40,7 +40,7 @@ namespace lamella
             if (part.body == b)
               {
                 reduced.push_back(
-                  part.row.reduced(linearisation.reduction(b).constraints()));
+                  part.row.reduced(linearization.reduction(b).constraints()));
                 bodies[b].place.push_back(place[r]);
               }
         bodies[b].solved->append(reduced);
@@ -86,7 +86,7 @@ namespace lamella
   Compliance::displacement(const std::vector<unsigned int> &of,
                            const std::vector<double>       &lambda) const
   {
-    BlockVector         u = linearisation.of().zero();
+    BlockVector         u = linearization.of().zero();
     std::vector<double> force(entries.size(), 0.);
     for (unsigned int i = 0; i < of.size(); ++i)
       force[place[of[i]]] = lambda[i];
@@ -96,7 +96,7 @@ namespace lamella
         for (const unsigned int p : bodies[b].place)
           of_body.push_back(force[p]);
         u.block(b) = bodies[b].solved->displacement(of_body);
-        linearisation.reduction(b).constraints().distribute(u.block(b));
+        linearization.reduction(b).constraints().distribute(u.block(b));
       }
     return u;
   }

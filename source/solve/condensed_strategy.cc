@@ -49,10 +49,10 @@ namespace lamella
 
 
 
-  CondensedStrategy::CondensedStrategy(const Linearisation &linearisation,
+  CondensedStrategy::CondensedStrategy(const Linearization &linearization,
                                        const GapRows       &rows)
-    : ContactStrategy(linearisation, rows)
-    , compliance(linearisation, rows)
+    : ContactStrategy(linearization, rows)
+    , compliance(linearization, rows)
   {}
 
 
@@ -137,11 +137,11 @@ namespace lamella
     std::vector<double> d;
     for (const unsigned int number : closed.numbers)
       d.push_back(softness(number));
-    if (!factor || factorised_for != closed.numbers || factorised_with != d)
+    if (!factor || factorized_for != closed.numbers || factorized_with != d)
       {
         factor.emplace(system_of(closed), n, "The compliance of contact");
-        factorised_for  = closed.numbers;
-        factorised_with = d;
+        factorized_for  = closed.numbers;
+        factorized_with = d;
       }
     factor->solve(lambda);
   }
@@ -156,7 +156,7 @@ namespace lamella
                            Vector            &dlambda)
   {
     const std::vector<unsigned int> &numbers = closed.numbers;
-    du                                       = linearisation.solve(r_u);
+    du                                       = linearization.solve(r_u);
     dlambda.reinit(numbers.size());
     if (numbers.empty())
       return;
@@ -401,7 +401,7 @@ namespace lamella
                             const Monitor        &monitor)
   {
     ContactSolution solution;
-    solution.du     = linearisation.of().zero();
+    solution.du     = linearization.of().zero();
     solution.force  = problem.force;
     solution.active = problem.start;
     solution.shear  = problem.shear;

@@ -237,11 +237,11 @@ namespace lamella
             column += std::abs(W(i, j));
           sum = std::max(sum, column);
         }
-      Tensor<1, 3> centre;
-      centre[0] = 1.;
-      return {PointVectors(W.n_points(), centre / sum),
+      Tensor<1, 3> center;
+      center[0] = 1.;
+      return {PointVectors(W.n_points(), center / sum),
               PointVectors(W.n_points(),
-                           std::max(1., largest_component(q)) * centre)};
+                           std::max(1., largest_component(q)) * center)};
     }
 
 

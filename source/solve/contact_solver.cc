@@ -27,18 +27,18 @@ namespace lamella
 
 
   ContactSolver::ContactSolver(
-    std::shared_ptr<const Linearisation> linearisation_,
+    std::shared_ptr<const Linearization> linearization_,
     const GapRows                       &rows,
     const SolverParameters              &parameters,
     const Strategy                       which)
     : progress([](const std::string &) {})
     , describe(
         [](const unsigned int row) { return "row " + std::to_string(row); })
-    , linearisation(std::move(linearisation_))
-    , structure(linearisation->of())
+    , linearization(std::move(linearization_))
+    , structure(linearization->of())
     , rows(rows)
     , parameters(parameters)
-    , strategy(make_strategy(which, *linearisation, rows))
+    , strategy(make_strategy(which, *linearization, rows))
   {}
 
 
@@ -281,7 +281,7 @@ namespace lamella
 
 
 
-  // ---- without the forces of stabilising springs
+  // ---- without the forces of stabilizing springs
 
   State
   ContactSolver::release_springs(State state, const LoadFactor &factor)
@@ -313,7 +313,7 @@ namespace lamella
           fail_on_springs(state, change / before);
         before = change;
         progress("round " + std::to_string(round) +
-                 " of releasing the stabilising springs:");
+                 " of releasing the stabilizing springs:");
         State next = solve_contact(solve_free(factor, rest), factor, state);
         next.iterations += state.iterations;
         state = std::move(next);
@@ -335,7 +335,7 @@ namespace lamella
       "Body '" + body + "' is not held by its contacts" +
       (rubs ? ", friction and all" : "") + ": its loads move it on and on (" +
       motion + ", each round " + to_text(rate, 4) +
-      " times as far as the one before), against nothing but its stabilising "
+      " times as far as the one before), against nothing but its stabilizing "
       "springs. Add a support, " +
       (rubs ? "take more Friction, " : "") +
       (rubs && !strategy->forces_stand_alone() ?
@@ -373,11 +373,11 @@ namespace lamella
     const std::string name  = structure.bodies()[body]->name();
     if (!(rate < 0.999))
       fail_running_away(name, worst.motion, rate);
-    throw NumericsError("The stabilising springs of body '" + name +
+    throw NumericsError("The stabilizing springs of body '" + name +
                         "' are too stiff beside the contacts that hold it (" +
                         worst.motion + "): their share falls by the factor " +
                         to_text(rate, 3) + " a round only. Take Body " + name +
-                        "/Stabilisation = " +
+                        "/Stabilization = " +
                         to_text(worst.share * wanted_rate / (1. - wanted_rate) *
                                   (1. - rate) / rate,
                                 1) +

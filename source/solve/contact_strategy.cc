@@ -11,11 +11,11 @@ namespace lamella
 
   std::unique_ptr<ContactStrategy>
   make_strategy(const Strategy       which,
-                const Linearisation &linearisation,
+                const Linearization &linearization,
                 const GapRows       &rows)
   {
     if (which == Strategy::full)
-      return std::make_unique<FullStrategy>(linearisation, rows);
-    return std::make_unique<CondensedStrategy>(linearisation, rows);
+      return std::make_unique<FullStrategy>(linearization, rows);
+    return std::make_unique<CondensedStrategy>(linearization, rows);
   }
 } // namespace lamella

@@ -84,7 +84,7 @@ namespace lamella
       natural_map(const PointVectors &lambda) const;
 
       /// The forces that the states of @p at make of the linear equations, and
-      /// what linearises slip.
+      /// what linearizes slip.
       NewtonStep
       newton_step(const Trial &at, const PointVectors &lambda) const;
 
@@ -270,7 +270,7 @@ namespace lamella
     /// with its trial force z, e = z_t / |z_t|, E = 1 - e e^T and k = mu z_n /
     /// |z_t|; @p lambda is its force so far.
     void
-    linearise_slip(const Tensor<1, 3>  &z,
+    linearize_slip(const Tensor<1, 3>  &z,
                    const double         bound,
                    const double         friction,
                    const Tensor<1, 3>  &lambda,
@@ -333,7 +333,7 @@ namespace lamella
         if (at.states[i] != PointState::open)
           {
             if (at.states[i] == PointState::slip)
-              linearise_slip(
+              linearize_slip(
                 at.z[i], at.bound[i], mu[i], kept[i], first, W.size(i), A, x);
             first += W.size(i);
           }

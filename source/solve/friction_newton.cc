@@ -47,13 +47,13 @@ namespace lamella
   FrictionNewton::Iterate
   FrictionNewton::begin(const ContactProblem &problem)
   {
-    Iterate at{linearisation.of().zero(),
-               linearisation.of().zero(),
+    Iterate at{linearization.of().zero(),
+               linearization.of().zero(),
                PointVectors(rows.size()),
                0.};
     if (!problem.first_forces.empty())
       at.force = problem.first_forces;
-    BlockVector f      = linearisation.of().zero();
+    BlockVector f      = linearization.of().zero();
     bool        differ = false;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
@@ -65,9 +65,9 @@ namespace lamella
       }
     if (differ)
       {
-        matrix.factorise({});
+        matrix.factorize({});
         at.du   = matrix.solve(std::move(f));
-        at.K_du = linearisation.apply(at.du);
+        at.K_du = linearization.apply(at.du);
       }
     at.change = at.du.linfty_norm();
     return at;
@@ -153,7 +153,7 @@ namespace lamella
   // ---- a step
 
   void
-  FrictionNewton::linearise_slip(const unsigned int r,
+  FrictionNewton::linearize_slip(const unsigned int r,
                                  const Iterate     &at,
                                  const Trial       &trial,
                                  Law               &law) const
@@ -185,7 +185,7 @@ namespace lamella
 
 
   void
-  FrictionNewton::linearise(const unsigned int r,
+  FrictionNewton::linearize(const unsigned int r,
                             const Iterate     &at,
                             const Trial       &trial,
                             Law               &law) const
@@ -194,7 +194,7 @@ namespace lamella
     law.change[r][0] = -trial.v[r][0] / d;
     law.terms.push_back({r, r, 1. / d});
     if (trial.states[r] == PointState::slip)
-      linearise_slip(r, at, trial, law);
+      linearize_slip(r, at, trial, law);
     else
       for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
         {
@@ -211,14 +211,14 @@ namespace lamella
                        const Trial          &trial)
   {
     Law         law{PointVectors(rows.size()), {}};
-    BlockVector r_u = linearisation.of().zero();
+    BlockVector r_u = linearization.of().zero();
     r_u -= at.K_du;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
         if (trial.states[r] == PointState::open)
           law.change[r] = -at.force[r];
         else
-          linearise(r, at, trial, law);
+          linearize(r, at, trial, law);
         const Tensor<1, 3> force = at.force[r] + law.change[r];
         add_force(rows[r],
                   force[0] - problem.force[r],
@@ -227,13 +227,13 @@ namespace lamella
                              problem.shear[r]),
                   r_u);
       }
-    matrix.factorise(law.terms);
+    matrix.factorize(law.terms);
     const BlockVector du = matrix.solve(std::move(r_u));
 
     Iterate next = at;
     next.du += du;
     next.change = du.linfty_norm();
-    next.K_du   = linearisation.apply(next.du);
+    next.K_du   = linearization.apply(next.du);
     for (unsigned int r = 0; r < rows.size(); ++r)
       next.force[r] += law.change[r];
     for (const PenaltyTerm &term : law.terms)

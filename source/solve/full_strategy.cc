@@ -21,10 +21,10 @@ namespace lamella
 
 
 
-  FullStrategy::FullStrategy(const Linearisation &linearisation,
+  FullStrategy::FullStrategy(const Linearization &linearization,
                              const GapRows       &rows)
-    : ContactStrategy(linearisation, rows)
-    , matrix(linearisation, rows)
+    : ContactStrategy(linearization, rows)
+    , matrix(linearization, rows)
   {}
 
 
@@ -64,7 +64,7 @@ namespace lamella
     for (const auto &[r, along] : closed.sliding)
       for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
         terms.push_back({rows.slip(r, a), r, along[a] / softness(r)});
-    matrix.factorise(terms);
+    matrix.factorize(terms);
 
     du = r_u;
     std::vector<double> pushed(rows.size(), 0.);
@@ -92,7 +92,7 @@ namespace lamella
   FullStrategy::settle(const ContactProblem &problem, const Monitor &monitor)
   {
     if (!problem.slip.empty())
-      return FrictionNewton(linearisation, rows, numerical_softness, matrix)
+      return FrictionNewton(linearization, rows, numerical_softness, matrix)
         .settle(problem, monitor);
     // Of the displacements: what one solution with K + K^p is accurate to.
     constexpr double accurate = arithmetic::rounding_of_solutions;
@@ -125,8 +125,8 @@ namespace lamella
   FullStrategy::Iterate
   FullStrategy::begin(const ContactProblem &problem) const
   {
-    Iterate at{linearisation.of().zero(),
-               linearisation.of().zero(),
+    Iterate at{linearization.of().zero(),
+               linearization.of().zero(),
                std::vector<double>(rows.size(), 0.),
                problem.start};
     for (const unsigned int r : problem.start)
@@ -139,7 +139,7 @@ namespace lamella
   double
   FullStrategy::step(const ContactProblem &problem, Iterate &at)
   {
-    BlockVector r_u = linearisation.of().zero();
+    BlockVector r_u = linearization.of().zero();
     r_u -= at.K_du;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
@@ -161,7 +161,7 @@ namespace lamella
     at.du += du;
     for (unsigned int k = 0; k < at.active.size(); ++k)
       at.force[at.active[k]] += dlambda[k];
-    at.K_du = linearisation.apply(at.du);
+    at.K_du = linearization.apply(at.du);
     return du.linfty_norm();
   }
 

@@ -101,7 +101,7 @@ namespace lamella
 
 
     /// What the @p forces of the rows do to the body on their @p side, each,
-    /// about its centre.
+    /// about its center.
     std::vector<Wrench>
     wrenches_of_rows(const ContactInterface &contact,
                      const RowForces        &forces,
@@ -172,7 +172,7 @@ namespace lamella
 
 
 
-    /// Force, moment and centre of pressure; adds the forces to the bodies'.
+    /// Force, moment and center of pressure; adds the forces to the bodies'.
     void
     add_contact_forces(const ContactInterface  &contact,
                        const RowForces         &forces,
@@ -210,7 +210,7 @@ namespace lamella
       kkt.force          = whole.force;
       kkt.moment         = whole.moment;
       if (kkt.force.norm() != 0.)
-        kkt.centre_of_pressure =
+        kkt.center_of_pressure =
           line_of_action(whole, mean_point(contact, forces.normal));
     }
   } // namespace
@@ -224,16 +224,16 @@ namespace lamella
     if (other == 0.)
       return;
     const Point<3> mean =
-      whole.centre_of_pressure +
+      whole.center_of_pressure +
       other / (own + other) *
-        (part.centre_of_pressure - whole.centre_of_pressure);
+        (part.center_of_pressure - whole.center_of_pressure);
     whole.force += part.force;
     whole.moment += part.moment;
     whole.shear += part.shear;
     whole.sticking += part.sticking;
     whole.slipping += part.slipping;
     whole.dissipated += part.dissipated;
-    whole.centre_of_pressure =
+    whole.center_of_pressure =
       line_of_action(Wrench{whole.force, whole.moment}, mean);
   }
 

@@ -136,7 +136,7 @@ namespace lamella
                                         contact.second_body;
     };
     return std::any_of(all.begin(), all.end(), [&](const auto &other) {
-      return other.discretisation == Discretisation::edge_to_surface &&
+      return other.discretization == Discretization::edge_to_surface &&
              carrying(other) == opposing(all[c]) &&
              opposing(other) == carrying(all[c]);
     });
@@ -266,7 +266,7 @@ namespace lamella
                  ", line to roller, becomes more than a line: the body bends "
                  "around '" +
                  all[c].second_name +
-                 "'. Take Discretisation = auto or surface to surface.";
+                 "'. Take Discretization = auto or surface to surface.";
       }
   }
 

@@ -21,7 +21,7 @@ namespace lamella
     /// What the last digits of the displacements @p u make of forces of the
     /// body @p b.
     double
-    rounding_of_forces(const Linearisation &here,
+    rounding_of_forces(const Linearization &here,
                        const BlockVector   &u,
                        const unsigned int   b)
     {
@@ -84,7 +84,7 @@ namespace lamella
 
 
   BlockVector
-  Newton::condensed(const Linearisation &here, BlockVector r)
+  Newton::condensed(const Linearization &here, BlockVector r)
   {
     here.condense(r);
     return r;
@@ -93,7 +93,7 @@ namespace lamella
 
 
   bool
-  Newton::measure(const Linearisation &here,
+  Newton::measure(const Linearization &here,
                   const BlockVector   &r,
                   const LoadFactor    &factor,
                   double              &began,
@@ -165,7 +165,7 @@ namespace lamella
 
 
   bool
-  Newton::is_rounding(const Linearisation &here,
+  Newton::is_rounding(const Linearization &here,
                       const BlockVector   &r,
                       const BlockVector   &u) const
   {
@@ -228,7 +228,7 @@ namespace lamella
   Newton::beginning(const LoadFactor &to, const Equilibrium &at) const
   {
     Beginning           result;
-    const Linearisation here(structure, at.state.u);
+    const Linearization here(structure, at.state.u);
     result.moved = here.way_to_supports(at.factor, to);
     result.r     = unbalanced(at.state, to);
     if (result.moved.l2_norm() > 0.)
@@ -291,7 +291,7 @@ namespace lamella
                        state);
 
         contacts.move(state, to);
-        const Linearisation here(structure, state.u);
+        const Linearization here(structure, state.u);
         r = unbalanced(state, to);
         if (!measure(here, r, to, began, at))
           return false;
@@ -390,7 +390,7 @@ namespace lamella
                          " A body that nothing but another body keeps from "
                          "buckling is not found either (obstacles may).") +
       (structure.has_springs() ?
-         " Where little holds a body with Stabilisation, smaller or larger "
+         " Where little holds a body with Stabilization, smaller or larger "
          "springs may find it (1e-8 to 1e-5)." :
          "") +
       (last_failure.empty() ? "" : " (" + last_failure + ")"));

@@ -183,7 +183,7 @@ namespace lamella
                   State             &state) const
   {
     Aid                 aid;
-    const Linearisation about    = tangent(state, correction, to, aid);
+    const Linearization about    = tangent(state, correction, to, aid);
     const auto         &leaning  = aid.leaning;
     const BlockVector   before   = state.u;
     BlockVector         du       = about.solve(r);

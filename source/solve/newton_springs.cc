@@ -23,7 +23,7 @@ namespace lamella
   namespace
   {
     /// What is tried in turn until the tangent is definite: the share of the
-    /// penalty that leaning rows have, and by how much stabilising springs are
+    /// penalty that leaning rows have, and by how much stabilizing springs are
     /// firmer than asked for.
     struct AidTrial
     {
@@ -46,7 +46,7 @@ namespace lamella
 
 
 
-    /// The stabilising springs of all bodies, as many times as @p share.
+    /// The stabilizing springs of all bodies, as many times as @p share.
     LeaningRows::Springs
     springs_of(const Structure &structure, const double share)
     {
@@ -60,7 +60,7 @@ namespace lamella
 
 
 
-  Linearisation
+  Linearization
   Newton::tangent(const State       &state,
                   const BlockVector &correction,
                   const LoadFactor  &to,
@@ -88,7 +88,7 @@ namespace lamella
             more = aid.leaning->springs();
           else if (aid.firmer > 1.)
             more = springs_of(structure, aid.firmer - 1.);
-          return Linearisation(
+          return Linearization(
             structure, state.u, asked, monitor, correction, to, more);
         }
       catch (const LostDigits &)
@@ -114,7 +114,7 @@ namespace lamella
 
   namespace
   {
-    /// The root of k times r of each stabilising spring, as a load.
+    /// The root of k times r of each stabilizing spring, as a load.
     std::vector<BlockVector>
     loads_of_springs(const Structure &structure, const double firmer)
     {
@@ -169,7 +169,7 @@ namespace lamella
     /// What each of @p loads moves bodies by about the state that @p about is
     /// of, with the @p rows of @p state that bear a force held.
     std::vector<BlockVector>
-    answers(const Linearisation            &about,
+    answers(const Linearization            &about,
             const GapRows                  &rows,
             const State                    &state,
             const std::vector<BlockVector> &loads)
@@ -204,10 +204,10 @@ namespace lamella
       return false;
     // What is carried along has rounding for stresses.
     const BlockVector internal = structure.internal_forces(state.u, state.rest);
-    if (is_rounding(Linearisation(structure, state.u), internal, state.u))
+    if (is_rounding(Linearization(structure, state.u), internal, state.u))
       return false;
     Aid                 aid;
-    const Linearisation about = tangent(state, BlockVector(), to, aid);
+    const Linearization about = tangent(state, BlockVector(), to, aid);
     const GapRows rows  = aid.leaning ? aid.leaning->rows() : contacts.rows();
     const auto    loads = loads_of_springs(structure, aid.firmer);
     const auto    modes = answers(about, rows, state, loads);
@@ -230,7 +230,7 @@ namespace lamella
     if (least <
         -parameters.falls * pressing / structure.size() * length * length)
       throw NumericsError(
-        "Nothing but stabilising springs keeps a body where it is: under what "
+        "Nothing but stabilizing springs keeps a body where it is: under what "
         "bears on it it would turn over or run away. Give it a Support where "
         "the real one is.");
     return true;

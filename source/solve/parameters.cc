@@ -26,7 +26,7 @@ namespace lamella
         "auto",
         selection<SolverKind>(),
         "auto: on one process cholmod, or dense blocks for beams of SV and "
-        "SV-N, mumps on several, cg for large solids; cholmod, mumps: factorise; "
+        "SV-N, mumps on several, cg for large solids; cholmod, mumps: factorize; "
         "cg: conjugate gradients with algebraic multigrid, for solids, with "
         "little memory.");
       prm.declare_entry(
@@ -91,8 +91,8 @@ namespace lamella
     prm.declare_entry("Contact strategy",
                       "condensed",
                       selection<Strategy>(),
-                      "condensed: factorise once, contact on the compliance of "
-                      "its rows; full: assemble and factorise K + K^p in each "
+                      "condensed: factorize once, contact on the compliance of "
+                      "its rows; full: assemble and factorize K + K^p in each "
                       "iteration, as in the paper. Same results.");
     declare_solver(prm);
     prm.declare_entry("Rotation limit",
@@ -160,7 +160,7 @@ namespace lamella
     if (parameters.strategy == Strategy::full &&
         (parameters.solver == SolverKind::cholmod ||
          parameters.solver == SolverKind::cg))
-      solver.refuse("Contact strategy = full factorises with mumps",
+      solver.refuse("Contact strategy = full factorizes with mumps",
                     "Choose auto, or the condensed strategy.");
     parameters.loop.max_iterations =
       in["Maximum iterations"].whole(1, most_iterations);

@@ -16,13 +16,13 @@ namespace lamella
 {
   using namespace dealii;
 
-  PenaltyMatrix::PenaltyMatrix(const Linearisation &linearisation,
+  PenaltyMatrix::PenaltyMatrix(const Linearization &linearization,
                                const GapRows       &rows)
-    : structure(linearisation.of())
+    : structure(linearization.of())
     , rows(rows)
     , symmetry(rows.rub() ? Symmetry::none : Symmetry::definite)
   {
-    assemble_stiffness(linearisation);
+    assemble_stiffness(linearization);
   }
 
 
@@ -55,11 +55,11 @@ namespace lamella
     /// numbering of the scene.
     template <typename Use>
     void
-    for_each_block(const Linearisation &linearisation,
+    for_each_block(const Linearization &linearization,
                    const bool           with_values,
                    const Use           &use)
     {
-      const Structure &structure = linearisation.of();
+      const Structure &structure = linearization.of();
       const auto      &blocks    = structure.blocks();
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
         {
@@ -68,7 +68,7 @@ namespace lamella
               dof = blocks.local_to_global(b, dof);
             return dofs;
           };
-          const StiffnessTerms terms = linearisation.terms(b);
+          const StiffnessTerms terms = linearization.terms(b);
           terms.for_each_block(with_values, [&](const StiffnessBlock &block) {
             use(global(block.rows), global(block.columns), block.values);
           });
@@ -169,7 +169,7 @@ namespace lamella
 
 
   void
-  PenaltyMatrix::assemble_stiffness(const Linearisation &linearisation)
+  PenaltyMatrix::assemble_stiffness(const Linearization &linearization)
   {
     const DofIndex n        = structure.n_dofs();
     constraints             = constraints_of_all();
@@ -179,13 +179,13 @@ namespace lamella
                     all * (this_process() + 1) / n_processes());
 
     std::vector<bool> written(n, false);
-    for_each_block(linearisation,
+    for_each_block(linearization,
                    false,
                    [&](const Dofs &rows, auto &&, auto &&) {
                      add_free(constraints, rows, written);
                    });
     DynamicSparsityPattern pattern(n, n, united(owned, written));
-    for_each_block(linearisation,
+    for_each_block(linearization,
                    false,
                    [&](const Dofs &rows, const Dofs &columns, auto &&) {
                      constraints.add_entries_local_to_global(rows,
@@ -198,7 +198,7 @@ namespace lamella
     stiffness.reinit(owned, owned, pattern, communicator(), true);
 
     for_each_block(
-      linearisation,
+      linearization,
       true,
       [&](const Dofs &rows, const Dofs &columns, const auto &values) {
         constraints.distribute_local_to_global(
@@ -314,9 +314,9 @@ namespace lamella
 
 
   void
-  PenaltyMatrix::factorise(const std::vector<PenaltyTerm> &terms)
+  PenaltyMatrix::factorize(const std::vector<PenaltyTerm> &terms)
   {
-    if (is_factorised && factorised_for == terms)
+    if (is_factorized && factorized_for == terms)
       return;
     make_room(terms);
     system = 0.;
@@ -331,15 +331,15 @@ namespace lamella
     system.compress(VectorOperation::add);
 
     MatrixEntries all = entries();
-    is_factorised     = false;
+    is_factorized     = false;
     if (factor == nullptr)
-      factor = analyse_shared(structure.n_dofs(),
+      factor = analyze_shared(structure.n_dofs(),
                               all,
                               symmetry,
                               "the scene with its penalties");
-    factor->factorise(std::move(all.values));
-    factorised_for = terms;
-    is_factorised  = true;
+    factor->factorize(std::move(all.values));
+    factorized_for = terms;
+    is_factorized  = true;
     measure_hardness(terms);
   }
 
@@ -348,7 +348,7 @@ namespace lamella
   BlockVector
   PenaltyMatrix::solve(BlockVector f) const
   {
-    Assert(is_factorised, ExcMessage("Nothing is factorised."));
+    Assert(is_factorized, ExcMessage("Nothing is factorized."));
     structure.condense(f);
     Vector x(f.size());
     std::copy(f.begin(), f.end(), x.begin());
@@ -373,7 +373,7 @@ namespace lamella
   {
     known.insert(known_rows.begin(), known_rows.end());
     factor.reset();
-    is_factorised = false;
+    is_factorized = false;
   }
 
 

@@ -20,7 +20,7 @@ namespace lamella
     constexpr double lost_digits = 1e-7;
     // Of the displacements; a penalty this soft changes the answer.
     constexpr double large_penetration = 1e-3;
-    // Of all energy in stabilising springs.
+    // Of all energy in stabilizing springs.
     constexpr double worth_failing = 0.1, worth_saying = 1e-3;
     // Of the displacements; rows that average this much of the gap away.
     constexpr double large_averaging = 1e-2;
@@ -53,11 +53,11 @@ namespace lamella
     void
     require_no_springs(const Checks &checks)
     {
-      if (checks.stabilisation_share > worth_failing)
+      if (checks.stabilization_share > worth_failing)
         throw NumericsError(
-          "Stabilising springs hold " +
-          to_text(100. * checks.stabilisation_share, 3) +
-          " % of the energy: a body with Stabilisation is not held by its "
+          "Stabilizing springs hold " +
+          to_text(100. * checks.stabilization_share, 3) +
+          " % of the energy: a body with Stabilization is not held by its "
           "contacts. Add a support, close its gaps by a prescribed displacement, "
           "or load it towards the body that is to hold it.");
     }
@@ -202,7 +202,7 @@ namespace lamella
           " wider than those at their points, " +
           to_text(100. * kkt.averaged_away / displacement, 2) +
           " % of the displacements: the mesh is too coarse there for how the "
-          "surfaces curve. Refine it where they touch, or take Discretisation "
+          "surfaces curve. Refine it where they touch, or take Discretization "
           "= node to surface");
       double smallest = 0.;
       for (const GapRow &row : contact.rows)
@@ -273,7 +273,7 @@ namespace lamella
 
 
   void
-  require_followed(const Linearisation &here, const LoadFactor &at)
+  require_followed(const Linearization &here, const LoadFactor &at)
   {
     if (const auto missed = here.missed_most(at); missed.share > 1.)
       throw NumericsError(
@@ -303,11 +303,11 @@ namespace lamella
       add_warnings_of_turns(checks, warnings);
     else
       add_warnings_of_rotations(checks, warnings);
-    if (checks.stabilisation_share > worth_saying)
+    if (checks.stabilization_share > worth_saying)
       warnings.push_back(
-        "stabilising springs hold " +
-        to_text(100. * checks.stabilisation_share, 2) +
-        " % of the energy; a smaller Stabilisation falsifies less");
+        "stabilizing springs hold " +
+        to_text(100. * checks.stabilization_share, 2) +
+        " % of the energy; a smaller Stabilization falsifies less");
     const double first =
       state.free_corrections.empty() ? 0. : state.free_corrections.front();
     const double forces = std::max({checks.force_balance,

@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/solve/lost_digits.h>
 #include <lamella/solve/structure.h>
 
@@ -56,7 +56,7 @@ namespace lamella
   Structure::Structure(Bodies                            bodies,
                        const std::vector<Support>       &supports,
                        const std::vector<Load>          &loads,
-                       const std::vector<Stabilisation> &stabilisations,
+                       const std::vector<Stabilization> &stabilizations,
                        const dealii::Tensor<1, 3>       &gravity)
     : all_bodies(std::move(bodies))
     , rows(prescribed_rows(supports, all_bodies))
@@ -64,7 +64,7 @@ namespace lamella
     , turning(all_bodies.size())
     , initial_load(zero())
   {
-    check_held(stabilisations);
+    check_held(stabilizations);
     const std::vector<PrescribedRow> of_scene = of_history(rows, 0);
     const std::vector<std::string>   names    = names_of(supports);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
@@ -72,12 +72,12 @@ namespace lamella
         reductions.push_back(
           std::make_unique<RowReduction>(*all_bodies[b], b, of_scene, names));
         histories[0].particular.block(b) = reductions[b]->particular();
-        all_springs.push_back(stabilising_springs(*all_bodies[b],
+        all_springs.push_back(stabilizing_springs(*all_bodies[b],
                                                   b,
                                                   rows,
-                                                  stabilisations.empty() ?
-                                                    Stabilisation() :
-                                                    stabilisations[b]));
+                                                  stabilizations.empty() ?
+                                                    Stabilization() :
+                                                    stabilizations[b]));
       }
     for (unsigned int h = 1; h < histories.size(); ++h)
       histories[h].particular = prescribed_in(h, names);
@@ -193,11 +193,11 @@ namespace lamella
 
 
   void
-  Structure::check_held(const std::vector<Stabilisation> &stabilisations) const
+  Structure::check_held(const std::vector<Stabilization> &stabilizations) const
   {
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
-        if (!stabilisations.empty() && stabilisations[b].share > 0.)
+        if (!stabilizations.empty() && stabilizations[b].share > 0.)
           continue;
         std::vector<std::string> free;
         for (const FreeMotion &motion :
@@ -211,8 +211,8 @@ namespace lamella
                                      "no support holds it at all" :
                                      joined(free, "; ")),
             "Add a support that prevents this, or, if contact is to hold it, a "
-            "Stabilisation (Body " +
-              all_bodies[b]->name() + "/Stabilisation = 1e-6).");
+            "Stabilization (Body " +
+              all_bodies[b]->name() + "/Stabilization = 1e-6).");
       }
   }
 

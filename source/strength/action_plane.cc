@@ -164,7 +164,7 @@ namespace lamella
     const double normal =
       fails[1] * c * c + fails[2] * z * z + 2. * fails[5] * c * z;
     result.mode =
-      normal >= 0. ? "inter-fibre tension" : "inter-fibre compression";
+      normal >= 0. ? "inter-fiber tension" : "inter-fiber compression";
     result.angle = plane * 180. / numbers::PI;
     return result;
   }

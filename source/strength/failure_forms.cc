@@ -168,10 +168,10 @@ namespace lamella
       const double   l = inverse_square(s.S12), t = inverse_square(s.S23);
       std::vector<F> forms;
       if (signs & 1)
-        forms.push_back({"fibre compression", {}, unit(0, -1. / s.Xc)});
+        forms.push_back({"fiber compression", {}, unit(0, -1. / s.Xc)});
       else
         forms.push_back(
-          {"fibre tension", voigt({inverse_square(s.Xt), 0., 0., l, l, 0.})});
+          {"fiber tension", voigt({inverse_square(s.Xt), 0., 0., l, l, 0.})});
       const bool   closed = signs & 8;
       const double n =
         closed ? inverse_square(2. * s.S23) : inverse_square(s.Yt);
@@ -186,13 +186,13 @@ namespace lamella
 
 
 
-    /// Puck's fibre fracture.
+    /// Puck's fiber fracture.
     template <typename F>
     std::vector<F>
-    fibre_forms(const Strengths &s)
+    fiber_forms(const Strengths &s)
     {
-      return {{"fibre tension", {}, unit(0, 1. / s.Xt)},
-              {"fibre compression", {}, unit(0, -1. / s.Xc)}};
+      return {{"fiber tension", {}, unit(0, 1. / s.Xt)},
+              {"fiber compression", {}, unit(0, -1. / s.Xc)}};
     }
 
 
@@ -258,7 +258,7 @@ namespace lamella
         case Criterion::hashin:
           return hashin_forms<Form>(s, signs);
         case Criterion::puck:
-          return fibre_forms<Form>(s);
+          return fiber_forms<Form>(s);
         case Criterion::von_mises:
           return {yield_form<Form>(*material.yield)};
         case Criterion::interlaminar:

@@ -6,7 +6,7 @@ Usage: check_deck.py LAMELLA SCENE.prm WORKDIR
 
 SCENE is deck.prm beside this file; what is expected is derived from the numbers in
 it. Needs no CalculiX. For each of the three elements: counts, positive Jacobians,
-volumes; materials and fibres; nodes of supports in their planes and the values
+volumes; materials and fibers; nodes of supports in their planes and the values
 there; forces and moments of the loads; areas and normals of contact surfaces, and
 that obstacles are where the scene has them.
 """
@@ -239,10 +239,10 @@ def check_plies(deck):
         one, two = axes[:3], axes[3:]
         angle = math.radians(degrees)
         # From +y towards +x; 3 is up.
-        fibre = plus(times(math.cos(angle), ALONG), times(math.sin(angle), ACROSS))
-        near(dot(one, fibre), 1., 1e-12, f"fibre of {name} at {degrees} degrees")
+        fiber = plus(times(math.cos(angle), ALONG), times(math.sin(angle), ACROSS))
+        near(dot(one, fiber), 1., 1e-12, f"fiber of {name} at {degrees} degrees")
         near(dot(cross(one, two), UP), 1., 1e-12, f"axes 1, 2, 3 of {name}")
-    check("ORIENTATION" not in deck.sections["BODY2_PLY1"], "steel has no fibres")
+    check("ORIENTATION" not in deck.sections["BODY2_PLY1"], "steel has no fibers")
 
 
 def check_supports(deck, meaning):

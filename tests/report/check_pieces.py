@@ -64,7 +64,7 @@ class Numbers(unittest.TestCase):
         for text in ("1_0", " 1", "0x1"):
             self.assertEqual(formats.number(text), text)
 
-    def test_rounding_beside_its_neighbours(self):
+    def test_rounding_beside_its_neighbors(self):
         self.assertEqual(formats.number("-1e-17", 1.), '<data value="-1e-17">0</data>')
         self.assertEqual(formats.number("-1e-17"), '<data value="-1e-17">−1·10⁻¹⁷</data>')
         vector = [formats.Written(c) for c in ("1e-17", "0.0", "-2.5")]

@@ -142,7 +142,7 @@ def check_form(page):
 
 
 def check_shown(page):
-    """Five digits are shown, or what is rounding beside its neighbours as 0."""
+    """Five digits are shown, or what is rounding beside its neighbors as 0."""
     wrong = [(value, text) for rows in page.tables.values() for row in rows
              for _, data in row for value, text in data
              if text != "0" and abs(shown(text) - float(value)) >

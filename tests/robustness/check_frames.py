@@ -87,7 +87,7 @@ end
 subsection Contact face
   set First          = lower: top
   set Second         = upper: bottom
-  set Discretisation = {discretisation}
+  set Discretization = {discretization}
   set Enforcement    = exact
   set Friction       = 0.3
 end
@@ -118,7 +118,7 @@ class Frame:
         return [sum(v * a for v, a in zip(vector, axis)) / self.units[unit]
                 for axis in self.axes]
 
-    def scene(self, discretisation):
+    def scene(self, discretization):
         return SCENE.format(
             E=repr(1000. * self.stress), width=repr(2. * self.length),
             thickness=repr(self.length), length=repr(6. * self.length),
@@ -127,15 +127,15 @@ class Frame:
             origin=self.of((0., 0., 1.), "length"),
             down=self.of((0., 0., -0.5), "traction"),
             up=self.of((0., 0., 0.5), "traction"),
-            push=self.of((1.5, 1.2, 0.3), "force"), discretisation=discretisation,
+            push=self.of((1.5, 1.2, 0.3), "force"), discretization=discretization,
             tip=self.of((1., 6., 2.), "length"), middle=self.of((1., 3., 0.5), "length"))
 
 
-def results(program, frame, discretisation, folder):
+def results(program, frame, discretization, folder):
     """Of each kind its numbers, over all load steps and in the frame of the plain scene,
     and the states of all points."""
     folder.mkdir(parents=True)
-    (folder / "scene.prm").write_text(frame.scene(discretisation))
+    (folder / "scene.prm").write_text(frame.scene(discretization))
     done = subprocess.run([program, str(folder / "scene.prm"), "--output",
                            str(folder / "out")], capture_output=True, text=True)
     if done.returncode:
@@ -167,16 +167,16 @@ def main():
     shutil.rmtree(work, ignore_errors=True)
     os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
     failed = False
-    for discretisation in ("surface to surface", "node to surface"):
-        name = discretisation.replace(" ", "_")
-        plain, states = results(program, Frame(PLAIN, 1., 1.), discretisation,
+    for discretization in ("surface to surface", "node to surface"):
+        name = discretization.replace(" ", "_")
+        plain, states = results(program, Frame(PLAIN, 1., 1.), discretization,
                                 work / name)
         if {"stick", "slip"} - set(states):
             sys.exit(f"FAIL  the path has nothing of {set(states)}")
         for word, frame in (("turned", Frame(TURNED, 1., 1.)),
                             ("scaled", Frame(PLAIN, 1e-3, 1e6)),
                             ("both", Frame(TURNED, 25.4, 145.))):
-            other, there = results(program, frame, discretisation, work / f"{name}_{word}")
+            other, there = results(program, frame, discretization, work / f"{name}_{word}")
             off = {kind: max(abs(a - b) for a, b in zip(plain[kind], other[kind])) /
                    max(map(abs, plain[kind])) for kind in plain}
             same = states == there and all(share <= TOLERANCE for share in off.values())

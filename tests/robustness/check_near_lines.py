@@ -6,7 +6,7 @@ A strip is pressed along a line across it, on a line between two elements of its
 and on its upper face. One end of the line is moved off, by 1e-13 to 1e-2, the latter 5 %
 of an element. Up to 1e-6 of the height of the section the force is that of the line in
 place, to 1e-6. Beyond that the line runs through an element and holds what the functions
-of that do along it, which is another discretisation of the same support: its force
+of that do along it, which is another discretization of the same support: its force
 differs by less than 0.05 %.
 """
 

@@ -174,7 +174,7 @@ LARGE = {
     "slide": ("tests/scenes/large_slide.prm", [], (2, 5, 7), 8),
     "roller": ("tests/scenes/large_roller.prm", [], (7, 12), 14),
     "pairs": ("tests/scenes/large_roller.prm",
-              ["Theory=TBT", "Contact face/Discretisation=surface to surface",
+              ["Theory=TBT", "Contact face/Discretization=surface to surface",
                "Contact face/Search distance=2"], (10,), 14),
     "corners": ("tests/scenes/large_corners.prm", [], (3, 5), 6),
     "friction": ("tests/scenes/large_slide.prm",

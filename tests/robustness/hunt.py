@@ -204,19 +204,19 @@ class Scene:
                 f"u = {numbers(frame.vector(0., 0., -0.02 * height))}")
             # On a line of the mesh: between lines a coarse one lets it sink in.
             add("Contact", "touch", "First = beam: top", "Second = roller",
-                "Discretisation = node to surface")
+                "Discretization = node to surface")
         if self.touched == "floor":
             add("Obstacle", "floor", "Shape = plane",
                 f"Through = {numbers(frame.point(0., 0., -0.001 * height))}",
                 f"Normal = {numbers(frame.z)}")
             add("Contact", "touch", "First = beam: bottom", "Second = floor",
-                "Discretisation = surface to surface")
+                "Discretization = surface to surface")
         if self.touched == "second":
             bodies.append(frame.body("other", "section", length,
                                      (0., 0., -height - 0.001 * height), self.elements))
             add("Support", "other_clamp", "On = other: ends")
             add("Contact", "touch", "First = beam: bottom", "Second = other: top",
-                "Discretisation = surface to surface")
+                "Discretization = surface to surface")
         probe = frame.point(0.5 * width, (0.85 if held == "start" else 0.4) * length,
                             0. if flat else 0.75)
         self.text = (

@@ -95,7 +95,7 @@ class Transformation:
         return text(self.force / self.length**3 * value)
 
     def angle(self, value):
-        """A mirror turns fibres the other way."""
+        """A mirror turns fibers the other way."""
         return -value if self.mirrors else value
 
     def layup(self, *angles):
@@ -269,7 +269,7 @@ def classical(t):
     w.add("Load", "weight", {"On": "upper: top", "Force": t.forces(
         "0", "0", "-4e3*{y}", per_length=2)})
     w.contact("middle", "upper: bottom", "lower: top", points="first",
-              Discretisation="node to surface", Enforcement="augmented lagrangian")
+              Discretization="node to surface", Enforcement="augmented lagrangian")
     w.probe("above", "upper", 0.03, 0.7, 0.041)
     w.probe("below", "lower", 0.1, 1.1, 0.02)
     return w
@@ -288,7 +288,7 @@ def crossed(t):
     w.support("press", "upper: ends", (0., 0., -0.05))
     w.support("clamps", "lower: ends")
     w.contact("cross", "upper: bottom", "lower: top", points="first",
-              Discretisation="surface to surface", Enforcement="exact")
+              Discretization="surface to surface", Enforcement="exact")
     w.probe("above", "upper", 0.3, 3.1, 0.6)
     w.probe("below", "lower", 0.2, 2.7, 0.)
     return w
@@ -306,7 +306,7 @@ def hertz(t):
     w.support("press", "upper: flat", (0.001, 0., -0.05))
     w.support("floor", "lower: flat")
     w.contact("nip", "upper: arc", "lower: arc", points="second",
-              Discretisation="surface to surface", Enforcement="exact",
+              Discretization="surface to surface", Enforcement="exact",
               Search_distance=t.lengths(0.3))
     w.probe("below", "lower", 8., 0.5, 7.)
     w.probe("aside", "upper", 9., 0.3, 10.)
@@ -328,7 +328,7 @@ def roller(t):
         "Axis": t.direction(1., 0.1, 0.), "u": t.displacement(0., 0., -4.)})
     w.support("clamps", "beam: ends")
     w.contact("indentation", "beam: top", "roller", symmetric=False,
-              Discretisation="surface to surface", Enforcement="exact",
+              Discretization="surface to surface", Enforcement="exact",
               Search_distance=t.lengths(5.))
     w.probe("below", "beam", 20., 240., 20.)
     w.probe("interface", "beam", 0., 125., 32.)
@@ -357,7 +357,7 @@ def fields(t):
         "Shape": "cylinder", "Through": t.point(0.35, 1., 0.24), "Radius": t.lengths(0.1),
         "Axis": t.direction(1., 0., 0.), "u": t.displacement(0., 0., -0.002)})
     w.contact("nip", "beam: top", "roller", symmetric=False,
-              Discretisation="surface to surface", Enforcement="exact",
+              Discretization="surface to surface", Enforcement="exact",
               Search_distance=t.lengths(0.02))
     return w
 
@@ -380,16 +380,16 @@ def floor(t):
     w.laminate("above", 2., (0,), (0.7,), "m", Cells_across="3")
     w.laminate("below", 2., (0,), (0.5,), "m", Cells_across="2")
     w.body("upper", "above", 3., (0., 0., 0.51), Axis_elements="2")
-    w.body("lower", "below", 3., more={"Stabilisation": "1e-6"}, Axis_elements="3")
+    w.body("lower", "below", 3., more={"Stabilization": "1e-6"}, Axis_elements="3")
     w.wall("walls", "; ".join(f"upper: {t.side(n)}" for n in ("left", "start", "top"))
            + "; " + "; ".join(f"lower: {t.side(n)}" for n in ("left", "start")))
     w.add("Obstacle", "floor", {
         "Shape": "plane", "Through": t.point(9., 9., -0.01), "Normal": t.direction(0., 0., 1.),
         "u": t.displacement(0., 0., 0.05)})
     w.contact("faces", "upper: bottom", "lower: top", points="first",
-              Discretisation="surface to surface", Penalty=t.penalty(900.))
+              Discretization="surface to surface", Penalty=t.penalty(900.))
     w.contact("ground", "lower: bottom", "floor", symmetric=False,
-              Discretisation="surface to surface", Penalty=t.penalty(900.))
+              Discretization="surface to surface", Penalty=t.penalty(900.))
     w.probe("above", "upper", 1.3, 1.1, 0.7)
     w.probe("below", "lower", 0.4, 2.9, 0.1)
     return w
@@ -403,7 +403,7 @@ def box(t):
     left, right = t.sides((0.002, 0.004))
     w.section("box", 0.03, {"Shape": "box", "Width": t.lengths(0.03), "Height": t.lengths(0.02),
                             "Wall thickness": t.lengths(left, right, 0.003, 0.002),
-                            "Fibre angle": t.angle(20), "Cells along wall": "2"})
+                            "Fiber angle": t.angle(20), "Cells along wall": "2"})
     w.body("beam", "box", 0.3, Axis_elements="3")
     w.support("clamp", "beam: start")
     w.add("Load", "torque", {"On": "beam: end", "Force": t.forces(
@@ -461,7 +461,7 @@ def solids(t):
     w.support("held", "lower: bottom")
     w.support("press", "upper: top", (0.003, 0.002, -0.05))
     w.contact("faces", "upper: bottom", "lower: top", points="second",
-              Discretisation="surface to surface", Enforcement="penalty",
+              Discretization="surface to surface", Enforcement="penalty",
               Penalty=t.penalty(1e3))
     w.probe("above", "upper", 0.7, 0.9, 0.8)
     w.probe("below", "lower", 0.8, 1.2, 0.5)

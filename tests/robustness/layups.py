@@ -8,7 +8,7 @@ Usage: layups.py LAMELLA WORKDIR [--only KIND:LAYUP:THEORY ...]
 Each scene is run as `lamella new` writes it, with another layup and theory, and once more
 as its twin: in place of `Hold` supports at points of the middle section, one component for
 each rigid motion that the hold takes out, with the displacement of the first run. Motions
-that contact holds have the same springs in both (Stabilisation = 1e-6). A moment about z,
+that contact holds have the same springs in both (Stabilization = 1e-6). A moment about z,
 which rollers have on a coupon that twists, is put on the twin's middle section as the hold
 has it, so that the reactions of the supports vanish.
 
@@ -116,7 +116,7 @@ class Case:
     def twin(self, displacements, moment):
         """The scene with supports at points, which prescribe `displacements`, in place of
         Hold, and with `moment` about z on the middle section."""
-        springs = "" if self.kind == "four-point" else "  set Stabilisation = 1e-6\n"
+        springs = "" if self.kind == "four-point" else "  set Stabilization = 1e-6\n"
         text = re.sub(r"(?m)^\s*set Hold .*\n", springs, self.text)
         text += f"set Supports = {', '.join(self.places)}\n"
         for name, (x, z, components) in self.places.items():

@@ -72,19 +72,19 @@ COUNTS = {"Cells per ply", "Cells across", "Cells per wall", "Cells along wall",
           "Axis elements", "Samples", "Maximum iterations"}
 VECTORS = {"Origin", "Through", "u"}
 DIRECTIONS = {"Axis", "Up", "Normal"}
-NUMBERS = {"Fibre angle", "Graded towards", "Axis breaks", "Across breaks", "Stabilisation",
+NUMBERS = {"Fiber angle", "Graded towards", "Axis breaks", "Across breaks", "Stabilization",
            "Load factors", "Isotropic", "Engineering constants", "Normal displacement",
            "Search distance", "Penalty", "Shear factor", "Refinements"}
 POINTS = {"At", "From", "To"}
 EXPRESSIONS = {"Force", "Pressure"}
 NUMERIC = POSITIVE | COUNTS | VECTORS | DIRECTIONS | NUMBERS | POINTS | EXPRESSIONS | {"Layup"}
-CHOICES = {"Theory", "Units", "Shape", "Axis element", "Discretisation", "Enforcement",
+CHOICES = {"Theory", "Units", "Shape", "Axis element", "Discretization", "Enforcement",
            "Contact strategy", "Library", "Write VTU", "Linear solver", "Overclosure",
            "Points on", "Poisson correction", "Shear strains", "Axis nodes", "Stress"}
 NAMES = {"Section", "Material", "Ply materials"}
 PLACES = {"On", "First", "Second"}
 ONE_NUMBER = {"Length", "Width", "Height", "Radius", "Finest cell", "Scale", "Pressure",
-              "Normal displacement", "Rotation limit", "Stabilisation", "Fibre angle",
+              "Normal displacement", "Rotation limit", "Stabilization", "Fiber angle",
               "Maximum iterations", "Sectors", "Samples"}
 A_FIXED_NUMBER = ONE_NUMBER | VECTORS | DIRECTIONS | POINTS | {
     "Isotropic", "Engineering constants", "Force"}
@@ -1293,7 +1293,7 @@ def arguments_of(case):
     return ["scene.prm", "--output", "output"] + (["--validate"] if case.validate else [])
 
 
-# ---- judgement
+# ---- judgment
 
 def numbers_not_finite(value, where=""):
     """Places in summary.json without a number; nlohmann writes null for NaN."""

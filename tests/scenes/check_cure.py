@@ -36,7 +36,7 @@ def solved(matrix, right):
 
 
 def lamination_theory():
-    """kappa_yy = -u_z'' along the fibres of the lower ply, of [0/90] under CHANGE.
+    """kappa_yy = -u_z'' along the fibers of the lower ply, of [0/90] under CHANGE.
 
     Strains eps + z kappa in x (across) and y (along), z from the middle; no force and no moment
     in either direction. Nothing shears.

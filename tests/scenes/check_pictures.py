@@ -360,7 +360,7 @@ def title_of(figure):
 
 
 def all_axes(figure):
-    """With those of the colour bars."""
+    """With those of the color bars."""
     return [part for axis in figure.axes for part in (axis, *axis.child_axes)]
 
 
@@ -562,7 +562,7 @@ def check_fields_of_nodes(figures, folder):
     run = Run(folder)
     run.write("fields.csv", columns, nodes("beam", lists) + nodes("plate", [12] * 31))
     (name, figure), = figures.goals.fields_of_nodes(figures.data.Results(folder))
-    check(name == "fields" and len(figure.axes) == 3, "a strip a body, and a colour bar")
+    check(name == "fields" and len(figure.axes) == 3, "a strip a body, and a color bar")
     texts = [[text.get_text() for text in axis.texts] for axis in figure.axes[:2]]
     check(texts == [["200", "12", "90"], ["12"]], f"the numbers on the strips: {texts}")
     check("1,256 DoFs, 16 nodes" in figure.axes[0].get_title(loc="left"),

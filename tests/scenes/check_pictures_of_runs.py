@@ -132,7 +132,7 @@ def check_proportions(figures, folder):
 
 
 def bars_of(panel):
-    """The label and the (low, high) of each colour bar of a panel."""
+    """The label and the (low, high) of each color bar of a panel."""
     return {bar.get_ylabel(): tuple(float(v) for v in bar.get_ylim())
             for bar in panel.child_axes}
 
@@ -268,7 +268,7 @@ def check_stress(figures, folder):
     check([label.split(":")[0] for label in bars] == ["carbon", "foam"]
           and list(bars.values())[1][1] <= 1., f"core and faces: {bars}")
     shapes = max(figure.axes[0].collections, key=lambda part: len(part.get_paths()))
-    shades = {tuple(np.round(colour, 3)) for colour in shapes.get_facecolor()}
+    shades = {tuple(np.round(color, 3)) for color in shapes.get_facecolor()}
     check(len(shades) > 100, f"smooth: {len(shades)} shades on two elements")
     run.bodies(bar(), twisted)
     check(not list(figures.stress.stress_on_the_shape(figures.data.Results(folder))),

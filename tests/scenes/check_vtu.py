@@ -177,7 +177,7 @@ def main():
           "every point belongs to one cell")
     for parts, names, count in (("Points", {"points"}, n_points),
                                 ("PointData", {"displacement", *FIELDS}, n_points),
-                                ("CellData", {"ply", "body", "fibre",
+                                ("CellData", {"ply", "body", "fiber",
                                               "HigherOrderDegrees"}, n_cells)):
         check({array.get("Name") for array in piece.find(parts)} == names, parts)
         check(all(len(values) == n * count for values, n in map(found.get, names)),

@@ -8,7 +8,7 @@ layers = 48 + 4 * Log(fine) / Log(2);
 x[]     = {-far, -flank, -0.14, -0.12, -0.093, -0.073, 0.073, 0.093, 0.12, 0.14, flank, far};
 cells[] = {10, 15, 13 * fine, 3 * fine, 13 * fine, 12 * fine, 13 * fine, 3 * fine, 13 * fine, 15, 10};
 ratio[] = {1 / 1.4, 1 / 1.2, 1, 1, 1, 1, 1, 1, 1, 1.2, 1.4};
-centre = newp; Point(centre) = {0, 0, 0};
+center = newp; Point(center) = {0, 0, 0};
 For k In {0 : #x[] - 1}
   // The arc, and its top's height less the flank's where it has no arc any more.
   z = Sqrt(R^2 - Min(x[k]^2, flank^2)) - (Abs(x[k]) > flank ? flank : 0);
@@ -22,7 +22,7 @@ For k In {0 : #x[] - 2}
   If (k == 0 || k == #x[] - 2)
     Line(above[k]) = {top[k], top[k + 1]};
   Else
-    Circle(above[k]) = {top[k], centre, top[k + 1]};
+    Circle(above[k]) = {top[k], center, top[k + 1]};
   EndIf
   below[k] = newl; Line(below[k]) = {foot[k], foot[k + 1]};
   Transfinite Curve {above[k], below[k]} = cells[k] + 1 Using Progression ratio[k];

@@ -17,7 +17,7 @@ import sys
 import time
 from pathlib import Path
 
-PHASES = ("setup", "assembly", "factorisation", "solve", "contact", "beyond",
+PHASES = ("setup", "assembly", "factorization", "solve", "contact", "beyond",
           "output")
 faults = []
 

@@ -817,7 +817,7 @@ namespace
     Vector start(d.size());
     for (unsigned int i = 0; i < d.size(); ++i)
       start[i] = d[i] == 0. ? 0. : 1. + 0.3 * std::sin(1. + 7. * i);
-    const auto tangent = linearised(structure);
+    const auto tangent = linearized(structure);
     Vector     x       = start, y(d.size());
     double     largest = 0., smallest = 0.;
     for (unsigned int k = 0; k < 8; ++k)
@@ -1005,7 +1005,7 @@ BOOST_AUTO_TEST_CASE(axes_are_graded_to_what_touches)
   contact.name           = "press";
   contact.first          = {0, Region::Kind::surface, "top", {}};
   contact.obstacle       = roller;
-  contact.discretisation = Discretisation::surface_to_surface;
+  contact.discretization = Discretization::surface_to_surface;
   contact.enforcement    = Enforcement::exact;
   contact.penalty        = {PenaltyKind::automatic, 1e6};
   grade_axes(bodies, meshes(), {clamp()}, {}, {contact});

@@ -107,7 +107,7 @@ namespace
   {
     BOOST_REQUIRE(a.samples.size() == b.samples.size());
     BOOST_TEST(a.ply == b.ply);
-    double worst = std::max(difference(a.fibre, b.fibre),
+    double worst = std::max(difference(a.fiber, b.fiber),
                             difference(a.ply_normal, b.ply_normal));
     for (unsigned int k = 0; k < a.samples.size(); ++k)
       worst = std::max({worst,
@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(cuts_and_pictures)
 BOOST_AUTO_TEST_CASE(boxes_and_levels)
 {
   const Twins twins("solid-2");
-  BOOST_TEST(twins.bare.centre().distance(twins.given.centre()) < 1e-12);
+  BOOST_TEST(twins.bare.center().distance(twins.given.center()) < 1e-12);
   BOOST_TEST(twins.bare.size() > 0.5 * twins.given.size());
   BOOST_TEST(twins.bare.dof_level(0) == 0u);
   BOOST_TEST(twins.bare.kinematic_constraints().n_constraints() == 0u);

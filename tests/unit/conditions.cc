@@ -27,9 +27,9 @@ namespace
   const EngineeringConstants isotropic =
     EngineeringConstants::isotropic(10., 0.25);
 
-  // Width, height and length of the body of most tests; its centre.
+  // Width, height and length of the body of most tests; its center.
   constexpr double  width = 0.2, height = 0.1, length = 2.;
-  const Point<3>    centre(0.1, 1., 0.05);
+  const Point<3>    center(0.1, 1., 0.05);
   constexpr double  pi         = 3.14159265358979323846;
   const std::string clamp_name = "clamp", other_name = "lift";
 
@@ -194,7 +194,7 @@ namespace
 
 
 
-  /// The resultant of @p f and its moment about the centre of the body.
+  /// The resultant of @p f and its moment about the center of the body.
   Wrench
   resultant(const Body &body, const Vector &f)
   {
@@ -260,11 +260,11 @@ BOOST_AUTO_TEST_CASE(nothing_held)
 
 BOOST_AUTO_TEST_CASE(held_at_one_point)
 {
-  // The three rotations about it; about the centre they are pure.
-  const auto at_centre = free_motions(one_beam(), {at_points({centre})});
-  BOOST_TEST(at_centre.size() == 3);
+  // The three rotations about it; about the center they are pure.
+  const auto at_center = free_motions(one_beam(), {at_points({center})});
+  BOOST_TEST(at_center.size() == 3);
   BOOST_TEST(
-    (named(at_centre) ==
+    (named(at_center) ==
      Words{"rotation about x", "rotation about y", "rotation about z"}));
 
   // At a corner each turn drags translations along, but it is one turn: to be
@@ -288,7 +288,7 @@ BOOST_AUTO_TEST_CASE(held_along_a_line)
 {
   // u_z = 0 on a line across the start: neither up nor about y; it may slide in
   // x and y, spin about z and tilt about the line (that is: about x, with a
-  // translation along z, since rotations are about the centre).
+  // translation along z, since rotations are about the center).
   const Support line =
     on_line({0., 0., 0.}, {width, 0., 0.}, {free_, free_, 0.});
   const auto tilt = free_motions(one_beam(), {line});
@@ -325,7 +325,7 @@ BOOST_AUTO_TEST_CASE(held_along_a_line)
 
 BOOST_AUTO_TEST_CASE(held_along_two_points)
 {
-  // Two pinned points on a line along the axis through the centre: a spin about
+  // Two pinned points on a line along the axis through the center: a spin about
   // that axis is what is left, purely.
   const auto free =
     free_motions(one_beam(),
@@ -656,7 +656,7 @@ BOOST_AUTO_TEST_CASE(reactions_of_a_prescribed_displacement)
 
 BOOST_AUTO_TEST_CASE(line_loads)
 {
-  // Moments are about the centre (0.1, 1, 0.05): r x F with r the way from
+  // Moments are about the center (0.1, 1, 0.05): r x F with r the way from
   // there, so for F_z alone (r_y F_z, -r_x F_z, 0).
   const Bodies bodies = one_beam();
   const auto   along  = [](const double x, const double z) {

@@ -83,7 +83,7 @@ namespace
     contact.name           = "middle";
     contact.first          = {0, Region::Kind::surface, first, {}};
     contact.second         = {1, Region::Kind::surface, second, {}};
-    contact.discretisation = Discretisation::node_to_node;
+    contact.discretization = Discretization::node_to_node;
     contact.enforcement    = Enforcement::penalty;
     contact.penalty        = penalty;
     return contact;
@@ -365,7 +365,7 @@ BOOST_AUTO_TEST_CASE(gap_of_a_row)
       check(gaps(1, any), 0.05 + n * any);
       check(gaps(0, any), 0.05 - n * any);
 
-      // Tilting the second about its own x through its centre lifts y by
+      // Tilting the second about its own x through its center lifts y by
       // (y - 1) per rad. The points lie where the report says.
       BlockVector u       = zero(bodies);
       const auto  motions = bodies[1]->rigid_motions();
@@ -403,7 +403,7 @@ BOOST_AUTO_TEST_CASE(force_of_a_row)
           const Point<3>     x =
             body == 1 ? interface.points[k].second : interface.points[k].first;
           const Tensor<1, 3> moment =
-            cross_product_3d(x - bodies[body]->centre(), due);
+            cross_product_3d(x - bodies[body]->center(), due);
           const auto motions = bodies[body]->rigid_motions();
           for (unsigned int c = 0; c < 3; ++c)
             {
@@ -465,11 +465,11 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
   BOOST_TEST(plain.name == "c");
   BOOST_TEST(plain.first.body == 0);
   BOOST_TEST(plain.second.surface == "top");
-  BOOST_TEST((plain.discretisation == Discretisation::automatic));
+  BOOST_TEST((plain.discretization == Discretization::automatic));
   BOOST_TEST((plain.penalty.kind == PenaltyKind::automatic));
   BOOST_TEST(plain.penalty.value == 1e6);
   BOOST_TEST(!plain.search_distance);
-  const ContactPair chosen = read({{"Discretisation", "surface to surface"},
+  const ContactPair chosen = read({{"Discretization", "surface to surface"},
                                    {"Enforcement", "augmented lagrangian"},
                                    {"Points on", "second"},
                                    {"Overclosure", "error"},
@@ -479,7 +479,7 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
                                    {"Tolerance", "0.25"},
                                    {"Friction", "0.3"}});
   BOOST_TEST(chosen.friction == 0.3);
-  BOOST_TEST((chosen.discretisation == Discretisation::surface_to_surface));
+  BOOST_TEST((chosen.discretization == Discretization::surface_to_surface));
   BOOST_TEST((chosen.enforcement == Enforcement::augmented_lagrangian));
   BOOST_TEST((chosen.points_on == PointsOn::second));
   BOOST_TEST((chosen.overclosure == Overclosure::refuse));
@@ -488,7 +488,7 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
   BOOST_TEST(chosen.search_distance.value() == 0.5);
   BOOST_TEST(chosen.tolerance == 0.25);
   const ContactPair on_floor = read({{"Second", "floor"},
-                                     {"Discretisation", "node to surface"},
+                                     {"Discretization", "node to surface"},
                                      {"Friction", ""}});
   BOOST_TEST(on_floor.obstacle == plane);
   BOOST_TEST(on_floor.friction == 0.);
@@ -499,7 +499,7 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
                                              {"First", "uper: bottom"},
                                              {"Second", "floor: top"},
                                              {"Second", "flor"},
-                                             {"Discretisation", "mortar"},
+                                             {"Discretization", "mortar"},
                                              {"Enforcement", ""},
                                              {"Points on", "third"},
                                              {"Overclosure", "refuse"},
@@ -521,9 +521,9 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
     return [path](const InputError &error) { return error.path() == path; };
   };
   BOOST_CHECK_EXCEPTION(read({{"Second", "floor"},
-                              {"Discretisation", "node to node"}}),
+                              {"Discretization", "node to node"}}),
                         InputError,
-                        of("Contact c/Discretisation"));
+                        of("Contact c/Discretization"));
   BOOST_CHECK_EXCEPTION(read({{"Second", "upper: top"}}),
                         InputError,
                         of("Contact c"));

@@ -83,13 +83,13 @@ namespace lamella
   inline ContactPair
   pair_of(const std::string   &first,
           const std::string   &second,
-          const Discretisation discretisation)
+          const Discretization discretization)
   {
     ContactPair contact;
     contact.name           = "middle";
     contact.first          = {0, Region::Kind::surface, first, {}};
     contact.second         = {1, Region::Kind::surface, second, {}};
-    contact.discretisation = discretisation;
+    contact.discretization = discretization;
     contact.enforcement    = Enforcement::penalty;
     contact.penalty        = {PenaltyKind::per_area, 1.};
     return contact;

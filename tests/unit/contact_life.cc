@@ -64,7 +64,7 @@ namespace
 
 
   ContactPair
-  between(const Discretisation            discretisation,
+  between(const Discretization            discretization,
           std::shared_ptr<const Obstacle> obstacle = nullptr)
   {
     ContactPair contact;
@@ -74,7 +74,7 @@ namespace
     contact.obstacle       = std::move(obstacle);
     contact.enforcement    = Enforcement::penalty;
     contact.penalty        = {PenaltyKind::per_node, 1.};
-    contact.discretisation = discretisation;
+    contact.discretization = discretization;
     contact.points_on      = PointsOn::first;
     return contact;
   }
@@ -211,18 +211,18 @@ BOOST_AUTO_TEST_CASE(rows_are_gradients_of_the_gap_at_any_state)
 {
   for (const std::string theory :
        {"LE-1", "LE-2", "TE-2", "solid-1", "solid-2"})
-    for (const auto discretisation : {Discretisation::node_to_surface,
-                                      Discretisation::surface_to_surface,
-                                      Discretisation::edge_to_surface})
+    for (const auto discretization : {Discretization::node_to_surface,
+                                      Discretization::surface_to_surface,
+                                      Discretization::edge_to_surface})
       for (const unsigned int against : {0, 1, 2})
-        BOOST_TEST_CONTEXT(theory << ' ' << name_of(discretisation)
+        BOOST_TEST_CONTEXT(theory << ' ' << name_of(discretization)
                                   << " against " << against)
         {
-          if (discretisation == Discretisation::edge_to_surface && against > 0)
+          if (discretization == Discretization::edge_to_surface && against > 0)
             continue;
           const Bodies     bodies = two_strips(theory, theory);
           ContactInterface interface;
-          Contact          contact(between(discretisation,
+          Contact          contact(between(discretization,
                                   against == 0 ?
                                              nullptr :
                                              obstacle(against == 1 ?
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(pairs_of_nodes_that_face_each_other)
                   make_section_mesh(rectangle(width, height, {0.}),
                                     {{"material", Material(soft)}})}});
   ContactInterface interface;
-  Contact contact(between(Discretisation::node_to_node), bodies, interface);
+  Contact contact(between(Discretization::node_to_node), bodies, interface);
   BOOST_TEST(off_from_differences(contact,
                                   both(bodies, turn(0.6)),
                                   any(bodies, 5)) < 1e-6);
@@ -260,15 +260,15 @@ BOOST_AUTO_TEST_CASE(pairs_of_nodes_that_face_each_other)
 
 BOOST_AUTO_TEST_CASE(flat_faces_that_have_not_moved_keep_their_rows)
 {
-  for (const auto discretisation : {Discretisation::node_to_node,
-                                    Discretisation::node_to_surface,
-                                    Discretisation::surface_to_surface})
-    BOOST_TEST_CONTEXT(name_of(discretisation))
+  for (const auto discretization : {Discretization::node_to_node,
+                                    Discretization::node_to_surface,
+                                    Discretization::surface_to_surface})
+    BOOST_TEST_CONTEXT(name_of(discretization))
     {
-      const bool       nodes  = discretisation == Discretisation::node_to_node;
+      const bool       nodes  = discretization == Discretization::node_to_node;
       const Bodies     bodies = two_strips("LE-2", nodes ? "LE-2" : "TE-2", 2);
       ContactInterface interface;
-      Contact          contact(between(discretisation), bodies, interface);
+      Contact          contact(between(discretization), bodies, interface);
       const std::vector<GapRow> before = contact.rows();
       const BlockVector         u = zero(bodies), d = any(bodies, 3);
       contact.move(u, 0.);
@@ -288,14 +288,14 @@ BOOST_AUTO_TEST_CASE(flat_faces_that_have_not_moved_keep_their_rows)
 
 BOOST_AUTO_TEST_CASE(a_turn_of_both_bodies_changes_no_gap)
 {
-  for (const auto discretisation :
-       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+  for (const auto discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
     for (const double angle : {0.3, 1., std::acos(-1.)})
-      BOOST_TEST_CONTEXT(name_of(discretisation) << " by " << angle)
+      BOOST_TEST_CONTEXT(name_of(discretization) << " by " << angle)
       {
         const Bodies     bodies = two_strips("LE-1", "TE-2");
         ContactInterface interface;
-        Contact          contact(between(discretisation), bodies, interface);
+        Contact          contact(between(discretization), bodies, interface);
         BlockVector      u = both(bodies, turn(angle));
         contact.move(u, 0.);
         for (const GapRow &row : contact.rows())
@@ -318,14 +318,14 @@ BOOST_AUTO_TEST_CASE(a_turn_of_both_bodies_changes_no_gap)
 
 BOOST_AUTO_TEST_CASE(what_slides_far_faces_other_places)
 {
-  for (const auto discretisation :
-       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
-    BOOST_TEST_CONTEXT(name_of(discretisation))
+  for (const auto discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
+    BOOST_TEST_CONTEXT(name_of(discretization))
     {
       const Bodies     bodies = two_strips("LE-2", "LE-1");
       ContactInterface interface, other;
-      Contact          contact(between(discretisation), bodies, interface),
-        anew(between(discretisation), bodies, other);
+      Contact          contact(between(discretization), bodies, interface),
+        anew(between(discretization), bodies, other);
       // The lower one with a hollow that is not everywhere the same.
       BlockVector u = zero(bodies);
       u.add(0.01, any(bodies, 2));
@@ -345,7 +345,7 @@ BOOST_AUTO_TEST_CASE(what_slides_far_faces_other_places)
       // the one projection or the other.
       anew.pair(u, 0.);
       const double same =
-        discretisation == Discretisation::node_to_surface ? 1e-10 : 2e-3;
+        discretization == Discretization::node_to_surface ? 1e-10 : 2e-3;
       unsigned int compared = 0;
       for (unsigned int k = 0; k < all.size(); ++k)
         {
@@ -369,14 +369,14 @@ BOOST_AUTO_TEST_CASE(what_slides_far_faces_other_places)
 
 BOOST_AUTO_TEST_CASE(what_is_left_behind_is_lost_and_what_comes_is_not_seen)
 {
-  for (const auto discretisation :
-       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
-    BOOST_TEST_CONTEXT(name_of(discretisation))
+  for (const auto discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
+    BOOST_TEST_CONTEXT(name_of(discretization))
     {
       // The long one carries the points: some leave the short one's face, and
       // others come under it.
       const Bodies bodies = two_strips("LE-1", "LE-1");
-      ContactPair  pair   = between(discretisation);
+      ContactPair  pair   = between(discretization);
       pair.points_on      = PointsOn::second;
       ContactInterface interface;
       Contact          contact(pair, bodies, interface);
@@ -412,7 +412,7 @@ namespace
   /// What rubs: who carries the points, and against what.
   struct Rubbing
   {
-    Discretisation                  discretisation;
+    Discretization                  discretization;
     PointsOn                        points_on;
     std::shared_ptr<const Obstacle> against;
   };
@@ -422,7 +422,7 @@ namespace
   std::string
   words(const Rubbing &what)
   {
-    return std::string(name_of(what.discretisation)) + " on " +
+    return std::string(name_of(what.discretization)) + " on " +
            name_of(what.points_on) + " against " +
            (what.against ? what.against->name : "a body");
   }
@@ -433,16 +433,16 @@ namespace
   all_that_rub()
   {
     std::vector<Rubbing> all;
-    for (const auto discretisation :
-         {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+    for (const auto discretization :
+         {Discretization::node_to_surface, Discretization::surface_to_surface})
       {
         for (const auto on : {PointsOn::first, PointsOn::second})
-          all.push_back({discretisation, on, nullptr});
+          all.push_back({discretization, on, nullptr});
         for (const auto shape :
              {Obstacle::Shape::plane, Obstacle::Shape::cylinder})
-          all.push_back({discretisation, PointsOn::first, obstacle(shape)});
+          all.push_back({discretization, PointsOn::first, obstacle(shape)});
       }
-    all.push_back({Discretisation::edge_to_surface, PointsOn::first, nullptr});
+    all.push_back({Discretization::edge_to_surface, PointsOn::first, nullptr});
     return all;
   }
 
@@ -451,7 +451,7 @@ namespace
   ContactPair
   pair_of(const Rubbing &what)
   {
-    ContactPair contact = between(what.discretisation, what.against);
+    ContactPair contact = between(what.discretization, what.against);
     contact.points_on   = what.points_on;
     contact.friction    = 0.3;
     return contact;
@@ -646,15 +646,15 @@ BOOST_AUTO_TEST_CASE(forces_of_a_state_nearby_are_those_of_rows_moved_there)
 
 BOOST_AUTO_TEST_CASE(slip_is_what_is_across_the_normal)
 {
-  for (const auto discretisation : {Discretisation::node_to_node,
-                                    Discretisation::node_to_surface,
-                                    Discretisation::surface_to_surface})
+  for (const auto discretization : {Discretization::node_to_node,
+                                    Discretization::node_to_surface,
+                                    Discretization::surface_to_surface})
     for (const double angle : {0., 0.8})
-      BOOST_TEST_CONTEXT(name_of(discretisation) << " turned by " << angle)
+      BOOST_TEST_CONTEXT(name_of(discretization) << " turned by " << angle)
       {
         const Bodies     bodies = two_strips("LE-2", "LE-2", 2);
         ContactInterface interface;
-        Contact          contact(between(discretisation), bodies, interface);
+        Contact          contact(between(discretization), bodies, interface);
         if (angle > 0.)
           contact.move(both(bodies, turn(angle)), 0.);
         const Tensor<1, 3> shift({0.3, -0.2, 0.5});

@@ -56,7 +56,7 @@ namespace
     result.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
     const auto   &rows = result.contacts[0].rows;
-    ContactSolver newton(linearised(*result.structure), rows);
+    ContactSolver newton(linearized(*result.structure), rows);
     result.state  = newton.solve_contact(newton.solve_free(1.), 1.);
     result.checks = check_state(
       newton.tangent(), result.contacts, supports.size(), result.state, 1.);
@@ -94,9 +94,9 @@ namespace
 
 
   ContactPair
-  blocks_contact(const Discretisation discretisation, const PointsOn points_on)
+  blocks_contact(const Discretization discretization, const PointsOn points_on)
   {
-    ContactPair contact = pair_of("bottom", "top", discretisation);
+    ContactPair contact = pair_of("bottom", "top", discretization);
     contact.points_on   = points_on;
     contact.penalty     = {PenaltyKind::per_area, eps};
     return contact;
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_through_meshes_that_do_not_match)
         {
           const Touching touching =
             solve(two_blocks(placement, theory, nu),
-                  blocks_contact(Discretisation::surface_to_surface, points_on),
+                  blocks_contact(Discretization::surface_to_surface, points_on),
                   walls_and_press(moved));
           BOOST_TEST(pressure_error(touching) < 1e-9,
                      "nu " << nu << ": " << pressure_error(touching));
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
 {
   // By `exact` the gap closes in every row, and displacement and stress are
   // those of p = (d - g_0) / ((h_1 + h_2) / E) everywhere. So are resultant and
-  // centre of pressure. Single forces are p A_i where they are unique: TE-2 has
+  // center of pressure. Single forces are p A_i where they are unique: TE-2 has
   // three functions across for five or seven rows.
   constexpr double p  = (moved - gap) / ((upper_height + lower_height) / E),
                    nu = 0.3;
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
       for (const PointsOn points_on : {PointsOn::first, PointsOn::second})
         {
           ContactPair contact =
-            blocks_contact(Discretisation::surface_to_surface, points_on);
+            blocks_contact(Discretization::surface_to_surface, points_on);
           contact.enforcement        = Enforcement::exact;
           const Touching    touching = solve(two_blocks(placement, theory, nu),
                                           contact,
@@ -179,8 +179,8 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
           const KuhnTucker &kkt      = touching.checks.contacts[0];
           BOOST_TEST((kkt.force + 6. * p * placement.axes[2]).norm() <
                      1e-9 * p);
-          const Point<3> centre = placement.to_body(kkt.centre_of_pressure);
-          BOOST_TEST(std::hypot(centre[0] - 1., centre[1] - 1.5) < 1e-9);
+          const Point<3> center = placement.to_body(kkt.center_of_pressure);
+          BOOST_TEST(std::hypot(center[0] - 1., center[1] - 1.5) < 1e-9);
           BOOST_TEST(kkt.min_force >= 0.);
           for (const GapRow &row : touching.contacts[0].rows)
             BOOST_TEST(std::abs(row.gap(touching.state.u, 1.)) < 1e-9 * moved);
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(node_to_surface_leaves_an_error)
     {
       const Touching touching =
         solve(two_blocks(Placement(), layer_wise(2), 0.),
-              blocks_contact(Discretisation::node_to_surface, points_on),
+              blocks_contact(Discretization::node_to_surface, points_on),
               walls_and_press(moved));
       BOOST_TEST(std::abs(pressure_error(touching) - largest) < 1e-4);
       BOOST_TEST(
@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_between_turned_grids)
                                      4,
                                      placement));
           const auto interface =
-            make_interface(blocks_contact(Discretisation::surface_to_surface,
+            make_interface(blocks_contact(Discretization::surface_to_surface,
                                           points_on),
                            bodies);
           BlockVector f = zero(bodies), due = zero(bodies);
@@ -335,8 +335,8 @@ BOOST_AUTO_TEST_CASE(crossed_beams)
 {
   // The upper beam, clamped at both ends, is pressed onto the lower one.
   for (const double degrees : {90., 45.})
-    for (const Discretisation discretisation :
-         {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+    for (const Discretization discretization :
+         {Discretization::node_to_surface, Discretization::surface_to_surface})
       {
         const double       angle = degrees * PI / 180.;
         const Tensor<1, 3> axis =
@@ -355,7 +355,7 @@ BOOST_AUTO_TEST_CASE(crossed_beams)
           Placement::from_directions(corner, axis, Point<3>(0., 0., 1.))));
         bodies.push_back(make_beam(
           "lower", rectangle(0.5, 0.4, {0.}, 3), layer_wise(2), 6., 10));
-        ContactPair contact     = pair_of("bottom", "top", discretisation);
+        ContactPair contact     = pair_of("bottom", "top", discretization);
         contact.penalty         = {PenaltyKind::automatic, 1000.};
         const Touching touching = solve(
           std::move(bodies),
@@ -399,8 +399,8 @@ BOOST_AUTO_TEST_CASE(a_block_on_a_floor_that_rises)
   // p = (0.02 - 0.01) / (h / E + 1 / eps).
   const double p = 0.01 / (upper_height / E + 1. / eps);
   for (const Placement &placement : placements)
-    for (const Discretisation discretisation :
-         {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+    for (const Discretization discretization :
+         {Discretization::node_to_surface, Discretization::surface_to_surface})
       {
         Bodies bodies;
         bodies.push_back(make_beam("block",
@@ -411,7 +411,7 @@ BOOST_AUTO_TEST_CASE(a_block_on_a_floor_that_rises)
                                    placement,
                                    EngineeringConstants::isotropic(E, 0.3)));
         ContactPair contact =
-          blocks_contact(discretisation, PointsOn::automatic);
+          blocks_contact(discretization, PointsOn::automatic);
         contact.obstacle                  = make_floor(placement, -0.01);
         const Touching          touching  = solve(std::move(bodies),
                                         contact,
@@ -464,7 +464,7 @@ BOOST_AUTO_TEST_CASE(a_roller_on_a_strip)
       roller->point       = placement.to_scene({3., 1., 1.3});
       roller->direction   = placement.axes[0];
       roller->radius      = 1.;
-      ContactPair contact = pair_of("top", "", Discretisation::node_to_surface);
+      ContactPair contact = pair_of("top", "", Discretization::node_to_surface);
       contact.obstacle    = roller;
       const auto interface = make_interface(contact, bodies);
       BOOST_TEST(interface.rows.size() > 100);
@@ -526,7 +526,7 @@ BOOST_AUTO_TEST_CASE(overlaps)
   bodies.push_back(
     make_beam("lower", rectangle(0.6, 0.2), layer_wise(2), 1.2, 2, below));
   ContactPair contact =
-    pair_of("bottom", "top", Discretisation::surface_to_surface);
+    pair_of("bottom", "top", Discretization::surface_to_surface);
 
   const auto smallest = [&] {
     double gap = 1.;
@@ -541,7 +541,7 @@ BOOST_AUTO_TEST_CASE(overlaps)
   contact.overclosure = Overclosure::refuse;
   check_says([&] { make_interface(contact, bodies); },
              {"Contact middle/Overclosure = error", "overlap", "(0", "0.19"});
-  contact.discretisation = Discretisation::node_to_surface;
+  contact.discretization = Discretization::node_to_surface;
   check_says([&] { make_interface(contact, bodies); }, {"by up to 0.0100011"});
 }
 
@@ -552,11 +552,11 @@ BOOST_AUTO_TEST_CASE(surfaces_that_look_away)
   // Whole surfaces: only the faces that look at each other pair, though tops
   // and bottoms are opposed through the bodies, too.
   const Bodies bodies = two_blocks(Placement(), layer_wise(2), 0.);
-  for (const Discretisation discretisation :
-       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+  for (const Discretization discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
     {
       const auto interface =
-        make_interface(pair_of("all", "all", discretisation), bodies);
+        make_interface(pair_of("all", "all", discretization), bodies);
       double area = 0.;
       for (unsigned int k = 0; k < interface.rows.size(); ++k)
         {
@@ -566,7 +566,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_look_away)
       BOOST_TEST(std::abs(area - 6.) < 1e-12);
       check_says(
         [&] {
-          make_interface(pair_of("top", "bottom", discretisation), bodies);
+          make_interface(pair_of("top", "bottom", discretization), bodies);
         },
         {"the surface 'top' of First lies 1.21 behind 'bottom' of Second",
          "look at each other"});
@@ -578,17 +578,17 @@ BOOST_AUTO_TEST_CASE(surfaces_that_look_away)
         "upper", rectangle(2., upper_height), layer_wise(2), 3., 2, deep);
       check_says(
         [&] {
-          make_interface(pair_of("bottom", "top", discretisation), inside);
+          make_interface(pair_of("bottom", "top", discretization), inside);
         },
         {"lies 0.6 behind", "lie in each other"});
     }
   check_says(
     [&] {
       make_interface(
-        pair_of("left", "right", Discretisation::surface_to_surface), bodies);
+        pair_of("left", "right", Discretization::surface_to_surface), bodies);
     },
     {"Contact middle", "nothing of First and Second faces each other"});
-  ContactPair near = pair_of("bottom", "top", Discretisation::node_to_surface);
+  ContactPair near = pair_of("bottom", "top", Discretization::node_to_surface);
   near.search_distance = 0.009;
   check_says([&] { make_interface(near, bodies); },
              {"within Search distance 0.009", "0.01 apart"});
@@ -599,13 +599,13 @@ BOOST_AUTO_TEST_CASE(surfaces_that_look_away)
 BOOST_AUTO_TEST_CASE(conflicts)
 {
   const Bodies bodies = two_blocks(Placement(), layer_wise(2), 0.);
-  for (const Discretisation discretisation :
-       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+  for (const Discretization discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
     {
-      ContactPair all = pair_of("all", "all", discretisation);
+      ContactPair all = pair_of("all", "all", discretization);
       all.name        = "all";
       const std::vector<ContactInterface> two{
-        make_interface(pair_of("bottom", "top", discretisation), bodies),
+        make_interface(pair_of("bottom", "top", discretization), bodies),
         make_interface(all, bodies)};
       check_says([&] { check_conflicts(two, bodies); },
                  {"Contact all", "same points as Contact middle", "'upper'"});
@@ -625,7 +625,7 @@ BOOST_AUTO_TEST_CASE(what_slides_is_told)
   // root of the area.
   const Bodies bodies = two_blocks(Placement(), layer_wise(2), 0.);
   const auto   interface =
-    make_interface(pair_of("bottom", "top", Discretisation::node_to_surface),
+    make_interface(pair_of("bottom", "top", Discretization::node_to_surface),
                    bodies);
   BlockVector u = zero(bodies);
   u.block(0).add(0.2, bodies[0]->rigid_motions()[0]);

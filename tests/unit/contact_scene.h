@@ -40,9 +40,9 @@ namespace lamella
                  const SolverParameters &parameters = SolverParameters())
   {
     return std::make_unique<ContactSolver>(which == Strategy::full ?
-                                             linearised_without_solvers(
+                                             linearized_without_solvers(
                                                structure) :
-                                             linearised(structure),
+                                             linearized(structure),
                                            rows,
                                            parameters,
                                            which);

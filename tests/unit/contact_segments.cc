@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(weighted_gaps_sum_to_the_integral)
         const Bodies bodies =
           crossed_strips(placement, 0., 1.3, 2.1, 2, 3, theory);
         const auto interface = make_interface(
-          pair_of("bottom", "top", Discretisation::surface_to_surface), bodies);
+          pair_of("bottom", "top", Discretization::surface_to_surface), bodies);
         double total = 0.;
         for (unsigned int k = 0; k < interface.rows.size(); ++k)
           {
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(overlaps_of_crossed_strips)
             const Bodies bodies = crossed_strips(
               placement, degrees, 0.5, 6., across, along, layer_wise(2));
             const auto interface = make_interface(
-              pair_of("bottom", "top", Discretisation::surface_to_surface),
+              pair_of("bottom", "top", Discretization::surface_to_surface),
               bodies);
             double total = 0.;
             for (const auto &point : interface.points)
@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(overlaps_of_crossed_strips)
                     moment[c]    = f.block(b) * motions[3 + c];
                   }
                 // About the scene's origin.
-                moment += cross_product_3d(bodies[b]->centre(), resultant);
+                moment += cross_product_3d(bodies[b]->center(), resultant);
                 BOOST_TEST((resultant - (b == 1 ? 1. : -1.) * force).norm() <
                            1e-12 * force.norm());
                 for (unsigned int c = 0; c < 3; ++c)
@@ -302,7 +302,7 @@ BOOST_AUTO_TEST_CASE(each_row_is_an_average)
       const Bodies bodies =
         crossed_strips(placement, 30., 0.8, 1., 2, 1, theory);
       ContactPair contact =
-        pair_of("bottom", "top", Discretisation::surface_to_surface);
+        pair_of("bottom", "top", Discretization::surface_to_surface);
       contact.points_on     = PointsOn::first;
       const auto  interface = make_interface(contact, bodies);
       BlockVector u         = zero(bodies);
@@ -330,8 +330,8 @@ BOOST_AUTO_TEST_CASE(surfaces_behind_surfaces)
   // Under a strip lies a box, 1 wide and 0.5 high, whose cavity has a floor
   // that looks up, too: what is hidden does not pair. The strip, 0.4 wide, lies
   // along the box, 0.01 above it, over half of its wall and its cavity.
-  for (const Discretisation discretisation :
-       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+  for (const Discretization discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
     {
       Placement above;
       above.origin = Point<3>(0.05, 0., 0.51);
@@ -345,7 +345,7 @@ BOOST_AUTO_TEST_CASE(surfaces_behind_surfaces)
         layer_wise(2),
         2.,
         3));
-      ContactPair contact  = pair_of("bottom", "all", discretisation);
+      ContactPair contact  = pair_of("bottom", "all", discretization);
       contact.points_on    = PointsOn::first;
       const auto interface = make_interface(contact, bodies);
       double     area      = 0.;
@@ -379,14 +379,14 @@ BOOST_AUTO_TEST_CASE(weighted_gaps_of_curved_bodies)
       bodies.push_back(make_beam(
         "strip", rectangle(2., 0.5, {0.}, 5), layer_wise(2), 2., 3, placement));
       const auto interface = make_interface(
-        pair_of("arc", "top", Discretisation::surface_to_surface), bodies);
+        pair_of("arc", "top", Discretization::surface_to_surface), bodies);
       BlockVector u = zero(bodies);
       for (unsigned int b = 0; b < 2; ++b)
         {
           const auto         motions = bodies[b]->rigid_motions();
           const Tensor<1, 3> w       = Point<3>(0.3, -0.2, 0.5);
           const Tensor<1, 3> v       = Tensor<1, 3>(Point<3>(0.1, 0.7, -0.4)) +
-                                 cross_product_3d(w, bodies[b]->centre());
+                                 cross_product_3d(w, bodies[b]->center());
           for (unsigned int c = 0; c < 3; ++c)
             {
               u.block(b).add(v[c], motions[c]);

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_grid_of_nodes)
 
 
 
-BOOST_AUTO_TEST_CASE(points_without_neighbours_stand_alone)
+BOOST_AUTO_TEST_CASE(points_without_neighbors_stand_alone)
 {
   // Without the column of nodes x = 1 the first and the last strip are left
   // (x from 0 to 0.5, from 1.5 to 2); of the row y = 0 only the corner x = 0.
@@ -231,10 +231,10 @@ BOOST_AUTO_TEST_CASE(points_of_the_second_side)
   pair.enforcement = Enforcement::penalty;
   pair.penalty     = {PenaltyKind::per_area, 1.};
   pair.points_on   = PointsOn::second;
-  for (const Discretisation discretisation :
-       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+  for (const Discretization discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
     {
-      pair.discretisation            = discretisation;
+      pair.discretization            = discretization;
       const ContactInterface contact = make_interface(pair, structure.bodies());
       BOOST_REQUIRE(contact.points_on_second);
       const ContactSurface surface(contact, structure);

@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(mirrored_bodies_pair_all_nodes)
   for (const Placement &placement : placements)
     {
       const Bodies bodies = two_half_discs(0.1, placement);
-      auto contact        = pair_of("arc", "arc", Discretisation::node_to_node);
+      auto contact        = pair_of("arc", "arc", Discretization::node_to_node);
       contact.search_distance      = 20.;
       const ContactInterface there = make_interface(contact, bodies);
       const unsigned int     n     = bodies[0]->surface_points("arc").size();
@@ -283,12 +283,12 @@ BOOST_AUTO_TEST_CASE(first_and_second_decide_signs_only)
   // Two strips with other cells, crossed at 20 degrees, and mirrored discs.
   for (const Placement &placement : {placements.back()})
     for (const bool discs : {false, true})
-      for (const Discretisation discretisation :
-           {Discretisation::node_to_node,
-            Discretisation::node_to_surface,
-            Discretisation::surface_to_surface})
+      for (const Discretization discretization :
+           {Discretization::node_to_node,
+            Discretization::node_to_surface,
+            Discretization::surface_to_surface})
         {
-          if (!discs && discretisation == Discretisation::node_to_node)
+          if (!discs && discretization == Discretization::node_to_node)
             continue;
           Bodies bodies;
           if (discs)
@@ -313,15 +313,15 @@ BOOST_AUTO_TEST_CASE(first_and_second_decide_signs_only)
                                          3,
                                          placement));
             }
-          auto contact = discs ? pair_of("arc", "arc", discretisation) :
-                                 pair_of("bottom", "top", discretisation);
+          auto contact = discs ? pair_of("arc", "arc", discretization) :
+                                 pair_of("bottom", "top", discretization);
           const ContactInterface one = make_interface(contact, bodies);
           std::swap(contact.first, contact.second);
           const ContactInterface two = make_interface(contact, bodies);
 
           // The lower strip has the finer grid; of equal ones the body that
           // comes first carries the points.
-          if (discretisation != Discretisation::node_to_node)
+          if (discretization != Discretization::node_to_node)
             {
               BOOST_TEST(one.points_on_second == !discs);
               BOOST_TEST(two.points_on_second == discs);

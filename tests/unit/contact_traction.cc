@@ -193,12 +193,12 @@ BOOST_AUTO_TEST_CASE(turned_grids)
   for (const Placement &placement : placements)
     for (const Theory &theory : {layer_wise(2), layer_wise(3), taylor(2)})
       for (const PointsOn points_on : {PointsOn::first, PointsOn::second})
-        for (const Discretisation discretisation :
-             {Discretisation::surface_to_surface,
-              Discretisation::node_to_surface})
+        for (const Discretization discretization :
+             {Discretization::surface_to_surface,
+              Discretization::node_to_surface})
           {
             const Bodies bodies  = turned_blocks(placement, theory);
-            ContactPair  pair    = pair_of("bottom", "top", discretisation);
+            ContactPair  pair    = pair_of("bottom", "top", discretization);
             pair.points_on       = points_on;
             const auto interface = make_interface(pair, bodies);
             check_resultants(interface, bodies);
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(uniform_on_either_side)
       {
         const Bodies bodies = turned_blocks(placement, layer_wise(2));
         ContactPair  pair =
-          pair_of("bottom", "top", Discretisation::surface_to_surface);
+          pair_of("bottom", "top", Discretization::surface_to_surface);
         pair.points_on                = points_on;
         const auto          interface = make_interface(pair, bodies);
         std::vector<double> forces;
@@ -276,7 +276,7 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_smaller_face)
                                              Point<3>(0., 1., 0.),
                                              Point<3>(0., 0., 1.))));
       const auto interface =
-        make_interface(pair_of("top", "bottom", Discretisation::node_to_node),
+        make_interface(pair_of("top", "bottom", Discretization::node_to_node),
                        bodies);
       check_resultants(interface, bodies);
       std::vector<double> forces;
@@ -312,13 +312,13 @@ BOOST_AUTO_TEST_CASE(ends_of_a_section_by_gmsh)
                             "Section s"};
   for (const Placement &placement : placements)
     for (const unsigned int degree : {1, 2})
-      for (const Discretisation discretisation :
-           {Discretisation::node_to_node,
-            Discretisation::node_to_surface,
-            Discretisation::surface_to_surface})
+      for (const Discretization discretization :
+           {Discretization::node_to_node,
+            Discretization::node_to_surface,
+            Discretization::surface_to_surface})
         for (const bool same : {true, false})
           {
-            if (!same && discretisation == Discretisation::node_to_node)
+            if (!same && discretization == Discretization::node_to_node)
               continue;
             Bodies bodies;
             bodies.push_back(make_beam(
@@ -336,7 +336,7 @@ BOOST_AUTO_TEST_CASE(ends_of_a_section_by_gmsh)
                           1,
                           above));
             const auto interface =
-              make_interface(pair_of("end", "start", discretisation), bodies);
+              make_interface(pair_of("end", "start", discretization), bodies);
             check_resultants(interface, bodies);
           }
 }
@@ -347,8 +347,8 @@ BOOST_AUTO_TEST_CASE(a_curved_surface)
 {
   // A half disc on a plate: rows and pressure have the same sum, and strips
   // sum to it.
-  for (const Discretisation discretisation :
-       {Discretisation::surface_to_surface, Discretisation::node_to_surface})
+  for (const Discretization discretization :
+       {Discretization::surface_to_surface, Discretization::node_to_surface})
     {
       Bodies bodies;
       bodies.push_back(make_beam("roller",
@@ -367,7 +367,7 @@ BOOST_AUTO_TEST_CASE(a_curved_surface)
                   Placement::from_directions({-1., 0., box.upper_bound(2)},
                                              Point<3>(0., 1., 0.),
                                              Point<3>(0., 0., 1.))));
-      ContactPair pair = pair_of("arc", "bottom", discretisation);
+      ContactPair pair = pair_of("arc", "bottom", discretization);
       pair.points_on   = PointsOn::first;
       const auto                interface = make_interface(pair, bodies);
       const std::vector<double> forces    = some_forces(interface);

@@ -323,17 +323,17 @@ BOOST_AUTO_TEST_CASE(of_gaps)
   contact.enforcement = Enforcement::penalty;
   contact.penalty     = {PenaltyKind::per_node, 1.};
   contact.tolerance   = 1.;
-  for (const auto discretisation : {Discretisation::node_to_node,
-                                    Discretisation::node_to_surface,
-                                    Discretisation::surface_to_surface})
+  for (const auto discretization : {Discretization::node_to_node,
+                                    Discretization::node_to_surface,
+                                    Discretization::surface_to_surface})
     for (const bool obstacle : {false, true})
-      BOOST_TEST_CONTEXT(name_of(discretisation)
+      BOOST_TEST_CONTEXT(name_of(discretization)
                          << (obstacle ? ", obstacle" : ""))
       {
-        if (obstacle && discretisation == Discretisation::node_to_node)
+        if (obstacle && discretization == Discretization::node_to_node)
           continue;
         const Bodies bodies    = make_bodies(descriptions, meshes());
-        contact.discretisation = discretisation;
+        contact.discretization = discretization;
         if (obstacle)
           contact.obstacle = std::make_shared<const Obstacle>(
             Obstacle{"roller",

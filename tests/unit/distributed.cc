@@ -20,7 +20,7 @@ using namespace lamella;
 
 namespace
 {
-  // Nodes of a grid of n x n x n; springs between neighbours, stiffer upwards.
+  // Nodes of a grid of n x n x n; springs between neighbors, stiffer upwards.
   constexpr unsigned int n = 12, n_nodes = n * n * n;
 
   double
@@ -31,7 +31,7 @@ namespace
 
 
 
-  /// Discrete Laplacian, a block for each pair of neighbours.
+  /// Discrete Laplacian, a block for each pair of neighbors.
   StiffnessTerms
   grid_of_springs(const double scale = 1.)
   {
@@ -172,14 +172,14 @@ BOOST_AUTO_TEST_CASE(solvers_agree)
                                              constraints,
                                              SolverKind::cg,
                                              {one});
-  const auto exact    = serial->factorise("the grid");
+  const auto exact    = serial->factorize("the grid");
   for (const auto &[matrix, tolerance] :
        {std::make_pair(factored.get(), 1e-13),
         std::make_pair(iterated.get(), 1e-10)})
     {
       double     announced = 0.;
       const auto solver =
-        matrix->factorise("the grid", [&](const FactorSize &size) {
+        matrix->factorize("the grid", [&](const FactorSize &size) {
           announced = size.non_zeros;
         });
       Vector x(n_nodes), y;
@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(not_positive)
   const Constraints constraints = ties();
   const auto        matrix =
     assemble_distributed(grid_of_springs(-1.), constraints, SolverKind::mumps);
-  BOOST_CHECK_EXCEPTION(matrix->factorise("body 'grid'"),
+  BOOST_CHECK_EXCEPTION(matrix->factorize("body 'grid'"),
                         NumericsError,
                         [](const NumericsError &error) {
                           const std::string message = error.what();
@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(not_positive)
   // What the monitor throws ends it before memory is spent.
   const auto good =
     assemble_distributed(grid_of_springs(), constraints, SolverKind::mumps);
-  BOOST_CHECK_THROW(good->factorise("body 'grid'",
+  BOOST_CHECK_THROW(good->factorize("body 'grid'",
                                     [](const FactorSize &) {
                                       throw InputError("too large");
                                     }),

@@ -290,7 +290,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_settle_is_named)
     stacked_beams({Enforcement::penalty, Strategy::condensed}, 0., 1.);
   SolverParameters parameters;
   parameters.max_iterations = 1;
-  ContactSolver newton(linearised(*scene.structure), scene.rows, parameters);
+  ContactSolver newton(linearized(*scene.structure), scene.rows, parameters);
   newton.describe = [](const unsigned int row) {
     return "point " + std::to_string(row);
   };

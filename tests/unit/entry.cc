@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(names_of_enumerations)
   check_names<Strategy>();
   check_names<SolverKind>();
   check_names<Enforcement>();
-  check_names<Discretisation>();
+  check_names<Discretization>();
   check_names<Overclosure>();
   check_names<PointsOn>();
   check_names<Phase>();

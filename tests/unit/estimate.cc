@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(keys_of_models)
     [](Scene &s) { s.bodies[0].axis.fineness = 1.; },
     [](Scene &s) { s.bodies[0].axis.assumed_shear = true; },
     [](Scene &s) { s.bodies[0].axis.equidistant_nodes = true; },
-    [](Scene &s) { s.bodies[0].stabilisation = 1e-6; },
+    [](Scene &s) { s.bodies[0].stabilization = 1e-6; },
     [](Scene &s) { s.bodies[0].is_held = true; },
     [](Scene &s) { s.bodies[0].refinement.everywhere = 1; },
     [](Scene &s) { s.bodies[0].refinement.balls[0].radius = 2.; },

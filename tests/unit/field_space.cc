@@ -224,7 +224,7 @@ BOOST_AUTO_TEST_CASE(lists_of_modes_are_a_projection)
 BOOST_AUTO_TEST_CASE(dense_lists_that_differ)
 {
   // Nothing but dense lists, two of them within most elements: forces and
-  // energy are still those of all fields, and what a factorisation by blocks
+  // energy are still those of all fields, and what a factorization by blocks
   // solves is in equilibrium, strain first.
   const auto section = coupled_section();
   const auto space   = random_space(section, 5);

@@ -121,11 +121,11 @@ namespace lamella
     return rows;
   }
 
-  /// The displacements of @p body, factorised, under @p reduction alone,
+  /// The displacements of @p body, factorized, under @p reduction alone,
   /// refined
   /// @p refinements times against the strain-first residual.
   inline Vector
-  solve_factorised(const Body         &body,
+  solve_factorized(const Body         &body,
                    const LinearSolver &solver,
                    const RowReduction &reduction,
                    const unsigned int  refinements = 2)
@@ -152,7 +152,7 @@ namespace lamella
                    const unsigned int                refinements = 2)
   {
     const RowReduction reduction(body, 0, rows, {"surface"});
-    return solve_factorised(body,
+    return solve_factorized(body,
                             *body.make_solver(reduction.constraints()),
                             reduction,
                             refinements);
@@ -195,7 +195,7 @@ namespace lamella
     const std::vector<GapRow> none;
     SolverParameters          parameters;
     parameters.max_refinements = refinements;
-    ContactSolver solver(linearised(*solved.structure), none, parameters);
+    ContactSolver solver(linearized(*solved.structure), none, parameters);
     solved.state     = solver.solve_free(1.);
     solved.condition = solver.tangent().condition_estimate();
     return solved;

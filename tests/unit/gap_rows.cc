@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Rows seen as one list, and rows on another discretisation of their bodies.
+// Rows seen as one list, and rows on another discretization of their bodies.
 
 #include "contact_fixtures.h"
 
@@ -65,7 +65,7 @@ namespace
 
 
   /// Those of a contact of two bodies on @p bodies, the same bodies in another
-  /// discretisation: the same places, weights and gaps.
+  /// discretization: the same places, weights and gaps.
   std::vector<GapRow>
   rows_on(const ContactInterface &contact, const Bodies &bodies)
   {
@@ -115,12 +115,12 @@ BOOST_AUTO_TEST_CASE(numbered_through)
 
 
 
-BOOST_AUTO_TEST_CASE(on_the_same_discretisation)
+BOOST_AUTO_TEST_CASE(on_the_same_discretization)
 {
-  // Each discretisation of a contact, made from its geometry again.
+  // Each discretization of a contact, made from its geometry again.
   const Bodies bodies = two_strips(2, 2);
   for (const auto kind :
-       {Discretisation::node_to_surface, Discretisation::surface_to_surface})
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
     {
       const auto contact =
         make_interface(pair_of("bottom", "top", kind), bodies);
@@ -139,13 +139,13 @@ BOOST_AUTO_TEST_CASE(on_the_same_discretisation)
 
 
 
-BOOST_AUTO_TEST_CASE(on_a_richer_discretisation)
+BOOST_AUTO_TEST_CASE(on_a_richer_discretization)
 {
   // The same forces on cubic fields and other elements: the same resultant and
   // moment, which rigid motions measure.
   const Bodies coarse = two_strips(1, 2), fine = two_strips(3, 5);
   const auto   contact =
-    make_interface(pair_of("bottom", "top", Discretisation::surface_to_surface),
+    make_interface(pair_of("bottom", "top", Discretization::surface_to_surface),
                    coarse);
   const auto  rows      = rows_on(contact, fine);
   BlockVector on_coarse = zero(coarse), on_fine = zero(fine);

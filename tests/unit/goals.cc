@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(means_over_boxes)
     BOOST_TEST_CONTEXT(body->name())
     {
       const Vector   u      = interpolated(*body);
-      const Point<3> middle = body->centre();
+      const Point<3> middle = body->center();
       for (const Point<3> &edges : {Point<3>(0.11, 0.3, 0.1),
                                     Point<3>(0.11, 0.3, 0.),
                                     Point<3>(0., 0.3, 0.),

@@ -259,7 +259,7 @@ BOOST_AUTO_TEST_CASE(jourawski)
                   BOOST_TEST(std::abs(stress[yz] - expected) < 1e-6);
                   BOOST_TEST(std::abs(stress[xz]) < 1e-6);
                   BOOST_TEST(std::abs(stress[zz]) < 1e-6);
-                  // Fibres run along y: 1 is y, 3 is z.
+                  // Fibers run along y: 1 is y, 3 is z.
                   BOOST_TEST(std::abs(sample.ply_stress[4] - stress[yz]) <
                              1e-10);
                 }

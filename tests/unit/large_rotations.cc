@@ -307,7 +307,7 @@ BOOST_AUTO_TEST_CASE(moments_are_about_where_the_body_is)
         Tensor<1, 3> axis;
         axis[c] = 1.;
         const Tensor<1, 3> arm =
-          places[k][0].position + at(u, k) - body->centre();
+          places[k][0].position + at(u, k) - body->center();
         BOOST_TEST((at(motions[c], k) - axis).norm() < 1e-13);
         BOOST_TEST(
           (at(motions[3 + c], k) - cross_product_3d(axis, arm)).norm() < 1e-13);
@@ -562,7 +562,7 @@ BOOST_AUTO_TEST_CASE(small_loads_are_the_linear_answer)
   const Equilibrium         state  = newton.advance(newton.at_rest(), factor);
   const std::vector<GapRow> no_rows;
   const GapRows             none(no_rows);
-  ContactSolver             solver(linearised(linear), none);
+  ContactSolver             solver(linearized(linear), none);
   const State               exact = solver.solve_free(factor);
   BOOST_TEST(std::abs(tip(large, state.state.u)[2] / tip(linear, exact.u)[2] -
                       1.) < 1e-8);
@@ -666,7 +666,7 @@ BOOST_AUTO_TEST_CASE(the_stiffening_number_is_what_large_deflections_do)
       Newton                    newton(large);
       const std::vector<GapRow> no_rows;
       const GapRows             none(no_rows);
-      ContactSolver             solver(linearised(small), none);
+      ContactSolver             solver(linearized(small), none);
       const State               state = solver.solve_free(1.);
       const double              energy =
         small.bodies()[0]->deformation(state.u.block(0)).energy;

@@ -38,7 +38,7 @@ namespace
         SceneText::read(LAMELLA_SOURCE_DIR "/tests/scenes/pressed_blocks.prm",
                         overrides));
       built = std::make_unique<BuiltScene>(scene, FieldRules(), nowhere, timer);
-      solver = std::make_unique<ContactSolver>(linearised(built->structure()),
+      solver = std::make_unique<ContactSolver>(linearized(built->structure()),
                                                built->rows());
       step   = std::make_shared<LinearStep>(*solver,
                                           built->interfaces(),

@@ -35,7 +35,7 @@ namespace
     {
       coarse.solve();
       fine.solve();
-      BOOST_REQUIRE(Localisation::is_possible(coarse, fine));
+      BOOST_REQUIRE(Localization::is_possible(coarse, fine));
     }
 
     double
@@ -86,11 +86,11 @@ BOOST_AUTO_TEST_CASE(elements_sum_to_the_change_where_spaces_are_nested)
                                  "Body beam/Kinematics/Axis elements=3, 2",
                                  "Body beam/Kinematics/Axis breaks=9",
                                  "Load patch/Pressure=1 + x + 0.1 * y"});
-      const Localisation localisation(models.coarse, models.fine);
+      const Localization localization(models.coarse, models.fine);
       for (const NamedQuantity &goal : {probe_uz, probe_syz, probe_s11})
         {
           const double change = models.change(goal);
-          const auto   errors = localisation.errors(goal, change);
+          const auto   errors = localization.errors(goal, change);
           BOOST_REQUIRE(errors.has_value());
           BOOST_TEST(errors->elements.size() == 5u);
           const double value =
@@ -118,9 +118,9 @@ BOOST_AUTO_TEST_CASE(reactions_have_a_dual)
                              "Body beam/Kinematics/Axis elements=2, 1",
                              "Body beam/Kinematics/Axis breaks=13",
                              "Load patch/Pressure=if(y < 13, 1 + x, 0)"});
-  const Localisation localisation(models.coarse, models.fine);
+  const Localization localization(models.coarse, models.fine);
   const double       change = models.change(reaction);
-  const auto         errors = localisation.errors(reaction, change);
+  const auto         errors = localization.errors(reaction, change);
   BOOST_REQUIRE(errors.has_value());
   BOOST_TEST(std::abs(change) > 1e-4);
   BOOST_TEST(std::abs(sum_of(*errors) - change) < 1e-9);
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(contact_is_told_apart)
          "Section sandwich/Cells across=1",
          "Body beam/Kinematics/Axis elements=2, 1, 2, 1, 2",
          std::string("Contact indentation/Enforcement=") + enforcement});
-      const Localisation localisation(models.coarse, models.fine);
+      const Localization localization(models.coarse, models.fine);
       for (const NamedQuantity &goal :
            {quantity_of(NamedQuantity::Of::contact, "indentation", "fz"),
             quantity_of(NamedQuantity::Of::support, "clamps", "fz"),
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(contact_is_told_apart)
             quantity_of(NamedQuantity::Of::probe, "core", "syz")})
         {
           const double change = models.change(goal);
-          const auto   errors = localisation.errors(goal, change);
+          const auto   errors = localization.errors(goal, change);
           BOOST_REQUIRE(errors.has_value());
           BOOST_TEST_CONTEXT(enforcement << " " << goal.label())
           {
@@ -299,7 +299,7 @@ namespace
         Simulation fine(halved, nowhere);
         fine.solve();
         GoalResult result;
-        result.local     = Localisation(coarse, fine).errors(goal, 0.);
+        result.local     = Localization(coarse, fine).errors(goal, 0.);
         result.tolerance = Tolerance{1.};
         result.scale     = 1e30;
         scene            = bisected(coarse.model().scene(),

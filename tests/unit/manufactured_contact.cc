@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A contact whose gap, pressure and displacements are known: rates of
-// convergence of each discretisation, and error bars against the exact error.
+// convergence of each discretization, and error bars against the exact error.
 
 #include <lamella/estimate/estimation.h>
 #include <lamella/run/simulation.h>
@@ -67,18 +67,18 @@ namespace
   /// one has three for two along where nodes need not face each other.
   Scene
   strips(const unsigned int degree,
-         const std::string &discretisation,
+         const std::string &discretization,
          const unsigned int n,
          const std::string &goals   = "",
          const std::string &penalty = "")
   {
-    const unsigned int other = discretisation == "node to node" ? n : 3 * n / 2;
+    const unsigned int other = discretization == "node to node" ? n : 3 * n / 2;
     const std::string  axis  = "/Kinematics/Axis element";
     const std::string  element = "=B" + std::to_string(degree + 1);
     return read_scene(SceneText::read(
       LAMELLA_SOURCE_DIR "/tests/scenes/manufactured_contact.prm",
       {"Theory=LE-" + std::to_string(degree),
-       "Contact faces/Discretisation=" + discretisation,
+       "Contact faces/Discretization=" + discretization,
        "Section strip/Cells per ply=" + std::to_string(n),
        "Body upper" + axis + element,
        "Body lower" + axis + element,
@@ -129,12 +129,12 @@ BOOST_AUTO_TEST_CASE(rates)
   // Displacements of degree p converge with p + 1. Pressures are forces over
   // tributary areas, means over hat functions, and converge with 2.
   for (const unsigned int degree : {1, 2})
-    for (const char *const discretisation :
+    for (const char *const discretization :
          {"node to node", "surface to surface"})
       {
-        const Errors coarse = errors(strips(degree, discretisation, 2)),
-                     fine   = errors(strips(degree, discretisation, 8));
-        BOOST_TEST_CONTEXT(discretisation << ", degree " << degree)
+        const Errors coarse = errors(strips(degree, discretization, 2)),
+                     fine   = errors(strips(degree, discretization, 8));
+        BOOST_TEST_CONTEXT(discretization << ", degree " << degree)
         {
           BOOST_TEST(0.5 * std::log2(coarse.displacement / fine.displacement) >
                      degree + 0.7);

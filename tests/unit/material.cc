@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(condensed_shear_modulus_at_45_degrees)
 
 BOOST_AUTO_TEST_CASE(sign_of_the_ply_angle)
 {
-  // +30 degrees from +y towards +x: the fibre points to (sin 30, cos 30, 0).
+  // +30 degrees from +y towards +x: the fiber points to (sin 30, cos 30, 0).
   const Triad  axes = ply_axes(30.);
   const double s = 0.5, c = std::sqrt(0.75);
   BOOST_TEST(std::abs(axes[0][0] - s) < 1e-15);
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(sign_of_the_ply_angle)
   // e_2 = (-c, s, 0)), and sigma_xy = s c sigma_11 - s c sigma_22 +
   // (s^2 - c^2) sigma_12, so
   // C_yyxy = s c (c^2 C11 - s^2 C22 - (c^2 - s^2) (C12 + 2 G12)).
-  // Positive: the tension of the fibre pulls towards +x.
+  // Positive: the tension of the fiber pulls towards +x.
   const ElasticTensor C  = closed_stiffness(im7);
   const ElasticTensor at = rotated(im7.stiffness(), axes);
   const double        coupling =

@@ -183,7 +183,7 @@ namespace
 
 
 
-  /// Relative errors: the deflection of the centre; sigma_yy of top and bottom
+  /// Relative errors: the deflection of the center; sigma_yy of top and bottom
   /// at mid-span, the larger; sigma_yz at the support, where it is largest over
   /// z (it falls to a quarter of that at the mid-plane of [0/90]).
   struct Errors
@@ -313,7 +313,7 @@ BOOST_AUTO_TEST_CASE(exact_satisfies_the_conditions)
                        1e-12 * above.displacement.norm());
             BOOST_TEST(std::abs(below.stress[2] - above.stress[2]) < 1e-12);
             BOOST_TEST(std::abs(below.stress[5] - above.stress[5]) < tiny);
-            // In the fibres' direction stiffer 25 times.
+            // In the fibers' direction stiffer 25 times.
             BOOST_TEST(std::abs(below.stress[1] - above.stress[1]) >
                        1e3 * tiny);
           }
@@ -378,7 +378,7 @@ BOOST_AUTO_TEST_CASE(exact_is_a_half_plane_when_thick)
   // Almost nothing of a load of wave length 2 L = h / 5 arrives at the bottom.
   // Below the surface of a half-plane N = (a exp(b p z) - b exp(a p z)) /
   // (a - b), z from the surface, a p and b p the exponents, and there Y =
-  // -N'' / p^2 = a b = sqrt(c_22 / c_33): 1 across the fibres. There b = 0.46,
+  // -N'' / p^2 = a b = sqrt(c_22 / c_33): 1 across the fibers. There b = 0.46,
   // and what the interface of [0/90] reflects is exp(-2 0.46 p h / 2) = 5e-7.
   const ElasticTensor C     = graphite_epoxy.stiffness();
   const double        along = std::sqrt(C[0][0] / C[2][2]);
@@ -396,7 +396,7 @@ BOOST_AUTO_TEST_CASE(exact_is_a_half_plane_when_thick)
 
 BOOST_AUTO_TEST_CASE(exact_has_the_published_values)
 {
-  // w* = 100 E_2 h^3 w / (q0 L^4) at the centre, sigma_yy of top and bottom at
+  // w* = 100 E_2 h^3 w / (q0 L^4) at the center, sigma_yy of top and bottom at
   // mid-span, sigma_yz of the end at the mid-plane and its largest: to half a
   // unit of the last digit.
   struct Published

@@ -81,7 +81,7 @@ namespace lamella
   solution(Structure &structure)
   {
     const std::vector<GapRow> no_rows;
-    ContactSolver             newton(linearised(structure), no_rows);
+    ContactSolver             newton(linearized(structure), no_rows);
     const State               state = newton.solve_free(1.);
     require_sound(state, check_state(newton.tangent(), {}, 3, state, 1.), 1e9);
     return state.u.block(0);

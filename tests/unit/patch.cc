@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(rigid_motions_have_no_energy)
           BOOST_TEST((beam.sample(there, motions[m]).displacement - e).norm() <
                      1e-12);
           BOOST_TEST((beam.sample(there, motions[3 + m]).displacement -
-                      cross_product_3d(e, corner - beam.centre()))
+                      cross_product_3d(e, corner - beam.center()))
                        .norm() < 1e-12);
         }
     }

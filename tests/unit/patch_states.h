@@ -45,7 +45,7 @@ namespace lamella
         const RowReduction reduction(body, 0, rows, {"surface"});
         if (place == 0)
           solver = body.make_solver(reduction.constraints());
-        const Vector u = solve_factorised(body, *solver, reduction);
+        const Vector u = solve_factorized(body, *solver, reduction);
 
         Voigt strain;
         strain[place]      = 1.;

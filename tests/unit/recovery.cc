@@ -426,7 +426,7 @@ BOOST_AUTO_TEST_CASE(only_what_is_needed)
   const Vector      u(body.n_dofs());
   StressRecovery    recovery(body, u, StressValues::recovered);
   recovery.sample(body.locate({{0.55, 5.1, 0.55}}).at(0).at(0));
-  // The element and its neighbours: all corners have full patches.
+  // The element and its neighbors: all corners have full patches.
   BOOST_TEST(body.asked.size() == 27u);
 }
 

@@ -42,7 +42,7 @@ namespace
   constants_of(const Section &section)
   {
     return section_constants(SaintVenant(section).compliance(),
-                             section.element().centre());
+                             section.element().center());
   }
 
 
@@ -68,8 +68,8 @@ BOOST_AUTO_TEST_CASE(square)
   check_near(bar.EI[1], 210. * std::pow(b, 4) / 12., 1e-9);
   check_near(bar.GJ, 0.1405770 * G * std::pow(b, 4), 1e-4);
   const Point<2> middle(0.5 * b, 0.5 * b);
-  BOOST_TEST(bar.tension_centre.distance(middle) < 1e-10 * b);
-  BOOST_TEST(bar.shear_centre.distance(middle) < 1e-10 * b);
+  BOOST_TEST(bar.tension_center.distance(middle) < 1e-10 * b);
+  BOOST_TEST(bar.shear_center.distance(middle) < 1e-10 * b);
 
   const auto without =
     constants_of(*section_of(rectangle(b, b, {0.}, 4, 4),
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(ellipse)
 
 BOOST_AUTO_TEST_CASE(channel)
 {
-  // The shear centre of a thin channel lies outside, behind the web: by 3 b^2 /
+  // The shear center of a thin channel lies outside, behind the web: by 3 b^2 /
   // (h + 6 b) from its middle line, b and h those of the middle lines (Gere and
   // Timoshenko); 1 / 3 sum of length times thickness^3 is its J.
   const double t = 0.02, width = 0.5, height = 1.;
@@ -107,13 +107,13 @@ BOOST_AUTO_TEST_CASE(channel)
     ThinWalled{ShapeKind::channel, width, height, {t}, {t, t}, 1, 6, fabric}));
   const double b = width - 0.5 * t, h = height - t;
   const double e = 3. * b * b / (h + 6. * b);
-  BOOST_TEST(std::abs(bar.shear_centre[0] - (0.5 * t - e)) < 0.01 * e);
-  BOOST_TEST(std::abs(bar.shear_centre[1] - 0.5 * height) < 1e-6 * height);
+  BOOST_TEST(std::abs(bar.shear_center[0] - (0.5 * t - e)) < 0.01 * e);
+  BOOST_TEST(std::abs(bar.shear_center[1] - 0.5 * height) < 1e-6 * height);
   check_near(bar.GJ, 210. / 2.6 * (h + 2. * b) * t * t * t / 3., 0.03);
   const auto geometry = section_properties(*make_section_mesh(
     ThinWalled{ShapeKind::channel, width, height, {t}, {t, t}, 1, 6, fabric},
     {{"material", isotropic}}));
-  BOOST_TEST(bar.tension_centre.distance(geometry.centroid) < 1e-8);
+  BOOST_TEST(bar.tension_center.distance(geometry.centroid) < 1e-8);
   check_near(bar.EI[0], 210. * geometry.second_moments[1][1], 1e-8);
 }
 
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(off_axis)
   S.gauss_jordan();
   const double E_y = 1. / S(1, 1);
   const auto   bar =
-    section_constants(states.compliance(), section->element().centre());
+    section_constants(states.compliance(), section->element().center());
   check_near(bar.EA, E_y * b * h, 1e-8);
   check_near(bar.EI[0], E_y * h * b * b * b / 12., 1e-8);
   // Bent about x it twists.

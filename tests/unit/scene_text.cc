@@ -463,7 +463,7 @@ BOOST_AUTO_TEST_CASE(stacks_are_written_out)
   BOOST_TEST(says("Body base/Length") == "9");
   BOOST_TEST(says("Support clamp/On") ==
              "base: ends; leaf-1: start; leaf-2: start; leaf-3: start");
-  // Between neighbours; of another body with each.
+  // Between neighbors; of another body with each.
   BOOST_TEST(says("Contacts") ==
              "within-1, within-2, below-1, below-2, below-3");
   BOOST_TEST(says("Contact within-2/First") == "leaf-2: top");

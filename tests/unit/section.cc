@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(first_functions_are_the_linear_ones)
     for (const unsigned int p : {1, 2, 3})
       {
         const LagrangeElement element(mesh, p);
-        const Point<2>        c = element.centre();
+        const Point<2>        c = element.center();
         BOOST_TEST(element.reference_length() == h);
         for (unsigned int cell = 0; cell < mesh->mesh.n_active_cells(); ++cell)
           for (const Point<2> &unit : places)
@@ -164,13 +164,13 @@ BOOST_AUTO_TEST_CASE(first_functions_are_the_linear_ones)
 
 
 
-BOOST_AUTO_TEST_CASE(centre_of_area)
+BOOST_AUTO_TEST_CASE(center_of_area)
 {
   // That of the rectangle, (0.3, 0.4), however it is cut into cells.
   const LagrangeElement regular(regular_mesh(3, 2), 2);
-  BOOST_TEST(regular.centre().distance({0.3, 0.4}) < 1e-14);
+  BOOST_TEST(regular.center().distance({0.3, 0.4}) < 1e-14);
   const LagrangeElement distorted(distorted_mesh(), 2);
-  BOOST_TEST(distorted.centre().distance({0.3, 0.4}) < 1e-14);
+  BOOST_TEST(distorted.center().distance({0.3, 0.4}) < 1e-14);
 }
 
 

@@ -30,7 +30,7 @@ namespace
 
 
   Units
-  millimetres()
+  millimeters()
   {
     return Units::parse({"Units", "mm, N"});
   }
@@ -50,7 +50,7 @@ namespace
   printed(const SectionStiffness &section)
   {
     std::ostringstream text;
-    print_stiffness(text, "strip", section, millimetres());
+    print_stiffness(text, "strip", section, millimeters());
     return text.str();
   }
 
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(mass)
 {
   // Two plies of the densities 2 and 6 on each other. About the middle of the
   // area: int rho = 4 b h, int rho z = (6 - 2) b h^2 / 8, int rho z^2 = 4 b h^3
-  // / 12, int rho x^2 = 4 b^3 h / 12. The centre of mass is above the
+  // / 12, int rho x^2 = 4 b^3 h / 12. The center of mass is above the
   // reference, so a turn about y takes it to +x, one about x to -y.
   const double   b = 0.6, h = 0.2;
   const Laminate two{
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(json)
       const auto section = section_stiffness(
         make_section_mesh(rectangle(0.6, 0.3, {0., 90., last}, 4), materials));
       const Json json =
-        Json::parse(section_json("strip", section, millimetres()));
+        Json::parse(section_json("strip", section, millimeters()));
       BOOST_TEST(json.at("section") == "strip");
       BOOST_TEST(json.at("expansion") == "LE-3");
       BOOST_TEST(json.at("units").dump() == R"({"length":"mm","force":"N"})");
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(json)
       // The larger about z.
       BOOST_TEST(std::abs(json.at("angle_deg").get<double>() - 90.) < 1e-9);
       for (const char *key :
-           {"reference_point", "tension_centre", "shear_centre"})
+           {"reference_point", "tension_center", "shear_center"})
         BOOST_TEST(json.at(key).size() == 2u, key);
       BOOST_TEST(json.count("mass") == 0u);
       const Json &k = json.at("stiffness"), &c = json.at("compliance");
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(text)
   for (const std::string part :
        {"Section strip as a beam, by Saint-Venant's states in LE-3:",
         "about the axis at 90 deg from x towards z",
-        "tension centre (0.3, 0.15), shear centre (0.3, 0.15)",
+        "tension center (0.3, 0.15), shear center (0.3, 0.15)",
         "stiffness about (0.3, 0.15): forces [N], couplings of forces and "
         "moments [N mm], moments [N mm^2]"})
     BOOST_TEST((text.find(part) != std::string::npos), part << "\n" << text);

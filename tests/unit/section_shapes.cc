@@ -536,7 +536,7 @@ BOOST_AUTO_TEST_CASE(edges_are_whole_and_normals_point_outwards)
 BOOST_AUTO_TEST_CASE(hollow_hexagon_by_gmsh)
 {
   // Of a regular hexagon with the side a: A = 3 sqrt(3) / 2 a^2,
-  // I = 5 sqrt(3) / 16 a^4 about any axis through its centre.
+  // I = 5 sqrt(3) / 16 a^4 about any axis through its center.
   const double      a = 10., b = 10. - 2. / std::cos(PI / 6.);
   const SectionFile file{folder + "/prm/sections/hexagon.msh",
                          0.1,
@@ -550,7 +550,7 @@ BOOST_AUTO_TEST_CASE(hollow_hexagon_by_gmsh)
     1e-4 * 5. * std::sqrt(3.) / 16. * (std::pow(a, 4) - std::pow(b, 4));
   BOOST_TEST(off(p.second_moments[0][0], I) < 1e-12);
   BOOST_TEST(off(p.second_moments[1][1], I) < 1e-12);
-  // The file's coordinates stay: the centre at z = 0.
+  // The file's coordinates stay: the center at z = 0.
   BOOST_TEST(p.centroid.distance({1., 0.}) < 1e-12);
   BOOST_TEST(off(-p.low[1], std::sqrt(0.75)) < 1e-12);
   BOOST_TEST(p.boundary_lengths.size() == 4);
@@ -657,7 +657,7 @@ BOOST_AUTO_TEST_CASE(entries_of_the_shapes)
   const auto disc = std::get<HalfDisc>(read({{"Shape", "half disc"},
                                              {"Radius", "4"},
                                              {"Material", "foam"},
-                                             {"Fibre angle", "-20"}}));
+                                             {"Fiber angle", "-20"}}));
   BOOST_TEST(disc.radius == 4.);
   BOOST_TEST(disc.finest_cell == 0.5);
   BOOST_TEST(disc.graded_towards == 90.);

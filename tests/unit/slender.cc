@@ -51,7 +51,7 @@ namespace
     // A line across the mid-plane, 1 N in all.
     const Point<3> a(0., 0.5 * length, 0.5 * height),
       b(width, 0.5 * length, 0.5 * height);
-    const Load                load{"centre",
+    const Load                load{"center",
                     {{0, Region::Kind::line, "", {a, b}}},
                     {{"0", "0", "-100"}},
                     ""};
@@ -59,7 +59,7 @@ namespace
     const std::vector<GapRow> none;
     SolverParameters          parameters;
     parameters.max_refinements = refine ? 6 : 0;
-    ContactSolver newton(linearised(structure), none, parameters);
+    ContactSolver newton(linearized(structure), none, parameters);
 
     Result result;
     State  state;

@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(rigid_motions)
           Tensor<1, 3> e;
           e[m % 3] = 1.;
           const Tensor<1, 3> due =
-            m < 3 ? e : cross_product_3d(e, corner - solid.centre());
+            m < 3 ? e : cross_product_3d(e, corner - solid.center());
           BOOST_TEST(
             (solid.sample(there, motions[m]).displacement - due).norm() <
             1e-12);
@@ -400,9 +400,9 @@ BOOST_AUTO_TEST_CASE(entries_of_a_refinement)
     read({{"Refinements", "2"}, {"Refine near", "1, 2, 3: 0.1: 1|0,0,0:2:0"}});
   BOOST_TEST(given.everywhere == 2);
   BOOST_TEST_REQUIRE(given.balls.size() == 2);
-  // The centre comes in the scene's axes.
+  // The center comes in the scene's axes.
   BOOST_TEST(
-    tilted.to_scene(given.balls[0].centre).distance(Point<3>(1., 2., 3.)) <
+    tilted.to_scene(given.balls[0].center).distance(Point<3>(1., 2., 3.)) <
     1e-14);
   BOOST_TEST(given.balls[0].radius == 0.1);
   BOOST_TEST(given.balls[0].times == 1);

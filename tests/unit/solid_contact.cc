@@ -49,14 +49,14 @@ namespace
   errors(Bodies bodies, const PointsOn points_on, const Placement &placement)
   {
     ContactPair contact =
-      pair_of("bottom", "top", Discretisation::surface_to_surface);
+      pair_of("bottom", "top", Discretization::surface_to_surface);
     contact.points_on   = points_on;
     contact.enforcement = Enforcement::exact;
     const std::vector<ContactInterface> contacts{
       make_interface(contact, bodies)};
     Structure     structure(std::move(bodies), walls_and_press(moved), {});
     const auto   &rows = contacts[0].rows;
-    ContactSolver newton(linearised(structure), rows);
+    ContactSolver newton(linearized(structure), rows);
     const State   state  = newton.solve_contact(newton.solve_free(1.), 1.);
     const Checks  checks = check_state(
       newton.tangent(), contacts, walls_and_press(moved).size(), state, 1.);

@@ -49,7 +49,7 @@ namespace
       pair.name           = "faces";
       pair.first          = upper_face;
       pair.second         = lower_face;
-      pair.discretisation = Discretisation::node_to_node;
+      pair.discretization = Discretization::node_to_node;
       pair.enforcement    = Enforcement::penalty;
       pair.penalty        = {PenaltyKind::per_area, penalty};
       contacts.push_back(make_interface(pair, bodies));
@@ -69,7 +69,7 @@ namespace
       return solver->solve_contact(solver->solve_free(1.), 1.);
     }
 
-    Linearisation
+    Linearization
     tangent(const State &state) const
     {
       return {*structure, state.u};
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(two_cubes_pressure_and_penetration)
   BOOST_TEST(std::abs(checks.reactions[1].force[2] / force - 1.) < 1e-10);
   // It acts in the middle of the face, and has a moment about the origin.
   const Point<3> middle(0.5 * side, 0.5 * side, side + gap);
-  BOOST_TEST(checks.contacts[0].centre_of_pressure.distance(middle) <
+  BOOST_TEST(checks.contacts[0].center_of_pressure.distance(middle) <
              1e-10 * side);
   const dealii::Tensor<1, 3> moment =
     Point<3>(-0.5 * side * force, 0.5 * side * force, 0.);
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(two_cubes_pressure_and_penetration)
 BOOST_AUTO_TEST_CASE(condensed_and_full_agree)
 {
   // Poisson's ratio and clamped faces: no uniform stress, no closed form, but
-  // two ways that share neither factorisation nor compliance.
+  // two ways that share neither factorization nor compliance.
   TwoCubes    scene(press, 0.3);
   const State condensed = scene.solve(Strategy::condensed),
               full      = scene.solve(Strategy::full);
@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(a_line_is_prescribed_exactly)
       Structure structure(std::move(bodies), {clamp, press}, {});
       const std::vector<GapRow> none;
       const State               state =
-        ContactSolver(linearised(structure), none).solve_free(1.);
+        ContactSolver(linearized(structure), none).solve_free(1.);
       double worst = 0.;
       for (unsigned int i = 0; i <= 100; ++i)
         {
@@ -334,7 +334,7 @@ BOOST_AUTO_TEST_CASE(a_turned_scene_gives_turned_results)
       Structure                 structure(std::move(bodies), {clamp}, {load});
       const std::vector<GapRow> none;
       const State               state =
-        ContactSolver(linearised(structure), none).solve_free(1.);
+        ContactSolver(linearized(structure), none).solve_free(1.);
       results.push_back(structure.load(1.) * state.u);
     }
   // std::to_string keeps six decimals of the force.

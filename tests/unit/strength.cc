@@ -208,8 +208,8 @@ BOOST_AUTO_TEST_CASE(hashin_by_hand)
   // (Yc / (2 S23))^2 - 1 = (5/3)^2 - 1 = 16/9.
   check_states(
     Criterion::hashin,
-    {{{500, 0, 0, 60, 0, 0}, 0.25 + 0.36, "fibre tension"},
-     {{-600, 0, 0, 0, 0, 0}, 0.75, "fibre compression"},
+    {{{500, 0, 0, 60, 0, 0}, 0.25 + 0.36, "fiber tension"},
+     {{-600, 0, 0, 0, 0, 0}, 0.75, "fiber compression"},
      {{0, 25, 0, 50, 0, 0}, 0.25 + 0.25, "matrix tension"},
      {{0, 10, 20, 0, 0, 0}, 900. / 2500. - 200. / 3600., "matrix tension"},
      {{0, -200, 0, 0, 0, 0}, -16. / 9. + 40000. / 14400., "matrix compression"},
@@ -238,14 +238,14 @@ BOOST_AUTO_TEST_CASE(puck_by_hand)
   };
   check_states(
     Criterion::puck,
-    {{{500, 0, 0, 0, 0, 0}, 0.5, "fibre tension"},
-     {{-400, 10, 0, 0, 0, 0}, 0.5, "fibre compression"},
-     {{0, 25, 0, 0, 0, 0}, 0.5, "inter-fibre tension"},
-     {{0, 20, 0, -60, 0, 0}, A(20, 60), "inter-fibre tension"},
-     {{0, -20, 0, 60, 0, 0}, B(-20, 60), "inter-fibre compression"},
-     {{0, -150, 0, 60, 0, 0}, C(-150, 60), "inter-fibre compression"},
-     {{0, -Yc, 0, 0, 0, 0}, 1., "inter-fibre compression"},
-     {{0, 0, 0, 0, 0, 20}, 0.4, "inter-fibre tension"}},
+    {{{500, 0, 0, 0, 0, 0}, 0.5, "fiber tension"},
+     {{-400, 10, 0, 0, 0, 0}, 0.5, "fiber compression"},
+     {{0, 25, 0, 0, 0, 0}, 0.5, "inter-fiber tension"},
+     {{0, 20, 0, -60, 0, 0}, A(20, 60), "inter-fiber tension"},
+     {{0, -20, 0, 60, 0, 0}, B(-20, 60), "inter-fiber compression"},
+     {{0, -150, 0, 60, 0, 0}, C(-150, 60), "inter-fiber compression"},
+     {{0, -Yc, 0, 0, 0, 0}, 1., "inter-fiber compression"},
+     {{0, 0, 0, 0, 0, 20}, 0.4, "inter-fiber tension"}},
     puck_ply());
 
   // Angles: 0, acos sqrt(1 / (2 (1 + 0.25))) and 45 degrees; of mode C

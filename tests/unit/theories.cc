@@ -609,7 +609,7 @@ namespace
 
 
   /// The deflection at mid-span, y = 0, of a beam on two supports under a
-  /// pressure cos(pi y / 2 L), of which half is modelled: all fields are
+  /// pressure cos(pi y / 2 L), of which half is modeled: all fields are
   /// cosines and sines, without any layer at its ends.
   double
   cosine_deflection(const std::string                &theory,
@@ -916,7 +916,7 @@ BOOST_AUTO_TEST_CASE(ebbt_propped_anywhere)
           const double f_aa = held_at_start(a, a) - lost(a, a),
                        R    = E * held_at_start(rod, a) / f_aa;
           const auto checks =
-            check_state(Linearisation(*solved.structure, solved.state.u),
+            check_state(Linearization(*solved.structure, solved.state.u),
                         {},
                         2,
                         solved.state,
@@ -955,7 +955,7 @@ BOOST_AUTO_TEST_CASE(ebbt_pushed_in_the_middle)
       const double l = elements == 2 ? 0. : rod / 3.,
                    R = 192. * EI * w_0 / (std::pow(rod, 3) - std::pow(l, 3));
       const auto reactions =
-        check_state(Linearisation(*solved.structure, solved.state.u),
+        check_state(Linearization(*solved.structure, solved.state.u),
                     {},
                     2,
                     solved.state,

@@ -4,9 +4,9 @@
 // ends, against closed forms. Only warping makes it right, so it tells the
 // theories apart.
 //
-// With the warping u_y = psi(x, z) theta' about the centre,
+// With the warping u_y = psi(x, z) theta' about the center,
 //   J = min over psi of int (psi_x + z)^2 + (psi_z - x)^2 dA,
-// which each theory minimises over the warping functions that it has:
+// which each theory minimizes over the warping functions that it has:
 // - none (TE-1): J = I_p = I_x + I_z, of a square a^4 / 6 instead of
 //   0.140577 a^4, 18.6 % too stiff;
 // - c x z (TE-2, TE-3, LE-1 and LE-2 of one cell): (c + 1)^2 I_z + (c - 1)^2
@@ -17,7 +17,7 @@
 //   6 * 4/9 - 2 * 4/5 = 16/15, the square of the gradient 6 * 4/15 + 8/7 =
 //   96/35, so J = 8/3 - (16/15)^2 / (96/35) = 304/135 = 2.251852, of a^4 / 16
 //   each: 0.12 % too stiff.
-// x, z from the centre; I_x = int x^2, I_z = int z^2.
+// x, z from the center; I_x = int x^2, I_z = int z^2.
 
 #include "fixtures.h"
 

@@ -25,7 +25,7 @@ using dealii::Point;
 
 namespace
 {
-  /// One metre and one newton in the units of a scene.
+  /// One meter and one newton in the units of a scene.
   struct UnitSystem
   {
     double length = 1., force = 1.;

@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(strains_of_a_frame)
                          vector_in(x, 8));
   };
   check_derivatives<11>(at, z);
-  // Gamma = R^T (e_y + r') - e_y and R' = R [kappa], with the tilt of fibres.
+  // Gamma = R^T (e_y + r') - e_y and R' = R [kappa], with the tilt of fibers.
   const Quaternion   Q = quaternion_in(z, 0), dQ = quaternion_in(z, 4);
   const Tensor<2, 3> R = rotation_of(Q);
   const Tensor<1, 3> e_y({0., 1., 0.});
@@ -377,7 +377,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_turn_is_free)
     {
       theta *= angle / theta.norm();
       const Tensor<2, 3> R = rotation(theta);
-      // Turns of sections, and where their centres go.
+      // Turns of sections, and where their centers go.
       turned = u;
       Vector zero(u.size());
       for (unsigned int c = 0; c < 3; ++c)
@@ -513,12 +513,12 @@ BOOST_AUTO_TEST_CASE(what_sections_do_to_their_shape)
   // much of the forces along it at their arms.
   constexpr double nu = 0.25, b = 30., h = 0.8;
   const double     lamb        = 2. * std::pow(nu * b * b / h, 2) / 60.;
-  const auto [wide, of_fibres] = stiffening(rectangle(b, h, {0.}, 4), nu);
+  const auto [wide, of_fibers] = stiffening(rectangle(b, h, {0.}, 4), nu);
   BOOST_TEST(std::abs(wide[0] / lamb - 1.) < 0.02);
   // Wagner's: E b^5 t k^3 / 360 beside G b t^3 k / 3.
   const double wagner = 2. * (1. + nu) * std::pow(b, 4) / (120. * h * h);
   BOOST_TEST(std::abs(wide[1] / wagner - 1.) < 0.03);
-  BOOST_TEST(std::abs(of_fibres / wagner - 1.) < 0.05);
+  BOOST_TEST(std::abs(of_fibers / wagner - 1.) < 0.05);
   // Brazier's tube: M = E I k (1 - 3 alpha^2 / 2), alpha = k R^2 / t (1 -
   // nu^2)^(1/2).
   constexpr double R = 15., t = 0.5;
@@ -534,10 +534,10 @@ BOOST_AUTO_TEST_CASE(what_sections_do_to_their_shape)
 
 
 
-BOOST_AUTO_TEST_CASE(stretch_by_twist_about_the_torsion_centre)
+BOOST_AUTO_TEST_CASE(stretch_by_twist_about_the_torsion_center)
 {
   // E (int r^4 - (int r^2)^2 / A) k^3 / 2 beside G J k, r from the torsion
-  // centre, 3 b^2 / (h + 6 b) behind the web of a channel, thin; b and h those
+  // center, 3 b^2 / (h + 6 b) behind the web of a channel, thin; b and h those
   // of the middle lines.
   constexpr double t = 2., width = 40., height = 60., nu = 0.3;
   const double     b = width - 0.5 * t, h = height - t;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Every theory in millimetres and in kilometres, with stiff cores and soft
+// Every theory in millimeters and in kilometers, with stiff cores and soft
 // ones, in low degrees and in high ones: results must not depend on the units.
 // See stability.cc for other extremes.
 
@@ -68,7 +68,7 @@ namespace
 
 BOOST_AUTO_TEST_CASE(soft_cores_in_any_units)
 {
-  // Millimetres and newtons; metres; a million times both.
+  // Millimeters and newtons; meters; a million times both.
   BOOST_TEST_MESSAGE("| theory | core/skin | L/h | condition | change with "
                      "units |");
   for (const char *theory : {"EBBT", "TBT", "TE-1", "TE-4", "LE-2"})
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(soft_cores_in_any_units)
 BOOST_AUTO_TEST_CASE(taylor_expansions_of_high_degree)
 {
   // Orthonormal polynomials: the condition grows slowly with the degree, and a
-  // section of a millimetre is one of a kilometre. Degree 20 runs as a scene:
+  // section of a millimeter is one of a kilometer. Degree 20 runs as a scene:
   // tests/scenes/taylor_20.expect.
   BOOST_TEST_MESSAGE("| theory | condition | change with units |");
   double previous = 0.;

@@ -79,7 +79,7 @@ namespace
 
 
 
-  /// About the centre of the section, forces and moments of SaintVenant::Force.
+  /// About the center of the section, forces and moments of SaintVenant::Force.
   SectionTensor
   stiffness_of(const Section &section)
   {
@@ -92,7 +92,7 @@ namespace
   constants_of(const Section &section)
   {
     return section_constants(SaintVenant(section).compliance(),
-                             section.element().centre());
+                             section.element().center());
   }
 } // namespace
 
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(axes_of_a_ply)
 
 BOOST_AUTO_TEST_CASE(expansion_turns_with_the_wall)
 {
-  // Fibres all round: alpha_1 along the wall, alpha_2 along the beam, alpha_3
+  // Fibers all round: alpha_1 along the wall, alpha_2 along the beam, alpha_3
   // through the wall, wherever that is.
   Ply ply;
   ply.angle                           = 90.;
@@ -182,8 +182,8 @@ BOOST_AUTO_TEST_CASE(circular_tube)
   check_near(bar.EI[0], 210. * PI * fourth / 4., 1e-6);
   check_near(bar.EI[1], 210. * PI * fourth / 4., 1e-6);
   check_near(bar.GJ, 210. / 2.6 * PI * fourth / 2., 1e-6);
-  BOOST_TEST(bar.shear_centre.distance(Point<2>(R, R)) < 1e-8);
-  BOOST_TEST(bar.tension_centre.distance(Point<2>(R, R)) < 1e-8);
+  BOOST_TEST(bar.shear_center.distance(Point<2>(R, R)) < 1e-8);
+  BOOST_TEST(bar.tension_center.distance(Point<2>(R, R)) < 1e-8);
 }
 
 
@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(wound_tube)
     section_of(tube(2. * R + t, 2. * R + t, t, {angle}), orthotropic);
   const SectionTensor found = stiffness_of(*section);
 
-  // Plane stress about the fibre: strains of sigma_y = 1 and tau = 1.
+  // Plane stress about the fiber: strains of sigma_y = 1 and tau = 1.
   const EngineeringConstants &m = orthotropic;
   const double c = std::cos(angle * PI / 180.), s = std::sin(angle * PI / 180.);
   const double S11 = 1. / m.E1, S22 = 1. / m.E2, S12 = -m.nu12 / m.E1,

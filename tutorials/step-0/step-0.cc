@@ -21,7 +21,7 @@
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/gap_rows.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/material/library.h>
 #include <lamella/shape/laminate.h>
 
@@ -46,7 +46,7 @@ private:
   void
   report(const BlockVector &u) const;
 
-  // The scene, in metres and newtons.
+  // The scene, in meters and newtons.
   static constexpr double length = 1., width = 0.05, thickness = 0.006,
                           force = 20., stop_gap = 0.01, penalty = 1e9;
   const Laminate  laminate{width,
@@ -57,7 +57,7 @@ private:
                           /*cells_across=*/{2}};
   const Materials materials{{"ply", library_material("IM7-8552", Units())}};
 
-  // Its discretisation: bodies, what holds them, what loads them, what they may
+  // Its discretization: bodies, what holds them, what loads them, what they may
   // touch.
   Bodies                        bodies;
   std::unique_ptr<RowReduction> supports;
@@ -169,7 +169,7 @@ StoppedCantilever::run()
       for (const unsigned int r : active)
         gaps[r].add_to(u, -gaps[r].penalty * gaps[r].initial_gap);
       supports->constraints().condense(u.block(0));
-      factorise_shared(bodies[0]->n_dofs(),
+      factorize_shared(bodies[0]->n_dofs(),
                        stiffness_with_penalty(active),
                        "the cantilever")
         ->solve(u.block(0));

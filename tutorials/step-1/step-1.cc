@@ -47,7 +47,7 @@ private:
   void
   report(const std::string &name);
 
-  // The scene, in metres and newtons.
+  // The scene, in meters and newtons.
   static constexpr double length = 1., width = 0.1, height = 0.1, force = 1000.,
                           modulus = 70e9, poisson = 0.3;
   static constexpr double area    = width * height,
@@ -122,7 +122,7 @@ FiveTheories::run()
   locked.poisson_correction = false;
   compute("EBBT locked", locked, graded_axis);
 
-  // The clamp's neighbourhood, resolved badly.
+  // The clamp's neighborhood, resolved badly.
   compute("LE-3 equal", Theory::parse({"Theory", "LE-3"}), equal_axis);
 
   table.set_precision("deflection [m]", 4);
@@ -131,7 +131,7 @@ FiveTheories::run()
   table.set_precision("sigma_yy [Pa]", 4);
   table.set_scientific("sigma_yy [Pa]", true);
   table.set_precision("sigma_yz mean", 4);
-  table.set_precision("sigma_yz centre", 4);
+  table.set_precision("sigma_yz center", 4);
   table.write_text(std::cout, dealii::TableHandler::org_mode_table);
 }
 
@@ -170,7 +170,7 @@ void
 FiveTheories::solve()
 {
   const std::vector<GapRow> no_rows;
-  u = ContactSolver(linearised(*structure), no_rows).solve_free(1.).u.block(0);
+  u = ContactSolver(linearized(*structure), no_rows).solve_free(1.).u.block(0);
 }
 
 
@@ -228,7 +228,7 @@ FiveTheories::report(const std::string &name)
   // Both over the mean shear stress of the section.
   const double unit = force / area;
   table.add_value("sigma_yz mean", mean_sigma_yz(height / 2.) / unit);
-  table.add_value("sigma_yz centre", sigma_yz(width / 2., height / 2.) / unit);
+  table.add_value("sigma_yz center", sigma_yz(width / 2., height / 2.) / unit);
 
   for (unsigned int k = 0; k <= 40; ++k)
     {

@@ -88,17 +88,17 @@ for side in (1, -1):
               linewidth=1.2, label="mu p" if side > 0 else None)
 over.plot(x, [push.cattaneo(s) for s in x], color="0.8", linewidth=6, label="Cattaneo",
           solid_capstyle="butt")
-for step, colour, label in ((push, "#0072b2", "pushed"), (back, "#d55e00", "pushed back")):
+for step, color, label in ((push, "#0072b2", "pushed"), (back, "#d55e00", "pushed back")):
     nodes = defaultdict(list)
     for s, q in zip(step.x, step.shear):
         nodes[s].append(q)
     places = sorted(nodes)
-    over.plot(places, [sum(nodes[s]) / len(nodes[s]) for s in places], color=colour, marker="o",
+    over.plot(places, [sum(nodes[s]) / len(nodes[s]) for s in places], color=color, marker="o",
               markersize=2.5, linewidth=1, label=label)
 over.axvspan(-push.c, push.c, color="0.95", zorder=0)
 over.text(0, -0.15, "sticks", ha="center", color="0.4")
 over.set_xlim(-1.4 * push.a, 1.4 * push.a)
-over.set_xlabel("x from the centre")
+over.set_xlabel("x from the center")
 over.set_ylabel("shear on the lower body")
 over.grid(color="0.92")
 over.legend(loc="lower right", framealpha=1, fontsize=8)
@@ -106,13 +106,13 @@ over.legend(loc="lower right", framealpha=1, fontsize=8)
 # Less the straight line between the turns, which takes nothing from the area.
 line = 2 * PUSH / (push.Q - back.Q)
 ways = [1e6 * (PUSH * f - line * s.Q) for f, s in zip(WAYS, steps)]
-for first, last, colour in ((0, PUSHED, "0.5"), (PUSHED, BACK, "#d55e00"), (BACK, FORTH, "#0072b2")):
+for first, last, color in ((0, PUSHED, "0.5"), (PUSHED, BACK, "#d55e00"), (BACK, FORTH, "#0072b2")):
     part = slice(first, last + 1)
-    loop.plot(ways[part], [s.Q for s in steps[part]], color=colour, marker="o", markersize=3.5,
+    loop.plot(ways[part], [s.Q for s in steps[part]], color=color, marker="o", markersize=3.5,
               linewidth=1.3)
     loop.annotate("", xy=(ways[last - 1], steps[last - 1].Q),
                   xytext=(ways[last - 2], steps[last - 2].Q),
-                  arrowprops={"arrowstyle": "-|>", "color": colour, "mutation_scale": 16})
+                  arrowprops={"arrowstyle": "-|>", "color": color, "mutation_scale": 16})
 loop.set_xlabel("way, less the line between the turns [1e-6]")
 loop.set_ylabel("Q")
 loop.grid(color="0.92")

@@ -24,19 +24,19 @@ def draw_bars(table, path):
         rows = list(csv.DictReader(file))
     names = list(dict.fromkeys(row["theory"] for row in rows))
     figure, axes = plt.subplots(figsize=(8, 4.3), layout="constrained")
-    for k, (goal, (name, colour, mark)) in enumerate(GOALS.items()):
+    for k, (goal, (name, color, mark)) in enumerate(GOALS.items()):
         for row in (row for row in rows if row["goal"] == goal):
             x = names.index(row["theory"]) + 0.2 * (k - 1)
             error = 100. * abs(float(row["error"]))
-            axes.plot(x, error, mark, color=colour, markersize=6)
+            axes.plot(x, error, mark, color=color, markersize=6)
             if row["bar"]:
                 bar = 100. * float(row["bar"])
-                axes.plot([x, x], [1e-4, bar], color=colour, linewidth=1.2, alpha=0.6)
-                axes.plot([x - 0.07, x + 0.07], [bar, bar], color=colour, linewidth=2.)
+                axes.plot([x, x], [1e-4, bar], color=color, linewidth=1.2, alpha=0.6)
+                axes.plot([x - 0.07, x + 0.07], [bar, bar], color=color, linewidth=2.)
             else:
                 axes.annotate("no bar", (x, error), (0, 7), ha="center", fontsize=8,
-                              textcoords="offset points", color=colour)
-        axes.plot([], [], mark, color=colour, label=name)
+                              textcoords="offset points", color=color)
+        axes.plot([], [], mark, color=color, label=name)
     axes.plot([], [], "_", color="0.3", markersize=10, markeredgewidth=2.,
               label="its bar")
     axes.set_yscale("log")

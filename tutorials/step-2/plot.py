@@ -28,7 +28,7 @@ def exact(samples=31):
     """
     p, plies, total = np.pi / SPAN, [], np.eye(4)
     for along in (True, False, True):
-        # Compliance of yy, xx, zz with the fibre along y or x, eps_xx = 0.
+        # Compliance of yy, xx, zz with the fiber along y or x, eps_xx = 0.
         E_y, E_x = (25 * E, E) if along else (E, 25 * E)
         s = np.array([[1 / E_y, -NU / max(E_x, E_y), -NU / E_y],
                       [-NU / max(E_x, E_y), 1 / E_x, -NU / E_x],
@@ -79,9 +79,9 @@ figure, panels = plt.subplots(1, 2, figsize=(8.4, 4.6), layout="constrained",
                               sharey=True)
 draw(panels, list(exact()), "exact", color="0.75", linewidth=7,
      solid_capstyle="butt")
-for theory, colour in STYLES.items():
+for theory, color in STYLES.items():
     path = Path(sys.argv[1]) / theory / "lines" / "at_bearing.csv"
-    draw(panels, list(computed(path)), theory, color=colour, linewidth=1.8)
+    draw(panels, list(computed(path)), theory, color=color, linewidth=1.8)
 for axes in panels:
     for k, angle in enumerate((0, 90, 0)):
         axes.axhspan(k * PLY, (k + 1) * PLY, zorder=0,

@@ -95,7 +95,7 @@ TwoCubes::TwoCubes()
   faces.name           = "faces";
   faces.first          = {0, Region::Kind::surface, "bottom", {}};
   faces.second         = {1, Region::Kind::surface, "top", {}};
-  faces.discretisation = Discretisation::node_to_node;
+  faces.discretization = Discretization::node_to_node;
   faces.enforcement    = Enforcement::penalty;
   faces.overclosure    = Overclosure::push_apart;
   faces.penalty        = {PenaltyKind::per_area, 1.};
@@ -200,11 +200,11 @@ TwoCubes::measure(const int decade)
 {
   const double              ratio = std::pow(10., decade);
   const std::vector<GapRow> rows  = gap_rows(ratio * stiffness);
-  ContactSolver             full(linearised_without_solvers(*structure),
+  ContactSolver             full(linearized_without_solvers(*structure),
                      rows,
                      {},
                      Strategy::full);
-  ContactSolver             condensed(linearised(*structure), rows);
+  ContactSolver             condensed(linearized(*structure), rows);
 
   // Springs in series: a penalty of its own gives F (1 / (1 + k / eps)).
   const double by_design = -1. / (1. + ratio), once = solved_once(rows, full),

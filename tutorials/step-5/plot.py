@@ -51,15 +51,15 @@ for folder in sorted(Path(sys.argv[1]).iterdir(),
         for row in contact:
             pressure[float(row["x"]) - CENTRE].append(float(row["pressure"]))
         x = sorted(pressure)
-        colour, marker, label = STYLES[folder.name]
-        axes.plot(x, [mean(pressure[s]) for s in x], color=colour, marker=marker,
+        color, marker, label = STYLES[folder.name]
+        axes.plot(x, [mean(pressure[s]) for s in x], color=color, marker=marker,
                   markersize=5, linewidth=1.3, label=label)
 x = [a * (k / 200 - 1) for k in range(401)]
 axes.plot(x, [p0 * math.sqrt(max(0, 1 - (s / a) ** 2)) for s in x], color="0.75",
           linewidth=7, zorder=0, label="Hertz", solid_capstyle="butt")
 axes.set_xlim(-0.2, 0.2)
 axes.set_ylim(0, 2)
-axes.set_xlabel("x from the centre")
+axes.set_xlabel("x from the center")
 axes.set_ylabel("pressure")
 axes.grid(color="0.92")
 axes.legend(loc="upper right", framealpha=1)

@@ -42,12 +42,12 @@ left.set_xlim(0, None)
 left.set_ylim(0, None)
 left.legend(loc="upper left")
 
-for name, label, colour, dash in (("below", "under the roller", "#0072b2", "-"),
+for name, label, color, dash in (("below", "under the roller", "#0072b2", "-"),
                                   ("beside", "100 mm beside it", "#d55e00", "--")):
     rows = [row for row in read(f"lines/{name}.csv")
             if row["step"] == FULL and 3 <= float(row["z"]) <= 33 and row["ply"] == "4"]
     right.plot([float(row["szz"]) for row in rows], [float(row["z"]) for row in rows],
-               color=colour, linestyle=dash, linewidth=1.8,
+               color=color, linestyle=dash, linewidth=1.8,
                label=r"$\sigma_{zz}$, " + label)
 right.set_xlabel("stress in the core [MPa]")
 right.set_ylabel("z [mm]")

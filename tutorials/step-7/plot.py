@@ -44,9 +44,9 @@ for (name, dofs), used in rungs.items():
                       (dofs, worst), NAMES[name], textcoords="offset points",
                       ha="center", fontsize=7.5, color="0.2",
                       bbox={"color": "white", "alpha": 0.75, "pad": 0.5})
-for quantity, (label, mark, colour) in LOOKS.items():
+for quantity, (label, mark, color) in LOOKS.items():
     axes.loglog([dofs for _, dofs in rungs], [used[quantity] for used in rungs.values()],
-                mark, color=colour, markersize=5.5, label=label)
+                mark, color=color, markersize=5.5, label=label)
 axes.set_xlim(90, 16000)
 axes.set_ylim(1e-3, 200)
 axes.set_xlabel("degrees of freedom")

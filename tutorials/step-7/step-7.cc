@@ -38,14 +38,14 @@ private:
   double
   error(const unsigned int k, const unsigned int q) const;
   double
-  utilisation(const unsigned int k) const;
+  utilization(const unsigned int k) const;
   template <typename Number>
   int
   cheapest(Number RungResult::*const cost) const;
   int
   best_within_budget() const;
   void
-  print_utilisations() const;
+  print_utilizations() const;
   void
   decide() const;
   void
@@ -59,7 +59,7 @@ private:
   const std::vector<double>    tolerances{0.02, 0.03, 0.03};
   static constexpr const char *purposes[] = {"force", "bending", "shear"};
 
-  // DoFs that an optimiser, which runs the strip some thousand times, affords.
+  // DoFs that an optimizer, which runs the strip some thousand times, affords.
   static constexpr double budget = 1000;
 
   const Scene scene;
@@ -147,7 +147,7 @@ BendingTest::error(const unsigned int k, const unsigned int q) const
 // be off, in the quantity where that is most. Engineers know it from proofs of
 // strength: up to 1 all is well, and 1.2 is not mended by a 0.1 elsewhere.
 double
-BendingTest::utilisation(const unsigned int k) const
+BendingTest::utilization(const unsigned int k) const
 {
   double most = 0.;
   for (unsigned int q = 0; q < tolerances.size(); ++q)
@@ -165,7 +165,7 @@ BendingTest::cheapest(Number RungResult::*const cost) const
 {
   int best = -1;
   for (unsigned int k = 0; k < rungs.size(); ++k)
-    if (has_error(k) && utilisation(k) <= 1. &&
+    if (has_error(k) && utilization(k) <= 1. &&
         (best < 0 || rungs[k].*cost < rungs[best].*cost))
       best = k;
   return best;
@@ -181,7 +181,7 @@ BendingTest::best_within_budget() const
   int best = -1;
   for (unsigned int k = 0; k < rungs.size(); ++k)
     if (has_error(k) && rungs[k].dofs <= budget &&
-        (best < 0 || utilisation(k) < utilisation(best)))
+        (best < 0 || utilization(k) < utilization(best)))
       best = k;
   return best;
 }
@@ -189,7 +189,7 @@ BendingTest::best_within_budget() const
 
 
 void
-BendingTest::print_utilisations() const
+BendingTest::print_utilizations() const
 {
   dealii::TableHandler table;
   for (unsigned int k = 0; k < rungs.size(); ++k)
@@ -202,7 +202,7 @@ BendingTest::print_utilisations() const
             table.add_value(purposes[q], error(k, q) / tolerances[q]);
             table.set_precision(purposes[q], 3);
           }
-        table.add_value("all", utilisation(k));
+        table.add_value("all", utilization(k));
         table.set_precision("all", 3);
       }
   std::cout << "\nErrors over tolerances\n";
@@ -223,7 +223,7 @@ BendingTest::decide() const
       std::cout << "none\n";
     else
       std::cout << rungs[k].dofs << "\n  (" << rungs[k].name << ", "
-                << rungs[k].seconds << " s, uses " << utilisation(k)
+                << rungs[k].seconds << " s, uses " << utilization(k)
                 << " of the tolerances)\n";
   };
   std::cout.precision(3);
@@ -237,7 +237,7 @@ BendingTest::decide() const
 
 // Two things are known without any of this. The force of the first rung, EBBT:
 // the half of the strip is a cantilever upside down, 3 EI u / L^3, with the EI
-// of fibres alone, since EBBT couples nothing across the plies. And the shear
+// of fibers alone, since EBBT couples nothing across the plies. And the shear
 // stress in the interface, from the equilibrium of ply 1 (its area A_1 and its
 // distance z_1 from the middle) in a beam with that EI, as a mean over the
 // width,
@@ -294,7 +294,7 @@ BendingTest::run()
                  scene.title},
                 output);
 
-  print_utilisations();
+  print_utilizations();
   decide();
   check();
 }

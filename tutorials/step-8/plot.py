@@ -49,10 +49,10 @@ def draw(axes, name, points):
     # fields have no size of their own.
     squash = max((-np.diff(uz, axis=0) / np.diff(z, axis=0)).max(), 1e-300)
     scale = min(0.9 / move, 0.67 / squash) if move > 1e-6 * along else 0.
-    colour = uy / along if along > 1e-6 * move else 0. * uy
+    color = uy / along if along > 1e-6 * move else 0. * uy
     axes.plot([0, WIDTH, WIDTH, 0, 0], [0, 0, HEIGHT, HEIGHT, 0], color="0.6",
               linewidth=0.8, linestyle=(0, (3, 2)))
-    picture = axes.pcolormesh(x + scale * ux, z + scale * uz, colour, cmap="RdBu_r",
+    picture = axes.pcolormesh(x + scale * ux, z + scale * uz, color, cmap="RdBu_r",
                               vmin=-1.15, vmax=1.15, shading="gouraud")
     lines(axes, x + scale * ux, z + scale * uz, color="black", linewidth=0.5)
     axes.set_title(name, fontsize=10, pad=3)

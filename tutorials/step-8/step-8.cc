@@ -29,7 +29,7 @@ using namespace lamella;
 namespace
 {
   // A short piece of the coupon, clamped at its start; the nose presses at
-  // y = nose with 10 N on each millimetre of its line.
+  // y = nose with 10 N on each millimeter of its line.
   constexpr double length = 40., nose = 32., force = 10.;
 } // namespace
 
@@ -71,7 +71,7 @@ private:
 // The first idea. Far from its ends and from whatever loads it a bar deforms in
 // six ways only: it is stretched, twisted, bent and sheared in two planes. How
 // the section *warps* in each, in its plane and out of it, follows from one
-// factorisation of S_00 and six right-hand sides. A beam whose nodes carry the
+// factorization of S_00 and six right-hand sides. A beam whose nodes carry the
 // six rigid motions of the section and these six warpings, each with an
 // amplitude of its own, is the theory SV: 12 fields, whatever the section.
 FieldsOfASection::FieldsOfASection()
@@ -116,7 +116,7 @@ FieldsOfASection::answers_to(const std::vector<Vector> &loads) const
 //
 // What a load disturbs dies away within one height of the section or so, what a
 // clamp disturbs in a laminate with plies at an angle within one or two widths.
-// Nodes with different lists are neighbours without any treatment.
+// Nodes with different lists are neighbors without any treatment.
 std::vector<std::vector<unsigned int>>
 FieldsOfASection::lists_by_hand(const FieldSpace  &space,
                                 const unsigned int n_nose,
@@ -167,7 +167,7 @@ FieldsOfASection::bend(const std::string &name, std::unique_ptr<Beam> beam)
   Structure                 structure(std::move(bodies), {clamp}, {line});
   const std::vector<GapRow> no_rows;
   const Vector              u =
-    ContactSolver(linearised(structure), no_rows).solve_free(1.).u.block(0);
+    ContactSolver(linearized(structure), no_rows).solve_free(1.).u.block(0);
 
   const Body &body   = *structure.bodies()[0];
   const auto  sample = [&](const double y, const double z) {

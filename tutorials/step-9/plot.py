@@ -30,7 +30,7 @@ def read(folder, name):
 
 def deformed(axes, rows, at, size):
     """The section along the beam, its largest u_z drawn as @p size; plies are outlined,
-    u_z is the colour. Returns where the point @p at has gone."""
+    u_z is the color. Returns where the point @p at has gone."""
     y, z, uy, uz = (np.array([float(row[c]) for row in rows])
                     for c in ("y", "z", "uy", "uz"))
     across = len(np.unique(z))
@@ -53,11 +53,11 @@ def deformed(axes, rows, at, size):
 
 def shares(axes, rows, goal):
     """What the residual at each node does on the dual."""
-    for theory, (colour, shift) in THEORIES.items():
+    for theory, (color, shift) in THEORIES.items():
         here = [row for row in rows if row["theory"] == theory and row["goal"] == goal]
         y = np.array([float(row["y"]) for row in here])
         share = 100. * np.array([float(row["share"]) for row in here])
-        axes.vlines(y + shift, 0., share, color=colour, linewidth=1.8,
+        axes.vlines(y + shift, 0., share, color=color, linewidth=1.8,
                     label=f"{theory}: {share.sum():+.2g} %")
     axes.axhline(0., color="0.3", linewidth=0.8)
     axes.set_xlim(-1., 31.5)

@@ -107,7 +107,7 @@ namespace lamella
     std::vector<RigidMotion>
     missing_motions() const override;
     dealii::Point<3>
-    centre() const override;
+    center() const override;
     /// Returns half the length, at least the section's reference length.
     double
     size() const override;

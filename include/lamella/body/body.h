@@ -183,7 +183,7 @@ namespace lamella
     /// Ply, directions of its fibers and of its normal (unit length, scene
     /// axes), in a curved wall those in the middle of the element.
     unsigned int         ply = 0;
-    dealii::Tensor<1, 3> fibre, ply_normal;
+    dealii::Tensor<1, 3> fiber, ply_normal;
     /// Undeformed positions, scene axes, one per sample.
     std::vector<dealii::Point<3>> positions;
     std::vector<FieldSample>      samples;
@@ -213,7 +213,7 @@ namespace lamella
   };
 
   /// Amplitudes of a rigid motion: translations along the scene's axes (length)
-  /// and rotations about them (rad) through Body::centre().
+  /// and rotations about them (rad) through Body::center().
   using RigidMotion = std::array<double, 6>;
 
   /**
@@ -325,13 +325,13 @@ namespace lamella
     /// Returns the six rigid motions, which span the null space of the
     /// stiffness, as displacement vectors: unit translations along the scene's
     /// axes and unit rotations about them through the center,
-    ///   u(X) = e_m,   u(X) = e_m x (X - centre()),   m = x, y, z.
+    ///   u(X) = e_m,   u(X) = e_m x (X - center()),   m = x, y, z.
     /// Of missing_motions() the vector holds the part that the theory contains.
     virtual std::vector<Vector>
     rigid_motions() const = 0;
 
     /// Returns the rigid motions of the body displaced by @p u, e_m and e_m x
-    /// (X + u - centre()), for moments of forces at their current positions.
+    /// (X + u - center()), for moments of forces at their current positions.
     /// Here, for small displacements, rigid_motions().
     virtual std::vector<Vector>
     rigid_motions_at(const Vector &) const
@@ -379,7 +379,7 @@ namespace lamella
     /// Returns the center of rigid rotations and moments, scene axes: of a beam
     /// the section's centroid at mid-length; here the center of bounding_box().
     virtual dealii::Point<3>
-    centre() const;
+    center() const;
 
     /// Returns half the largest extension, here of bounding_box(): a length
     /// scale for tolerances and for comparing rotations with translations.

@@ -30,7 +30,7 @@ namespace lamella
     /// Further divisions of cells that reach into a ball.
     struct Ball
     {
-      dealii::Point<3> centre;
+      dealii::Point<3> center;
       double           radius = 0.;
       unsigned int     times  = 0;
     };

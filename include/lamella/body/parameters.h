@@ -35,7 +35,7 @@ namespace lamella
     AxisMesh axis;
     /// Stiffness of springs on free rigid motions, a share of E A / L from 0
     /// (none) to 0.01.
-    double stabilisation = 0.;
+    double stabilization = 0.;
     /// Flag: unloaded rigid motions are removed, and those that contact may
     /// constrain get springs (conditions/hold.h).
     bool is_held = false;
@@ -53,7 +53,7 @@ namespace lamella
    *   Origin           of the section at the start of the axis   (0, 0, 0)
    *   Axis, Up         directions of y, and that z leans towards (y, z)
    *   Length           of the axis
-   *   Stabilisation    share of E A / L, 0 to 0.01               (0)
+   *   Stabilization    share of E A / L, 0 to 0.01               (0)
    *   Hold             statically determinate, or empty          (empty)
    * in the scene's axes and unit of length. `Kinematics` has all entries of
    * TheoryParameters, AxisParameters and SolidParameters; those that the theory
@@ -70,7 +70,7 @@ namespace lamella
     /// the scene, is the default; @p sections are the valid names for
     /// `Section`. Throws InputError, naming the entry, if the section is
     /// unknown, the length missing or not positive, Axis and Up parallel or
-    /// zero, Stabilisation out of its range, or an entry of Kinematics wrong.
+    /// zero, Stabilization out of its range, or an entry of Kinematics wrong.
     /// EBBT needs B4, as Kirchhoff's constraint takes cubic deflections.
     static BodyDescription
     parse(dealii::ParameterHandler       &prm,

@@ -352,7 +352,7 @@ namespace lamella
     fields_at(const Location::Place &place) const;
     /// Returns X of PointFields.
     dealii::Tensor<1, 3>
-    from_centre(const SectionPoint &point) const;
+    from_center(const SectionPoint &point) const;
     /// Returns Phi a of the point @p at, in body axes.
     static dealii::Tensor<1, 3>
     warping(const PointFields &at, const Frame &frame);

@@ -71,7 +71,7 @@ namespace lamella
     std::vector<Vector>
     rigid_motions() const override;
     dealii::Point<3>
-    centre() const override;
+    center() const override;
     double
     size() const override;
     dealii::BoundingBox<3>

@@ -66,7 +66,7 @@ namespace lamella
     /// Center, J^-1 and theta of the points moved to x.
     struct Place
     {
-      dealii::Tensor<1, 3> centre;
+      dealii::Tensor<1, 3> center;
       dealii::Tensor<2, 3> inverse;
       dealii::Tensor<1, 3> theta;
     };

@@ -22,7 +22,7 @@ namespace lamella
     volume() const;
 
     dealii::Point<dim>
-    centre() const;
+    center() const;
 
     /// Returns the two halves along parameter @p d.
     std::array<ParameterBox, 2>

@@ -113,7 +113,7 @@ namespace lamella
   private:
     /// Factorizes the independent rows of @p functionals.
     void
-    factorise(const std::vector<Row> &functionals);
+    factorize(const std::vector<Row> &functionals);
   };
 } // namespace lamella
 

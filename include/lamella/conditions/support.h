@@ -14,10 +14,10 @@
 namespace lamella
 {
   /// A rigid motion that nothing prevents. The body's stiffness is singular
-  /// along it: it needs a Stabilisation, or the scene is rejected.
+  /// along it: it needs a Stabilization, or the scene is rejected.
   struct FreeMotion
   {
-    /// Motion with rotations about the body's centre() times its size(), so
+    /// Motion with rotations about the body's center() times its size(), so
     /// that all six numbers are displacements of similar size.
     RigidMotion motion;
     /// Description, "translation along x with rotation about y". Parts below a
@@ -25,7 +25,7 @@ namespace lamella
     std::string words;
 
     /// Returns the displacement at @p x, for small rotations, scene axes,
-    ///   u(x) = t + w x (x - centre), w = rotations / size.
+    ///   u(x) = t + w x (x - center), w = rotations / size.
     /// @p body is the one that the motion was found for.
     dealii::Tensor<1, 3>
     at(const dealii::Point<3> &x, const Body &body) const;

@@ -26,7 +26,7 @@ namespace lamella
   check_conflicts(const std::vector<ContactInterface> &interfaces,
                   const Bodies                        &bodies);
 
-  /// Throws InputError of `Contact NAME/Discretisation` if fewer than half of
+  /// Throws InputError of `Contact NAME/Discretization` if fewer than half of
   /// the nodes of either side that face the other surface have a node as
   /// partner: the bodies would pass through each other. Applies to the bodies
   /// to be solved, not to those used for grading axes.

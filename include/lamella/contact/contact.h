@@ -50,7 +50,7 @@ namespace lamella
     /// Paired points. Empty if nothing has moved.
     std::vector<GapPoint> points;
     /// Discretization of the points; may have switched from a line.
-    Discretisation discretisation = Discretisation::undefined;
+    Discretization discretization = Discretization::undefined;
   };
 
   /**
@@ -279,7 +279,7 @@ namespace lamella
     Feet
     feet() const
     {
-      return interface.discretisation == Discretisation::node_to_node ?
+      return interface.discretization == Discretization::node_to_node ?
                Feet::kept :
                Feet::found;
     }

@@ -16,7 +16,7 @@ namespace lamella
   /// Discretization of the gap function (Eq. 16) along two surfaces.
   /// doc/theory/contact.md compares them on patch tests: only `surface to
   /// surface` passes with any meshes.
-  enum class Discretisation
+  enum class Discretization
   {
     undefined,
     automatic,          ///< node to node if all nodes match, else surface to
@@ -31,15 +31,15 @@ namespace lamella
   };
 
   template <>
-  struct Names<Discretisation>
+  struct Names<Discretization>
   {
-    static constexpr NameOf<Discretisation> all[] = {
-      {Discretisation::automatic, "auto"},
-      {Discretisation::node_to_node, "node to node"},
-      {Discretisation::node_to_surface, "node to surface"},
-      {Discretisation::surface_to_surface, "surface to surface"},
-      {Discretisation::edge_to_surface, "edge to surface"},
-      {Discretisation::line_to_roller, "line to roller"}};
+    static constexpr NameOf<Discretization> all[] = {
+      {Discretization::automatic, "auto"},
+      {Discretization::node_to_node, "node to node"},
+      {Discretization::node_to_surface, "node to surface"},
+      {Discretization::surface_to_surface, "surface to surface"},
+      {Discretization::edge_to_surface, "edge to surface"},
+      {Discretization::line_to_roller, "line to roller"}};
   };
 
   /// Treatment of initial overlap, g_init < 0. An overlap deeper than the cells
@@ -100,7 +100,7 @@ namespace lamella
     std::shared_ptr<const Obstacle> obstacle;
 
     /// Mandatory: `undefined` fails an assertion.
-    Discretisation discretisation = Discretisation::undefined;
+    Discretization discretization = Discretization::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
     Overclosure    overclosure    = Overclosure::push_apart;
     PointsOn       points_on      = PointsOn::automatic;
@@ -131,8 +131,8 @@ namespace lamella
   may_pair_nodes(const ContactPair &contact)
   {
     return contact.obstacle == nullptr &&
-           (contact.discretisation == Discretisation::node_to_node ||
-            contact.discretisation == Discretisation::automatic);
+           (contact.discretization == Discretization::node_to_node ||
+            contact.discretization == Discretization::automatic);
   }
 } // namespace lamella
 

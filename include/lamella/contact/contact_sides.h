@@ -48,9 +48,9 @@ namespace lamella
     /// Sets the `automatic` discretization and slave side, also for sides
     /// displaced from here on.
     void
-    decide(const Discretisation discretisation, const PointsOn points_on)
+    decide(const Discretization discretization, const PointsOn points_on)
     {
-      pair.discretisation = discretisation;
+      pair.discretization = discretization;
       pair.points_on      = points_on;
     }
 
@@ -59,7 +59,7 @@ namespace lamella
     bool
     are_of_edges() const
     {
-      return pair.discretisation == Discretisation::edge_to_surface;
+      return pair.discretization == Discretization::edge_to_surface;
     }
 
     bool

@@ -159,7 +159,7 @@ namespace lamella
     };
     /// Name and discretization of the ContactPair; `automatic` is resolved.
     std::string    name;
-    Discretisation discretisation = Discretisation::undefined;
+    Discretization discretization = Discretization::undefined;
     /// Index in Bodies.
     unsigned int first_body = 0;
     /// Index of the second body; empty for a rigid obstacle.
@@ -338,7 +338,7 @@ namespace lamella
   /**
    * Creates the gap rows of @p contact on the undeformed @p bodies:
    *   1. surfaces with normals and search trees (MeshSurface);
-   *   2. Discretisation::automatic: `node to node` if every node that faces the
+   *   2. Discretization::automatic: `node to node` if every node that faces the
    *      other surface faces one of its nodes;
    *   3. the slave side by PointsOn; `automatic`: the side with more grid cells
    *      where the two face each other (cells_facing()), if equal the body that

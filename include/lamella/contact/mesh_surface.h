@@ -70,7 +70,7 @@ namespace lamella
                               *trace_s = nullptr, *trace_t = nullptr;
       /// Bounding ball of the facet [length], the coarse test of meet_facet(),
       /// and the outward unit normal of the facet at the center (0.5, 0.5).
-      dealii::Point<3>     centre;
+      dealii::Point<3>     center;
       double               radius = 0.;
       dealii::Tensor<1, 3> normal;
       /// Numbers of its trace nodes, below n_trace_nodes(), the first
@@ -230,7 +230,7 @@ namespace lamella
     measure(Facet &facet) const;
     /// Finds the adjacent facets and the ends of the body.
     void
-    find_neighbours();
+    find_neighbors();
     /// Numbers the grid nodes, separately on the sides of edges sharper than 45
     /// degrees, and finds those that hang.
     void

@@ -11,7 +11,7 @@ namespace lamella
   /// Returns the discretization of a contact. `automatic`: node to node if
   /// every node that faces the other surface within @p reach [length] faces one
   /// of its nodes, else surface to surface.
-  Discretisation
+  Discretization
   decided(const ContactSides &sides, const double reach);
 
   /// Returns node pairs (pair_node_to_node()) as weighted gaps: one place per

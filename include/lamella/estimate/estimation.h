@@ -47,7 +47,7 @@ namespace lamella
    *
    * Each model has gap rows of its own mesh and its own active set, so errors
    * of the run's active set are included and quantities may be nonlinear.
-   * Localisation gives the share of the axis by elements for goals with a
+   * Localization gives the share of the axis by elements for goals with a
    * derivative.
    *
    * Collective.

@@ -36,7 +36,7 @@ namespace lamella
    * axes, and identical solids. Both are solved and referred to. (Becker and
    * Rannacher, Acta Numerica 10 (2001), sec. 3; deal.II's step-14.)
    */
-  class Localisation
+  class Localization
   {
   public:
     /// Returns whether the bodies of both models match.
@@ -44,7 +44,7 @@ namespace lamella
     is_possible(const Simulation &coarse, const Simulation &fine);
 
     /// Computes the residual on the finer model. Collective, as errors() is.
-    Localisation(const Simulation &coarse, const Simulation &fine);
+    Localization(const Simulation &coarse, const Simulation &fine);
 
     /// Returns the errors of @p goal, whose values differ by @p change between
     /// the models; nothing without GoalDual::derivative(). Costs one solution
@@ -80,7 +80,7 @@ namespace lamella
   };
 
   /// Returns the local errors of each of @p goals of @p run by comparison with
-  /// the model @p finer; empty if Localisation is not possible.
+  /// the model @p finer; empty if Localization is not possible.
   std::vector<std::optional<LocalErrors>>
   errors_of(const RunGoals   &goals,
             const Simulation &run,

@@ -13,7 +13,7 @@
 namespace lamella
 {
   /// The factor L of A = P^T L L^T P with the sparsity of a BlockPattern: the
-  /// numeric part of factorise_blocks(). A is assembled into the entries of L
+  /// numeric part of factorize_blocks(). A is assembled into the entries of L
   /// on and below the diagonal and factorized in place, right-looking: each
   /// completed block updates the later ones.
   class BlockFactor
@@ -41,7 +41,7 @@ namespace lamella
 
     /// Replaces A by L. Throws NotPositiveDefinite; @p what names A in it.
     void
-    factorise(const std::string &what);
+    factorize(const std::string &what);
     /// Returns the square of the ratio of the smallest to the largest pivot, an
     /// estimate.
     double
@@ -73,7 +73,7 @@ namespace lamella
       return entry.data() + pattern.first_entry[s];
     }
     /// Returns the smallest and the largest pivot of the completed column @p s.
-    /// Throws as factorise() does.
+    /// Throws as factorize() does.
     std::pair<double, double>
     pivots(const unsigned int s, const std::string &what) const;
     /// Subtracts the contribution of column @p s of L from the later columns.

@@ -3,7 +3,7 @@
 #ifndef lamella_linear_block_pattern_h
 #define lamella_linear_block_pattern_h
 
-#include <lamella/linear/block_factorisation.h>
+#include <lamella/linear/block_factorization.h>
 
 #include <deal.II/lac/lapack_support.h>
 
@@ -14,7 +14,7 @@ namespace lamella
 {
   /**
    * Sparsity of the factor L of a matrix of dense blocks with the elimination
-   * order: the symbolic part of factorise_blocks(). Each block is a supernode
+   * order: the symbolic part of factorize_blocks(). Each block is a supernode
    * of L; its column has the blocks with which it couples at its elimination.
    * Arrays are those of SupernodalFactor. Blocks are numbered in the order of
    * elimination.

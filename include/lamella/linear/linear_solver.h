@@ -26,7 +26,7 @@ namespace lamella
     cholmod,   ///< Cholesky factorization on one process
     mumps,     ///< Cholesky factorization shared by all processes
     cg,        ///< conjugate gradients with algebraic multigrid
-    blocks     ///< Cholesky factorization by dense blocks (factorise_blocks());
+    blocks     ///< Cholesky factorization by dense blocks (factorize_blocks());
                ///< chosen by `automatic` only, for bodies with such blocks
   };
 

@@ -96,10 +96,10 @@ namespace lamella
     /// the DoF. @p monitor receives the size of a factor, if there is one.
     /// Collective where processes share the matrix.
     virtual std::unique_ptr<LinearSolver>
-    factorise(const std::string   &what,
+    factorize(const std::string   &what,
               const FactorMonitor &monitor = {}) const = 0;
 
-    /// Frees the entries if factorise() has copied them before it calls its
+    /// Frees the entries if factorize() has copied them before it calls its
     /// monitor, which may call this to make room for the factor. No effect
     /// otherwise.
     virtual void

@@ -76,7 +76,7 @@ namespace lamella
     {
       /// Map to coordinates in which the points fill the box [-1, 1]^3.
       dealii::Tensor<2, 3> to_box;
-      dealii::Point<3>     centre;
+      dealii::Point<3>     center;
       /// Terms by total degree with their coefficients; zero if omitted.
       std::vector<Term>        terms;
       std::vector<FieldValues> coefficients;

@@ -124,7 +124,7 @@ namespace lamella
   {
     /// Names of the contact and of its second body or obstacle.
     std::string    name, second_name;
-    Discretisation discretisation = Discretisation::undefined;
+    Discretization discretization = Discretization::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
     /// Numbers of gap rows, and of unpaired nodes on either side.
     unsigned int rows = 0, unpaired = 0, unpaired_second = 0;

@@ -167,7 +167,7 @@ namespace lamella
     /// solve() of the fields that are built.
     const Results &
     solve_as_built(const Observer &observer);
-    /// Looks whether the matrices fit, assembles and factorises, and makes what
+    /// Looks whether the matrices fit, assembles and factorizes, and makes what
     /// does load steps.
     void
     prepare();
@@ -185,8 +185,8 @@ namespace lamella
     make_solver(const MemoryBudget &budget);
     /// Returns the stiffness with a solver for each body; prints the sizes of
     /// factors.
-    std::shared_ptr<const Linearisation>
-    linearise(const MemoryBudget &budget);
+    std::shared_ptr<const Linearization>
+    linearize(const MemoryBudget &budget);
     /// Returns the state of heated bodies at load factor zero, whose stresses
     /// do not grow with loads; null if nothing needs it.
     std::shared_ptr<const BlockVector>

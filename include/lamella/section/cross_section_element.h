@@ -184,7 +184,7 @@ namespace lamella
 
     /// Returns (x_c, z_c) of the linear functions; reference_length() is h.
     dealii::Point<2>
-    centre() const
+    center() const
     {
       return origin;
     }

@@ -55,7 +55,7 @@ namespace lamella
                  const unsigned int      q) const;
     /// Assembles and factorizes E.
     void
-    factorise(const std::vector<EdgePoint> &nodes);
+    factorize(const std::vector<EdgePoint> &nodes);
 
     const Section &section;
     /// Factorization of E, from displacements at the nodes to coefficients.

@@ -166,13 +166,13 @@ namespace lamella
     double kGA_x = 0., kGA_z = 0.;
     /// Points of axial forces that do not bend and of shear forces that do not
     /// twist the section: section coordinates [length].
-    dealii::Point<2> tension_centre, shear_centre;
+    dealii::Point<2> tension_center, shear_center;
   };
 
-  /// Returns the constants of a section with the centroid @p centre.
+  /// Returns the constants of a section with the centroid @p center.
   SectionConstants
   section_constants(const SectionTensor    &compliance,
-                    const dealii::Point<2> &centre);
+                    const dealii::Point<2> &center);
 } // namespace lamella
 
 #endif

@@ -134,7 +134,7 @@ namespace lamella
     /// Computes the recurrence: for each degree x times all polynomials of one
     /// degree less, and z times the last of these.
     void
-    orthonormalise();
+    orthonormalize();
 
     /// Adds the step from @p parent along @p direction and appends its values
     /// at all points to @p values, unless it depends on the earlier ones.

@@ -13,7 +13,7 @@ namespace lamella
   /// X_c|^2 times a unit stretch of the axis, completed by the theory
   /// [length^2].
   Voigt
-  stretch_of_fibre(const Section &section, const SectionPoint &point);
+  stretch_of_fiber(const Section &section, const SectionPoint &point);
 
   /**
    * The stretch by a twist k [rad / length]: fibers off the axis are tilted by

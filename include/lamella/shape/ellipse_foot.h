@@ -9,7 +9,7 @@ namespace lamella
 {
   /// Closest-point projection onto an ellipse with axes along x and z, the
   /// surface that a wall follows,
-  ///   E(phi) = centre + (a cos phi, b sin phi),
+  ///   E(phi) = center + (a cos phi, b sin phi),
   /// with the outward normal n = (b cos phi, a sin phi) over its length. Curves
   /// at a constant depth are parallel to it, and no ellipses unless a = b.
   class EllipseFoot
@@ -17,8 +17,8 @@ namespace lamella
   public:
     /// Constructs an ellipse with semi-axes @p a along x and @p b along z, both
     /// positive [length].
-    EllipseFoot(const dealii::Point<2> &centre, const double a, const double b)
-      : centre(centre)
+    EllipseFoot(const dealii::Point<2> &center, const double a, const double b)
+      : center(center)
       , a(a)
       , b(b)
     {}
@@ -39,7 +39,7 @@ namespace lamella
     normal(const double phi) const;
 
   private:
-    dealii::Point<2> centre;
+    dealii::Point<2> center;
     double           a, b;
   };
 } // namespace lamella

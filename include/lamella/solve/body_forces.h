@@ -27,7 +27,7 @@ namespace lamella
     dealii::Point<3> about;
     /// The point on the line of action that is nearest to `about`. Empty if the
     /// force is zero, or rounding beside the moment.
-    std::optional<dealii::Point<3>> centre_of_pressure = {};
+    std::optional<dealii::Point<3>> center_of_pressure = {};
   };
 
   /// Sum of all forces on one body with their moments about its center, and the
@@ -48,21 +48,21 @@ namespace lamella
     Wrench
     felt(const Work &work) const
     {
-      Wrench about_centre;
+      Wrench about_center;
       for (unsigned int c = 0; c < 3; ++c)
         {
-          about_centre.force[c]  = work(rigid[c]);
-          about_centre.moment[c] = work(rigid[3 + c]);
+          about_center.force[c]  = work(rigid[c]);
+          about_center.moment[c] = work(rigid[3 + c]);
         }
-      return about_centre;
+      return about_center;
     }
 
-    /// Returns @p about_centre with its moment about the origin of the scene.
+    /// Returns @p about_center with its moment about the origin of the scene.
     Wrench
-    at_origin(const Wrench &about_centre) const;
+    at_origin(const Wrench &about_center) const;
 
     void
-    add(const Wrench &about_centre);
+    add(const Wrench &about_center);
 
     /// Sets a lower bound of the force by which unbalanced() divides.
     void

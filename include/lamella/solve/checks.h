@@ -47,7 +47,7 @@ namespace lamella
     std::vector<double> energies;
     /// Energy in the stabilizing springs of all bodies, and its share of the
     /// total. Zero, but for rounding, once the springs are released.
-    double stabilisation_energy = 0., stabilisation_share = 0.;
+    double stabilization_energy = 0., stabilization_share = 0.;
     /// |energy - external_work - half the contact forces times their
     /// displacements| over the larger of the first two, spring energy included:
     /// zero by Clapeyron's theorem. With heat, `energy` is here that of the
@@ -83,7 +83,7 @@ namespace lamella
    * collective. Does not throw on a failed check: see require_sound().
    */
   Checks
-  check_state(const Linearisation                 &tangent,
+  check_state(const Linearization                 &tangent,
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,

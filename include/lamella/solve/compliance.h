@@ -4,7 +4,7 @@
 #define lamella_solve_compliance_h
 
 #include <lamella/contact/gap_rows.h>
-#include <lamella/solve/linearisation.h>
+#include <lamella/solve/linearization.h>
 
 #include <vector>
 
@@ -29,8 +29,8 @@ namespace lamella
   class Compliance
   {
   public:
-    /// Refers to both arguments; @p linearisation must have solvers.
-    Compliance(const Linearisation &linearisation, const GapRows &rows);
+    /// Refers to both arguments; @p linearization must have solvers.
+    Compliance(const Linearization &linearization, const GapRows &rows);
 
     /// Includes the @p wanted rows in the compliance. Free of cost for rows
     /// already included. The others are solved for together, in each body they
@@ -79,7 +79,7 @@ namespace lamella
       std::vector<unsigned int>   place;
     };
 
-    const Linearisation  &linearisation;
+    const Linearization  &linearization;
     const GapRows         rows;
     std::vector<BodyRows> bodies;
 

@@ -41,8 +41,8 @@ namespace lamella
   class CondensedStrategy : public ContactStrategy
   {
   public:
-    /// Refers to @p linearisation, which must have solvers.
-    CondensedStrategy(const Linearisation &linearisation, const GapRows &rows);
+    /// Refers to @p linearization, which must have solvers.
+    CondensedStrategy(const Linearization &linearization, const GapRows &rows);
 
     /// Solves @p problem. Also throws NumericsError as solve_complementarity()
     /// does.
@@ -151,8 +151,8 @@ namespace lamella
     /// Factor of C + d of the last linear solution, its active rows, and their
     /// d.
     std::optional<DenseCholesky> factor;
-    std::vector<unsigned int>    factorised_for;
-    std::vector<double>          factorised_with;
+    std::vector<unsigned int>    factorized_for;
+    std::vector<double>          factorized_with;
   };
 } // namespace lamella
 

@@ -75,10 +75,10 @@ namespace lamella
     /// Function that describes the gap row of a given number.
     using Describe = std::function<std::string(const unsigned int)>;
 
-    /// Creates a solver about the state of @p linearisation with the strategy
+    /// Creates a solver about the state of @p linearization with the strategy
     /// @p which (make_strategy()). Refers to the structure and the rows; solves
     /// nothing.
-    ContactSolver(std::shared_ptr<const Linearisation> linearisation,
+    ContactSolver(std::shared_ptr<const Linearization> linearization,
                   const GapRows                       &rows,
                   const SolverParameters &parameters = SolverParameters(),
                   const Strategy          which      = Strategy::condensed);
@@ -136,7 +136,7 @@ namespace lamella
      * the springs carry less than 1e-13 of the largest load or contact force.
      * Returns @p state at once if no body has springs. Throws NumericsError
      * after 60 rounds: nothing holds the body, or the springs are too stiff, in
-     * which case the message gives the Stabilisation to use.
+     * which case the message gives the Stabilization to use.
      */
     State
     release_springs(State state, const LoadFactor &factor);
@@ -178,18 +178,18 @@ namespace lamella
     }
 
     /// Returns the linearization.
-    const Linearisation &
+    const Linearization &
     tangent() const
     {
-      return *linearisation;
+      return *linearization;
     }
 
     /// Returns the linearization for another solver, with other rows and the
     /// same stiffness.
-    std::shared_ptr<const Linearisation>
+    std::shared_ptr<const Linearization>
     shared_tangent() const
     {
-      return linearisation;
+      return linearization;
     }
 
     /// Returns warnings about penalties and rounding, one sentence each.
@@ -346,7 +346,7 @@ namespace lamella
     [[noreturn]] void
     fail_on_springs(const State &state, const double rate) const;
 
-    const std::shared_ptr<const Linearisation> linearisation;
+    const std::shared_ptr<const Linearization> linearization;
     const Structure                           &structure;
     const GapRows                              rows;
     const SolverParameters                     parameters;

@@ -5,7 +5,7 @@
 
 #include <lamella/base/names.h>
 #include <lamella/solve/contact_problem.h>
-#include <lamella/solve/linearisation.h>
+#include <lamella/solve/linearization.h>
 
 #include <memory>
 #include <string>
@@ -32,7 +32,7 @@ namespace lamella
   };
 
   /**
-   * Contact solver about one state of a structure, that of its Linearisation:
+   * Contact solver about one state of a structure, that of its Linearization:
    * finds the active set for a constant tangent, and solves linear systems with
    * a given active set. Refinement against the residual is done by
    * ContactSolver for all strategies.
@@ -43,8 +43,8 @@ namespace lamella
   class ContactStrategy
   {
   public:
-    ContactStrategy(const Linearisation &linearisation, const GapRows &rows)
-      : linearisation(linearisation)
+    ContactStrategy(const Linearization &linearization, const GapRows &rows)
+      : linearization(linearization)
       , rows(rows)
     {}
     ContactStrategy(const ContactStrategy &) = delete;
@@ -122,16 +122,16 @@ namespace lamella
     }
 
   protected:
-    const Linearisation &linearisation;
+    const Linearization &linearization;
     const GapRows        rows;
     NumericalSoftness    numerical_softness;
   };
 
-  /// Returns the strategy @p which about the state of @p linearisation, which
+  /// Returns the strategy @p which about the state of @p linearization, which
   /// needs solvers for `condensed` only.
   std::unique_ptr<ContactStrategy>
   make_strategy(const Strategy       which,
-                const Linearisation &linearisation,
+                const Linearization &linearization,
                 const GapRows       &rows);
 } // namespace lamella
 

@@ -37,11 +37,11 @@ namespace lamella
   class FrictionNewton
   {
   public:
-    FrictionNewton(const Linearisation     &linearisation,
+    FrictionNewton(const Linearization     &linearization,
                    const GapRows           &rows,
                    const NumericalSoftness &softness,
                    PenaltyMatrix           &matrix)
-      : linearisation(linearisation)
+      : linearization(linearization)
       , rows(rows)
       , softness(softness)
       , matrix(matrix)
@@ -105,13 +105,13 @@ namespace lamella
           const Scales         &scale) const;
     /// Adds the linearized law of the closed row @p r to @p law.
     void
-    linearise(const unsigned int r,
+    linearize(const unsigned int r,
               const Iterate     &at,
               const Trial       &trial,
               Law               &law) const;
     /// Adds the linearized tangential law of the slipping row @p r to @p law.
     void
-    linearise_slip(const unsigned int r,
+    linearize_slip(const unsigned int r,
                    const Iterate     &at,
                    const Trial       &trial,
                    Law               &law) const;
@@ -135,7 +135,7 @@ namespace lamella
              Iterate               at,
              const Trial          &trial) const;
 
-    const Linearisation     &linearisation;
+    const Linearization     &linearization;
     const GapRows            rows;
     const NumericalSoftness &softness;
     PenaltyMatrix           &matrix;

@@ -29,8 +29,8 @@ namespace lamella
   class FullStrategy : public ContactStrategy
   {
   public:
-    /// Assembles K of @p linearisation, which needs no solvers.
-    FullStrategy(const Linearisation &linearisation, const GapRows &rows);
+    /// Assembles K of @p linearization, which needs no solvers.
+    FullStrategy(const Linearization &linearization, const GapRows &rows);
 
     ContactSolution
     settle(const ContactProblem &problem, const Monitor &monitor) override;

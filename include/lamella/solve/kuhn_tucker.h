@@ -33,7 +33,7 @@ namespace lamella
     std::vector<Wrench> of_rows;
     /// Point on the line of action of the force, nearest to the force-weighted
     /// mean of the active points. The origin if there is no force.
-    dealii::Point<3> centre_of_pressure;
+    dealii::Point<3> center_of_pressure;
     /// |sum of the forces on both bodies| over the sum of the row forces: zero
     /// up to rounding. Not evaluated against an obstacle.
     double imbalance = 0.;

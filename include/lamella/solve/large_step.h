@@ -21,7 +21,7 @@ namespace lamella
               const unsigned int                n_supports,
               const SolveParameters            &parameters,
               const Newton::Progress           &progress,
-              const Linearisation::BodyMonitor &monitor,
+              const Linearization::BodyMonitor &monitor,
               dealii::TimerOutput              &timer);
 
     SolvedStep

@@ -6,7 +6,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/contact_solver.h>
 #include <lamella/solve/leaning_rows.h>
-#include <lamella/solve/linearisation.h>
+#include <lamella/solve/linearization.h>
 #include <lamella/solve/moving_contacts.h>
 
 #include <functional>
@@ -133,7 +133,7 @@ namespace lamella
     /// Callback for a line of text per iteration; no output by default.
     Progress progress;
     /// Callbacks of each factorization.
-    Linearisation::BodyMonitor monitor;
+    Linearization::BodyMonitor monitor;
 
     /// Returns the unloaded state of a path to @p factor.
     Equilibrium
@@ -226,7 +226,7 @@ namespace lamella
     /// Returns the tangent of @p state at @p to, after the last @p correction,
     /// with a regularization @p aid if needed. Throws LostDigits if none
     /// suffices.
-    Linearisation
+    Linearization
     tangent(const State       &state,
             const BlockVector &correction,
             const LoadFactor  &to,
@@ -312,14 +312,14 @@ namespace lamella
 
     /// Returns the unbalanced forces @p r, condensed by @p here.
     static BlockVector
-    condensed(const Linearisation &here, BlockVector r);
+    condensed(const Linearization &here, BlockVector r);
 
     /// Stores in @p at, and reports, the residuals of forces and gaps: the
     /// condensed forces @p r at @p factor over loads or internal forces, or 0
     /// if they are rounding of the forces that the step @p began with. Returns
     /// true if they are within bounds.
     bool
-    measure(const Linearisation &here,
+    measure(const Linearization &here,
             const BlockVector   &r,
             const LoadFactor    &factor,
             double              &began,
@@ -346,7 +346,7 @@ namespace lamella
     /// Returns true if the forces @p r on each body are within the rounding of
     /// the displacements @p u.
     bool
-    is_rounding(const Linearisation &here,
+    is_rounding(const Linearization &here,
                 const BlockVector   &r,
                 const BlockVector   &u) const;
 

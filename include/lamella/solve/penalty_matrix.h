@@ -4,9 +4,9 @@
 #define lamella_solve_penalty_matrix_h
 
 #include <lamella/base/linear_algebra.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/solve/contact_problem.h>
-#include <lamella/solve/linearisation.h>
+#include <lamella/solve/linearization.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -36,7 +36,7 @@ namespace lamella
   /**
    * The matrix of the paper's Newton step (Eqs. 22 and 23) of a whole scene,
    *   K + K^p,   K^p = B_A^T diag(1/d) B_A,
-   * condensed by the supports, with K of a Linearisation and the active rows
+   * condensed by the supports, with K of a Linearization and the active rows
    * B_A, each with its compliance d (length over force). With friction, terms
    * couple gaps and slips, and the matrix is not symmetric (FullStrategy).
    *
@@ -53,16 +53,16 @@ namespace lamella
   class PenaltyMatrix
   {
   public:
-    /// Assembles K of @p linearisation, which needs no solvers.
-    PenaltyMatrix(const Linearisation &linearisation, const GapRows &rows);
+    /// Assembles K of @p linearization, which needs no solvers.
+    PenaltyMatrix(const Linearization &linearization, const GapRows &rows);
 
     /// Factorizes K + K^p of @p terms unless already done. Throws NumericsError
     /// if it is not positive definite in doubles or, with friction, singular.
     void
-    factorise(const std::vector<PenaltyTerm> &terms);
+    factorize(const std::vector<PenaltyTerm> &terms);
 
     /// Returns the sign of the determinant of the last factorization
-    /// (RepeatedFactorisation).
+    /// (RepeatedFactorization).
     int
     sign_of_determinant() const
     {
@@ -97,7 +97,7 @@ namespace lamella
     constraints_of_all() const;
     /// Assembles K of all bodies with their springs, condensed.
     void
-    assemble_stiffness(const Linearisation &linearisation);
+    assemble_stiffness(const Linearization &linearization);
     /// Sets the diagonal entries of eliminated DoFs to the largest of all
     /// others, and stores the diagonal.
     void
@@ -130,12 +130,12 @@ namespace lamella
     /// Diagonal of K, whole on each process.
     Vector diagonal;
     /// Factor of `system`; null until analyzed.
-    std::unique_ptr<RepeatedFactorisation> factor;
+    std::unique_ptr<RepeatedFactorization> factor;
     /// Rows in the pattern of `system`.
     std::set<unsigned int> known;
     /// Terms that were factorized last.
-    std::vector<PenaltyTerm> factorised_for;
-    bool                     is_factorised = false;
+    std::vector<PenaltyTerm> factorized_for;
+    bool                     is_factorized = false;
 
     /// Largest eps / k so far, and its eps (force / length).
     double hardest = 0., hardest_penalty = 0.;

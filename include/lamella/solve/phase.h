@@ -15,7 +15,7 @@ namespace lamella
   {
     setup,         ///< meshes, sections, bodies, supports, loads, probes
     assembly,      ///< stiffness matrices
-    factorisation, ///< factorization, or setup of iterative solvers
+    factorization, ///< factorization, or setup of iterative solvers
     solve,         ///< linear solution, refinement, checks
     contact,       ///< search, pairing and active set
     beyond,        ///< effects of large deflections (BeyondLinear)
@@ -27,8 +27,8 @@ namespace lamella
   {
     static constexpr NameOf<Phase> all[] = {{Phase::setup, "setup"},
                                             {Phase::assembly, "assembly"},
-                                            {Phase::factorisation,
-                                             "factorisation"},
+                                            {Phase::factorization,
+                                             "factorization"},
                                             {Phase::solve, "solve"},
                                             {Phase::contact, "contact"},
                                             {Phase::beyond, "beyond"},

@@ -9,7 +9,7 @@
 
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/row_reduction.h>
-#include <lamella/conditions/stabilisation.h>
+#include <lamella/conditions/stabilization.h>
 #include <lamella/conditions/support.h>
 #include <lamella/conditions/turning_load.h>
 
@@ -37,7 +37,7 @@ namespace lamella
    * their expansion G and the prescribed displacements u_p. Solvers use the
    * condensed stiffness
    *   G^T (K + sum_k s_k r_k^T r_k) G,
-   * with the stabilizing springs of stiffness s_k and row r_k. A Linearisation
+   * with the stabilizing springs of stiffness s_k and row r_k. A Linearization
    * is the tangent at a state with its solvers.
    *
    * Shares ownership of the bodies, and owns the reductions and springs.
@@ -51,7 +51,7 @@ namespace lamella
      * Creates and eliminates the prescribed rows of @p supports, creates the
      * springs and integrates @p loads; assembles no matrix. @p bodies must not
      * be empty; regions of supports and loads refer to bodies by index.
-     * @p stabilisations has one entry per body, or none. Temperatures among
+     * @p stabilizations has one entry per body, or none. Temperatures among
      * @p loads heat the bodies; their weight under @p gravity (scene axes,
      * length / s^2) is an additional last load, unless zero. Throws InputError
      * if a region is not in its body, if supports contradict each other, or if
@@ -61,7 +61,7 @@ namespace lamella
     Structure(Bodies                            bodies,
               const std::vector<Support>       &supports,
               const std::vector<Load>          &loads,
-              const std::vector<Stabilisation> &stabilisations = {},
+              const std::vector<Stabilization> &stabilizations = {},
               const dealii::Tensor<1, 3>       &gravity        = {});
 
     /// Returns the bodies in the order of the scene, that of the vector blocks.
@@ -96,7 +96,7 @@ namespace lamella
     }
 
     /// Returns the stabilizing springs of @p body, one per free rigid motion;
-    /// none without a Stabilisation.
+    /// none without a Stabilization.
     const std::vector<Spring> &
     springs(const unsigned int body) const
     {
@@ -217,7 +217,7 @@ namespace lamella
 
     /// Returns u_p(t) at load factor t = @p factor: the prescribed values, and
     /// zero in free DoFs. For small rotations; see
-    /// Linearisation::way_to_supports() for finite ones.
+    /// Linearization::way_to_supports() for finite ones.
     BlockVector
     particular(const LoadFactor &factor) const;
 
@@ -287,7 +287,7 @@ namespace lamella
     /// Throws InputError for the first body with a free rigid motion and no
     /// stabilization.
     void
-    check_held(const std::vector<Stabilisation> &stabilisations) const;
+    check_held(const std::vector<Stabilization> &stabilizations) const;
 
     Bodies all_bodies;
     /// prescribed().

@@ -38,9 +38,9 @@ namespace lamella
                            "statically determinate",
                            "the rows that it makes are not exported",
                            "Hold the body by a Support and leave Hold empty.");
-        else if (body.stabilisation != 0.)
-          throw InputError("Body " + body.name + "/Stabilisation",
-                           to_text(body.stabilisation),
+        else if (body.stabilization != 0.)
+          throw InputError("Body " + body.name + "/Stabilization",
+                           to_text(body.stabilization),
                            "the springs that it makes are not exported",
                            "Hold the body by a Support and set it to 0.");
       const std::vector<PrescribedRow> rows =

@@ -142,9 +142,9 @@ namespace lamella
                          "gaps without their overlap have no counterpart in a "
                          "CalculiX deck",
                          "Move the bodies apart, or use push apart.");
-      if (pair.discretisation == Discretisation::edge_to_surface)
-        throw InputError(path + "/Discretisation",
-                         name_of(pair.discretisation),
+      if (pair.discretization == Discretization::edge_to_surface)
+        throw InputError(path + "/Discretization",
+                         name_of(pair.discretization),
                          "a CalculiX deck pairs faces, which have their edges",
                          "Leave this contact out of Contacts.");
     }

@@ -410,7 +410,7 @@ namespace lamella
     {
       // The ply's axes 1 and 2 in the scene.
       const Triad axes = ply.axes(Point<2>()) * of_body;
-      deck << "** fibre at " << to_text(ply.angle)
+      deck << "** fiber at " << to_text(ply.angle)
            << " degrees\n*ORIENTATION, NAME=" << set
            << "_AXES, SYSTEM=RECTANGULAR\n"
            << numbers_line({axes[0][0],

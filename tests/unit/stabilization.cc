@@ -5,13 +5,13 @@
 #include "fixtures.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/conditions/stabilisation.h>
+#include <lamella/conditions/stabilization.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/soundness.h>
 
 #include <boost/test/unit_test.hpp>
 
-BOOST_AUTO_TEST_SUITE(stabilisation)
+BOOST_AUTO_TEST_SUITE(stabilization)
 
 using namespace lamella;
 using dealii::Point;
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_spring_for_each_free_motion)
        {std::make_pair("LE-2", 6u), std::make_pair("TBT", 5u)})
     {
       const auto body    = bar(theory);
-      const auto springs = stabilising_springs(*body, 0, {}, {1e-3});
+      const auto springs = stabilizing_springs(*body, 0, {}, {1e-3});
       BOOST_REQUIRE(springs.size() == n);
       const auto                       motions = body->rigid_motions();
       dealii::LAPACKFullMatrix<double> lengths(n, 6);
@@ -76,14 +76,14 @@ BOOST_AUTO_TEST_CASE(what_is_held_gets_no_spring)
                      {{0., std::nullopt, 0.}}};
   const auto    rows = prescribed_rows({half}, bodies);
   const auto    springs =
-    stabilising_springs(*bodies[0], 0, rows, Stabilisation{1e-3});
+    stabilizing_springs(*bodies[0], 0, rows, Stabilization{1e-3});
   BOOST_REQUIRE(springs.size() == 1);
   BOOST_TEST(springs[0].motion == "translation along y");
   // Four points, each of weight 1/2: a unit translation is 2 long.
   const auto motions = bodies[0]->rigid_motions();
   BOOST_TEST(std::abs(std::abs(springs[0].row(motions[1])) - 2.) < 1e-12);
   BOOST_TEST(std::abs(springs[0].row(motions[0])) < 1e-12);
-  BOOST_TEST(stabilising_springs(*bodies[0], 0, rows, {0.}).empty());
+  BOOST_TEST(stabilizing_springs(*bodies[0], 0, rows, {0.}).empty());
 }
 
 
@@ -96,27 +96,27 @@ BOOST_AUTO_TEST_CASE(a_free_bar_on_springs)
   const Support  half{"half",
                      {{0, Region::Kind::body, "", {}}},
                      {{0., std::nullopt, 0.}}};
-  const Point<3> centre = body->centre();
+  const Point<3> center = body->center();
   const Load     push{"push",
-                  {{0, Region::Kind::point, "", {centre}}},
+                  {{0, Region::Kind::point, "", {center}}},
                   {{"0", "1e-6", "0"}},
                   ""};
   Bodies         bodies;
   bodies.push_back(bar("LE-2"));
   Structure structure(std::move(bodies), {half}, {push}, {{1e-5}});
   const std::vector<GapRow> none;
-  const State state = ContactSolver(linearised(structure), none).solve_free(1.);
+  const State state = ContactSolver(linearized(structure), none).solve_free(1.);
   const double k    = 1e-5 * 0.6;
-  const auto   where = structure.bodies()[0]->locate({centre}).at(0).at(0);
+  const auto   where = structure.bodies()[0]->locate({center}).at(0).at(0);
   const double u =
     structure.bodies()[0]->sample(where, state.u.block(0)).displacement[1];
   BOOST_TEST(std::abs(u / (1e-6 / (4. * k)) - 1.) < 1e-3);
 
   const Checks checks =
-    check_state(Linearisation(structure, state.u), {}, 1, state, 1.);
+    check_state(Linearization(structure, state.u), {}, 1, state, 1.);
   BOOST_TEST(checks.force_balance < 1e-9);
   BOOST_TEST(checks.energy_balance < 1e-9);
-  BOOST_TEST(checks.stabilisation_share > 0.99);
+  BOOST_TEST(checks.stabilization_share > 0.99);
   BOOST_CHECK_THROW(require_sound(state, checks, 100.), NumericsError);
 }
 

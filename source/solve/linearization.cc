@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/linear/factorisation.h>
-#include <lamella/solve/linearisation.h>
+#include <lamella/linear/factorization.h>
+#include <lamella/solve/linearization.h>
 #include <lamella/solve/lost_digits.h>
 
 #include <deal.II/lac/precondition.h>
@@ -15,7 +15,7 @@ namespace lamella
 {
   using dealii::Tensor;
 
-  Linearisation::Linearisation(const Structure   &structure,
+  Linearization::Linearization(const Structure   &structure,
                                const BlockVector &u,
                                const LoadFactor  &factor)
     : structure(structure)
@@ -32,7 +32,7 @@ namespace lamella
 
 
   void
-  Linearisation::move_supports()
+  Linearization::move_supports()
   {
     const Bodies &bodies = structure.bodies();
     moved_rows           = structure.prescribed();
@@ -65,7 +65,7 @@ namespace lamella
 
 
   void
-  Linearisation::condense(BlockVector &r) const
+  Linearization::condense(BlockVector &r) const
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
@@ -77,7 +77,7 @@ namespace lamella
 
 
   BlockVector
-  Linearisation::way_to_supports(const LoadFactor &from,
+  Linearization::way_to_supports(const LoadFactor &from,
                                  const LoadFactor &to) const
   {
     BlockVector u = structure.particular(to);
@@ -135,7 +135,7 @@ namespace lamella
 
     /// missed_most() of body number @p b, whose state is @p u, in a structure
     /// of the size @p size.
-    Linearisation::Missed
+    Linearization::Missed
     missed_of(const Body                       &body,
               const unsigned int                b,
               const Vector                     &u,
@@ -171,8 +171,8 @@ namespace lamella
 
 
 
-  Linearisation::Missed
-  Linearisation::missed_most(const LoadFactor &at) const
+  Linearization::Missed
+  Linearization::missed_most(const LoadFactor &at) const
   {
     Missed                            worst;
     const std::vector<PrescribedRow> &rows = structure.prescribed();
@@ -199,7 +199,7 @@ namespace lamella
   {
     /// What @p monitor is to be told of the making of the solver of @p body.
     SolverMonitor
-    of_body(const Body &body, const Linearisation::BodyMonitor &monitor)
+    of_body(const Body &body, const Linearization::BodyMonitor &monitor)
     {
       SolverMonitor result;
       if (monitor.assembled)
@@ -214,14 +214,14 @@ namespace lamella
 
 
 
-  Linearisation::Linearisation(const Structure   &structure,
+  Linearization::Linearization(const Structure   &structure,
                                const BlockVector &u,
                                const SolverKind   asked,
                                const BodyMonitor &monitor,
                                const BlockVector &correction,
                                const LoadFactor  &factor,
                                const std::vector<std::vector<SpringTerm>> &more)
-    : Linearisation(structure, u, factor)
+    : Linearization(structure, u, factor)
   {
     const Vector none;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -254,7 +254,7 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  Linearisation::make_solver(const unsigned int             body,
+  Linearization::make_solver(const unsigned int             body,
                              const SolverKind               asked,
                              const Vector                  &correction,
                              const std::vector<SpringTerm> &springs,
@@ -278,7 +278,7 @@ namespace lamella
 
 
   StiffnessTerms
-  Linearisation::terms(const unsigned int body) const
+  Linearization::terms(const unsigned int body) const
   {
     return structure.bodies()[body]->tangent_terms(
       state.block(body), Vector(), structure.spring_terms(body));
@@ -287,7 +287,7 @@ namespace lamella
 
 
   BlockVector
-  Linearisation::apply(const BlockVector &w) const
+  Linearization::apply(const BlockVector &w) const
   {
     BlockVector f = structure.zero();
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -305,7 +305,7 @@ namespace lamella
 
 
   const LinearSolver &
-  Linearisation::solver(const unsigned int body) const
+  Linearization::solver(const unsigned int body) const
   {
     Assert(body < solvers.size(), dealii::ExcMessage("It has no solvers."));
     return *solvers[body];
@@ -314,7 +314,7 @@ namespace lamella
 
 
   BlockVector
-  Linearisation::skew_part(const BlockVector &w) const
+  Linearization::skew_part(const BlockVector &w) const
   {
     BlockVector f = structure.zero();
     structure.add_derivative_of_loads(factor, state, w, f);
@@ -330,14 +330,14 @@ namespace lamella
 
 
   BlockVector
-  Linearisation::solve(BlockVector r) const
+  Linearization::solve(BlockVector r) const
   {
     r = solve_symmetric(std::move(r));
     if (!structure.has_skew_loads())
       return r;
     struct
     {
-      const Linearisation &K;
+      const Linearization &K;
       void
       vmult(BlockVector &to, const BlockVector &from) const
       {
@@ -364,7 +364,7 @@ namespace lamella
 
 
   BlockVector
-  Linearisation::solve_symmetric(BlockVector r) const
+  Linearization::solve_symmetric(BlockVector r) const
   {
     condense(r);
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -378,7 +378,7 @@ namespace lamella
 
 
   double
-  Linearisation::largest_stiffness(const unsigned int body) const
+  Linearization::largest_stiffness(const unsigned int body) const
   {
     if (body < solvers.size())
       return solvers[body]->largest_diagonal();
@@ -395,7 +395,7 @@ namespace lamella
 
 
   double
-  Linearisation::condition_estimate() const
+  Linearization::condition_estimate() const
   {
     double largest = 0.;
     for (const auto &one : solvers)
@@ -405,12 +405,12 @@ namespace lamella
 
 
 
-  std::shared_ptr<const Linearisation>
-  linearised(const Structure                  &structure,
+  std::shared_ptr<const Linearization>
+  linearized(const Structure                  &structure,
              const SolverKind                  asked,
-             const Linearisation::BodyMonitor &monitor)
+             const Linearization::BodyMonitor &monitor)
   {
-    return std::make_shared<const Linearisation>(structure,
+    return std::make_shared<const Linearization>(structure,
                                                  structure.zero(),
                                                  asked,
                                                  monitor);
@@ -418,9 +418,9 @@ namespace lamella
 
 
 
-  std::shared_ptr<const Linearisation>
-  linearised_without_solvers(const Structure &structure)
+  std::shared_ptr<const Linearization>
+  linearized_without_solvers(const Structure &structure)
   {
-    return std::make_shared<const Linearisation>(structure, structure.zero());
+    return std::make_shared<const Linearization>(structure, structure.zero());
   }
 } // namespace lamella

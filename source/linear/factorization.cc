@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/linear/half_solved_rows.h>
 
 #include <cholmod.h>
@@ -15,14 +15,14 @@ namespace lamella
   namespace
   {
     /// The workspace of CHOLMOD and the factor L, both freed with the object.
-    class CholmodFactorisation : public LinearSolver
+    class CholmodFactorization : public LinearSolver
     {
     public:
-      CholmodFactorisation(const Matrix        &matrix,
+      CholmodFactorization(const Matrix        &matrix,
                            const std::string   &what,
                            const FactorMonitor &monitor);
-      CholmodFactorisation(const CholmodFactorisation &) = delete;
-      ~CholmodFactorisation() override;
+      CholmodFactorization(const CholmodFactorization &) = delete;
+      ~CholmodFactorization() override;
 
       void
       solve(Vector &x) const override;
@@ -62,7 +62,7 @@ namespace lamella
       void
       apply(const int system, double *const x, const std::size_t count) const;
 
-      /// Throws NumericsError if the factorisation of the matrix of @p n rows
+      /// Throws NumericsError if the factorization of the matrix of @p n rows
       /// has failed; who calls it releases what there is.
       void
       check(const std::string &what, const DofIndex n) const;
@@ -119,7 +119,7 @@ namespace lamella
 
 
 
-    CholmodFactorisation::CholmodFactorisation(const Matrix        &matrix,
+    CholmodFactorization::CholmodFactorization(const Matrix        &matrix,
                                                const std::string   &what,
                                                const FactorMonitor &monitor)
     {
@@ -158,7 +158,7 @@ namespace lamella
 
 
     void
-    CholmodFactorisation::check(const std::string &what, const DofIndex n) const
+    CholmodFactorization::check(const std::string &what, const DofIndex n) const
     {
       const std::size_t minor  = factor->minor;
       const int         status = common.status;
@@ -166,7 +166,7 @@ namespace lamella
       if (status == CHOLMOD_OK && minor == n && reciprocal_condition > 0.)
         return;
       if (status == CHOLMOD_OUT_OF_MEMORY)
-        throw NumericsError("The factorisation of " + what +
+        throw NumericsError("The factorization of " + what +
                             " does not fit in memory. Use a coarser mesh "
                             "or a lower order.");
       const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
@@ -183,7 +183,7 @@ namespace lamella
 
 
     void
-    CholmodFactorisation::release()
+    CholmodFactorization::release()
     {
       cholmod_l_free_factor(&factor, &common);
       cholmod_l_finish(&common);
@@ -191,7 +191,7 @@ namespace lamella
 
 
 
-    CholmodFactorisation::~CholmodFactorisation()
+    CholmodFactorization::~CholmodFactorization()
     {
       release();
     }
@@ -199,7 +199,7 @@ namespace lamella
 
 
     void
-    CholmodFactorisation::apply(const int         system,
+    CholmodFactorization::apply(const int         system,
                                 double *const     x,
                                 const std::size_t count) const
     {
@@ -223,7 +223,7 @@ namespace lamella
 
 
     void
-    CholmodFactorisation::solve(Vector &x) const
+    CholmodFactorization::solve(Vector &x) const
     {
       apply(CHOLMOD_A, x.begin(), 1);
       ++n_solutions;
@@ -232,7 +232,7 @@ namespace lamella
 
 
     void
-    CholmodFactorisation::solve_all(std::vector<Vector> &x) const
+    CholmodFactorization::solve_all(std::vector<Vector> &x) const
     {
       // As many at a time as fit beside the factor.
       constexpr std::size_t most = 64;
@@ -255,7 +255,7 @@ namespace lamella
 
 
     SupernodalFactor
-    CholmodFactorisation::supernodes() const
+    CholmodFactorization::supernodes() const
     {
       const auto index = [](const void *const array) {
         return static_cast<const std::int64_t *>(array);
@@ -276,7 +276,7 @@ namespace lamella
 
 
     void
-    CholmodFactorisation::backward(Vector &x) const
+    CholmodFactorization::backward(Vector &x) const
     {
       apply(CHOLMOD_Lt, x.begin(), 1);
       apply(CHOLMOD_Pt, x.begin(), 1);
@@ -285,7 +285,7 @@ namespace lamella
 
 
     std::unique_ptr<SolvedRows>
-    CholmodFactorisation::solved_rows() const
+    CholmodFactorization::solved_rows() const
     {
       return half_solved(supernodes(), [this](Vector &x) { backward(x); });
     }
@@ -294,10 +294,10 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  factorise(const Matrix        &matrix,
+  factorize(const Matrix        &matrix,
             const std::string   &what,
             const FactorMonitor &monitor)
   {
-    return std::make_unique<CholmodFactorisation>(matrix, what, monitor);
+    return std::make_unique<CholmodFactorization>(matrix, what, monitor);
   }
 } // namespace lamella

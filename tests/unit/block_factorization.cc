@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The factorisation by dense blocks: a matrix whose inverse is known by
+// The factorization by dense blocks: a matrix whose inverse is known by
 // formula, and against CHOLMOD's of the same terms, with constraints and
 // springs that couple blocks far apart.
 
 #include <lamella/base/exceptions.h>
-#include <lamella/linear/block_factorisation.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/block_factorization.h>
+#include <lamella/linear/factorization.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -14,7 +14,7 @@
 #include <numeric>
 #include <random>
 
-BOOST_AUTO_TEST_SUITE(block_factorisation)
+BOOST_AUTO_TEST_SUITE(block_factorization)
 
 using namespace lamella;
 
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(known_inverse)
        {std::vector<unsigned int>{2}, {1, 5}, {3, 1, 2}})
     {
       DenseBlocks blocks = chain_of(5, sizes);
-      // Neighbours couple, all along the chain.
+      // Neighbors couple, all along the chain.
       blocks.cliques.clear();
       for (unsigned int g = 0; g + 2 < blocks.first.size(); ++g)
         blocks.cliques.push_back({g, g + 1});
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(known_inverse)
                                      }
                                  },
                                  {}};
-      const auto factor = factorise_blocks(terms, blocks, Constraints(), "A");
+      const auto factor = factorize_blocks(terms, blocks, Constraints(), "A");
       for (unsigned int k = 0; k < n; ++k)
         {
           Vector x(n);
@@ -174,9 +174,9 @@ BOOST_AUTO_TEST_CASE(as_cholmod)
       constraints.add_entry(n / 2 + 1, 0, 0.5);
       constraints.add_entry(n / 2 + 1, n - 4, -0.25);
       constraints.close();
-      const auto by_blocks = factorise_blocks(terms, blocks, constraints, "A");
+      const auto by_blocks = factorize_blocks(terms, blocks, constraints, "A");
       const auto matrix    = assemble_serial(terms, constraints);
-      const auto sparse    = matrix->factorise("A");
+      const auto sparse    = matrix->factorize("A");
 
       std::vector<Vector> loads{some_vector(n, 0.), some_vector(n, 1.)};
       for (Vector &load : loads)
@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(size_is_told_first)
     BOOST_TEST(size.bytes == 8. * size.non_zeros);
   };
   monitor.assembled = [&] { told.push_back("assembled"); };
-  factorise_blocks(random_terms(blocks), blocks, Constraints(), "A", monitor);
+  factorize_blocks(random_terms(blocks), blocks, Constraints(), "A", monitor);
   const std::vector<std::string> due{"size", "assembled"};
   BOOST_TEST(told == due, boost::test_tools::per_element());
 }
@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(failure_is_named)
            message.find("not positive definite") != std::string::npos;
   };
   for (const double shift : {-1e3, std::nan("")})
-    BOOST_CHECK_EXCEPTION(factorise_blocks(random_terms(blocks, shift),
+    BOOST_CHECK_EXCEPTION(factorize_blocks(random_terms(blocks, shift),
                                            blocks,
                                            Constraints(),
                                            "body 'plank'"),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The factorisation and its halves on matrices whose inverse is known by
+// The factorization and its halves on matrices whose inverse is known by
 // formula.
 
 #include <lamella/base/exceptions.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/factorization.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <functional>
 
-BOOST_AUTO_TEST_SUITE(factorisation)
+BOOST_AUTO_TEST_SUITE(factorization)
 
 using namespace lamella;
 
@@ -94,7 +94,7 @@ namespace
   {
     try
       {
-        factorise(sparse.matrix, "body 'plank'");
+        factorize(sparse.matrix, "body 'plank'");
       }
     catch (const NumericsError &error)
       {
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(solve)
   for (const Case &c : cases())
     {
       const Sparse A(c.n, c.entry);
-      const auto   factor = factorise(A.matrix, "the matrix");
+      const auto   factor = factorize(A.matrix, "the matrix");
       for (unsigned int k = 0; k < c.n; ++k)
         {
           Vector x(c.n);
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(halves_make_the_whole)
   for (const Case &c : cases())
     {
       const Sparse A(c.n, c.entry);
-      const auto   factor = factorise(A.matrix, "the matrix");
+      const auto   factor = factorize(A.matrix, "the matrix");
       const auto   rows   = factor->solved_rows();
       const Row    a = functional(c.n, 0, 1), b = functional(c.n, c.n / 2, 3);
       rows->append({a});
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(compliance_of_rows)
   for (const Case &c : cases())
     {
       const Sparse           A(c.n, c.entry);
-      const auto             factor = factorise(A.matrix, "the matrix");
+      const auto             factor = factorize(A.matrix, "the matrix");
       const std::vector<Row> all{functional(c.n, 0, c.n),
                                  functional(c.n, c.n / 3, 2),
                                  functional(c.n, c.n - 1, 1),
@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(only_the_upper_triangle_is_read)
   const Sparse A(7, [](const unsigned int i, const unsigned int j) {
     return i > j ? 99. : dense(i, j);
   });
-  const auto   factor = factorise(A.matrix, "the matrix");
+  const auto   factor = factorize(A.matrix, "the matrix");
   Vector       x(7);
   x[2] = 1.;
   factor->solve(x);
@@ -268,10 +268,10 @@ BOOST_AUTO_TEST_CASE(unsymmetric_and_again)
           cycle.columns.push_back((i + 1) % n + 1);
           cycle.values.push_back(1.);
         }
-      const auto factor = analyse_shared(n, cycle, Symmetry::none, "a cycle");
+      const auto factor = analyze_shared(n, cycle, Symmetry::none, "a cycle");
       for (const double value : {1., 2.})
         {
-          factor->factorise(std::vector<double>(n, value));
+          factor->factorize(std::vector<double>(n, value));
           Vector x(n);
           for (unsigned int i = 0; i < n; ++i)
             x[i] = i;
@@ -280,7 +280,7 @@ BOOST_AUTO_TEST_CASE(unsymmetric_and_again)
             BOOST_TEST(x[(i + 1) % n] == i / value);
           BOOST_TEST(factor->sign_of_determinant() == (n % 2 == 0 ? -1 : 1));
         }
-      BOOST_CHECK_THROW(factor->factorise(std::vector<double>(n, 0.)),
+      BOOST_CHECK_THROW(factor->factorize(std::vector<double>(n, 0.)),
                         NumericsError);
     }
 }
@@ -294,13 +294,13 @@ BOOST_AUTO_TEST_CASE(condition_of_a_diagonal)
   const Sparse A(3, [&d](const unsigned int i, const unsigned int j) {
     return i == j ? d[i] : 0.;
   });
-  const auto   factor = factorise(A.matrix, "the matrix");
+  const auto   factor = factorize(A.matrix, "the matrix");
   BOOST_TEST(std::abs(factor->condition_estimate() / 1e6 - 1.) < 1e-12);
 
   // A lower estimate: the chain of 40 has the condition cot^2(pi/82) = 680.6.
   const Sparse chained(40, chain);
   const double estimate =
-    factorise(chained.matrix, "the matrix")->condition_estimate();
+    factorize(chained.matrix, "the matrix")->condition_estimate();
   BOOST_TEST(estimate >= 1.);
   BOOST_TEST(estimate < 681.);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_conditions_stabilisation_h
-#define lamella_conditions_stabilisation_h
+#ifndef lamella_conditions_stabilization_h
+#define lamella_conditions_stabilization_h
 
 #include <lamella/conditions/support.h>
 
@@ -19,7 +19,7 @@ namespace lamella
     Row row;
     /// Stiffness k [force / length].
     double stiffness = 0.;
-    /// Stabilisation::share of the spring, dimensionless.
+    /// Stabilization::share of the spring, dimensionless.
     double share = 0.;
     /// Description of the rigid motion that it resists.
     std::string motion;
@@ -30,7 +30,7 @@ namespace lamella
   /// stiffness. The result is free of spring forces: the solution is repeated
   /// from the previous state until they vanish (the proximal point method,
   /// doc/theory/contact.md).
-  struct Stabilisation
+  struct Stabilization
   {
     double share = 0.;
   };
@@ -51,21 +51,21 @@ namespace lamella
    *   r(u) = 4 / n sum_p q(X_p) . u(X_p),
    * with the n corners X_p of both ends (points furthest from the end's
    * centroid), and motions q orthonormal in that product. The stiffness is
-   * @p stabilisation.share times E A / L (normal modulus and area of the start,
+   * @p stabilization.share times E A / L (normal modulus and area of the start,
    * distance of the ends).
    *
    * If an end has one furthest point only, those furthest from it are added, to
    * resist rotation. The factor 4 / n makes springs independent of the number
    * of corners. Orthonormal motions make springs independent of each other.
    *
-   * Returns none if @p stabilisation.share is zero or the rows hold the body.
+   * Returns none if @p stabilization.share is zero or the rows hold the body.
    * @p rows of other bodies are ignored.
    */
   std::vector<Spring>
-  stabilising_springs(const Body                       &body,
+  stabilizing_springs(const Body                       &body,
                       const unsigned int                index,
                       const std::vector<PrescribedRow> &rows,
-                      const Stabilisation              &stabilisation);
+                      const Stabilization              &stabilization);
 } // namespace lamella
 
 #endif

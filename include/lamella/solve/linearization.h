@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_solve_linearisation_h
-#define lamella_solve_linearisation_h
+#ifndef lamella_solve_linearization_h
+#define lamella_solve_linearization_h
 
 #include <lamella/solve/structure.h>
 
@@ -20,7 +20,7 @@ namespace lamella
    *
    * Refers to the structure, which must outlive it. Collective.
    */
-  class Linearisation
+  class Linearization
   {
   public:
     /// Callbacks for each body: at the beginning and end of its work, after the
@@ -36,7 +36,7 @@ namespace lamella
 
     /// Creates the tangent at @p u without solvers, for assembly by the `full`
     /// strategy.
-    Linearisation(const Structure   &structure,
+    Linearization(const Structure   &structure,
                   const BlockVector &u,
                   const LoadFactor  &factor = LoadFactor());
 
@@ -47,7 +47,7 @@ namespace lamella
     /// solvers only. Throws LostDigits if a stiffness is not positive definite
     /// in doubles, InputError as Body::solver_kind() does, and what @p monitor
     /// throws.
-    Linearisation(const Structure   &structure,
+    Linearization(const Structure   &structure,
                   const BlockVector &u,
                   const SolverKind   asked,
                   const BodyMonitor &monitor    = {},
@@ -169,14 +169,14 @@ namespace lamella
 
   /// Returns the tangent at u = 0 with solvers, valid for all states of linear
   /// bodies.
-  std::shared_ptr<const Linearisation>
-  linearised(const Structure                  &structure,
+  std::shared_ptr<const Linearization>
+  linearized(const Structure                  &structure,
              const SolverKind                  asked   = SolverKind::automatic,
-             const Linearisation::BodyMonitor &monitor = {});
+             const Linearization::BodyMonitor &monitor = {});
 
   /// Returns the tangent at u = 0 without solvers, for the `full` strategy.
-  std::shared_ptr<const Linearisation>
-  linearised_without_solvers(const Structure &structure);
+  std::shared_ptr<const Linearization>
+  linearized_without_solvers(const Structure &structure);
 } // namespace lamella
 
 #endif

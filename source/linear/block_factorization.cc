@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/linear/block_factor.h>
-#include <lamella/linear/block_factorisation.h>
-#include <lamella/linear/factorisation.h>
+#include <lamella/linear/block_factorization.h>
+#include <lamella/linear/factorization.h>
 #include <lamella/linear/half_solved_rows.h>
 
 #include <algorithm>
@@ -28,10 +28,10 @@ namespace lamella
 
 
 
-    class BlockFactorisation : public LinearSolver
+    class BlockFactorization : public LinearSolver
     {
     public:
-      BlockFactorisation(const StiffnessTerms &terms,
+      BlockFactorization(const StiffnessTerms &terms,
                          const DenseBlocks    &blocks,
                          const Constraints    &constraints,
                          const std::string    &what,
@@ -95,7 +95,7 @@ namespace lamella
 
 
 
-    BlockFactorisation::BlockFactorisation(const StiffnessTerms &terms,
+    BlockFactorization::BlockFactorization(const StiffnessTerms &terms,
                                            const DenseBlocks    &blocks,
                                            const Constraints    &constraints,
                                            const std::string    &what,
@@ -110,7 +110,7 @@ namespace lamella
         }
       catch (const std::bad_alloc &)
         {
-          throw NumericsError("The factorisation of " + what +
+          throw NumericsError("The factorization of " + what +
                               " does not fit in memory. Use a coarser mesh or "
                               "a lower order.");
         }
@@ -118,13 +118,13 @@ namespace lamella
       fill_diagonal(constraints);
       if (monitor.assembled)
         monitor.assembled();
-      factor.factorise(what);
+      factor.factorize(what);
     }
 
 
 
     void
-    BlockFactorisation::add(const std::vector<std::pair<DofIndex, double>> &u,
+    BlockFactorization::add(const std::vector<std::pair<DofIndex, double>> &u,
                             const std::vector<std::pair<DofIndex, double>> &v,
                             const double value)
     {
@@ -138,7 +138,7 @@ namespace lamella
 
 
     void
-    BlockFactorisation::add_row(const DofIndex        row,
+    BlockFactorization::add_row(const DofIndex        row,
                                 const double          weight,
                                 const StiffnessBlock &block,
                                 const unsigned int    row_in_block,
@@ -174,7 +174,7 @@ namespace lamella
 
 
     void
-    BlockFactorisation::assemble(const StiffnessTerms &terms,
+    BlockFactorization::assemble(const StiffnessTerms &terms,
                                  const Constraints    &constraints)
     {
       std::vector<std::pair<DofIndex, double>> resolved;
@@ -196,7 +196,7 @@ namespace lamella
 
 
     void
-    BlockFactorisation::fill_diagonal(const Constraints &constraints)
+    BlockFactorization::fill_diagonal(const Constraints &constraints)
     {
       const DofIndex n_dofs = factor.where().block_of.size();
       double         sum    = 0.;
@@ -215,7 +215,7 @@ namespace lamella
 
 
     void
-    BlockFactorisation::solve(Vector &x) const
+    BlockFactorization::solve(Vector &x) const
     {
       std::vector<Vector> both(1);
       both[0].swap(x);
@@ -226,7 +226,7 @@ namespace lamella
 
 
     void
-    BlockFactorisation::solve_all(std::vector<Vector> &x) const
+    BlockFactorization::solve_all(std::vector<Vector> &x) const
     {
       // As many at a time as fit beside the factor.
       constexpr std::size_t most        = 64;
@@ -252,7 +252,7 @@ namespace lamella
 
 
     std::unique_ptr<SolvedRows>
-    BlockFactorisation::solved_rows() const
+    BlockFactorization::solved_rows() const
     {
       return half_solved(factor.view(), [this](Vector &x) {
         factor.backward(x.begin(), 1);
@@ -268,13 +268,13 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  factorise_blocks(const StiffnessTerms &terms,
+  factorize_blocks(const StiffnessTerms &terms,
                    const DenseBlocks    &blocks,
                    const Constraints    &constraints,
                    const std::string    &what,
                    const SolverMonitor  &monitor)
   {
-    return std::make_unique<BlockFactorisation>(
+    return std::make_unique<BlockFactorization>(
       terms, blocks, constraints, what, monitor);
   }
 } // namespace lamella

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_linear_factorisation_h
-#define lamella_linear_factorisation_h
+#ifndef lamella_linear_factorization_h
+#define lamella_linear_factorization_h
 
 #include <lamella/base/exceptions.h>
 #include <lamella/linear/linear_solver.h>
@@ -40,7 +40,7 @@ namespace lamella
    * Not collective.
    */
   std::unique_ptr<LinearSolver>
-  factorise(const Matrix        &matrix,
+  factorize(const Matrix        &matrix,
             const std::string   &what,
             const FactorMonitor &monitor = {});
 
@@ -72,18 +72,18 @@ namespace lamella
   };
 
   /// A matrix of constant pattern, analyzed once and factorized repeatedly,
-  /// otherwise as factorise_shared(). Used for the Newton method of the `full`
+  /// otherwise as factorize_shared(). Used for the Newton method of the `full`
   /// strategy, whose K + K^p (Eq. 22) keeps its pattern while contact changes.
-  class RepeatedFactorisation
+  class RepeatedFactorization
   {
   public:
-    virtual ~RepeatedFactorisation() = default;
+    virtual ~RepeatedFactorization() = default;
 
     /// Factorizes the matrix with the values @p values in the pattern, in its
     /// order and as many as it has on this process. Throws NumericsError as
-    /// factorise() does. Collective.
+    /// factorize() does. Collective.
     virtual void
-    factorise(std::vector<double> values) = 0;
+    factorize(std::vector<double> values) = 0;
 
     /// Computes x = A^-1 x with the last factorization. Whole vectors, the same
     /// on all processes. Collective.
@@ -107,8 +107,8 @@ namespace lamella
   /// @p pattern, of which each process passes its part; its values are ignored
   /// but must have the same number. @p what names the matrix in messages.
   /// Throws NumericsError if the analysis fails. Collective.
-  std::unique_ptr<RepeatedFactorisation>
-  analyse_shared(const DofIndex     n,
+  std::unique_ptr<RepeatedFactorization>
+  analyze_shared(const DofIndex     n,
                  MatrixEntries      pattern,
                  const Symmetry     symmetry,
                  const std::string &what);
@@ -124,12 +124,12 @@ namespace lamella
    *
    * The entries are freed once the factor exists. The ordering is minimum
    * degree, and nested dissection where that would leave much fill
-   * (doc/guides/running-in-parallel.md). Throws NumericsError as factorise()
+   * (doc/guides/running-in-parallel.md). Throws NumericsError as factorize()
    * does, and if entries are not finite. No condition estimate. The solved rows
    * are RowProducts.
    */
   std::unique_ptr<LinearSolver>
-  factorise_shared(const DofIndex       n,
+  factorize_shared(const DofIndex       n,
                    UpperTriangle        matrix,
                    const std::string   &what,
                    const FactorMonitor &monitor = {});

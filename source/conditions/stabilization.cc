@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/orthogonal.h>
-#include <lamella/conditions/stabilisation.h>
+#include <lamella/conditions/stabilization.h>
 
 namespace lamella
 {
@@ -131,12 +131,12 @@ namespace lamella
 
 
   std::vector<Spring>
-  stabilising_springs(const Body                       &body,
+  stabilizing_springs(const Body                       &body,
                       const unsigned int                index,
                       const std::vector<PrescribedRow> &rows,
-                      const Stabilisation              &stabilisation)
+                      const Stabilization              &stabilization)
   {
-    if (stabilisation.share == 0.)
+    if (stabilization.share == 0.)
       return {};
     const std::vector<FreeMotion> free = free_rigid_motions(body, index, rows);
     if (free.empty())
@@ -153,12 +153,12 @@ namespace lamella
     const std::vector<PointMotion> motions =
       orthonormal(motions_of(free, points, body));
 
-    const double        stiffness = stabilisation.share * axial_stiffness(body);
+    const double        stiffness = stabilization.share * axial_stiffness(body);
     const auto          u = body.rows(locations, Quantity::displacement);
     std::vector<Spring> springs;
     for (unsigned int k = 0; k < free.size(); ++k)
       {
-        Spring spring{{}, stiffness, stabilisation.share, free[k].words};
+        Spring spring{{}, stiffness, stabilization.share, free[k].words};
         for (unsigned int p = 0; p < points.size(); ++p)
           for (unsigned int c = 0; c < 3; ++c)
             spring.row.add(u[p][c], weight(points.size()) * motions[k][p][c]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_linear_block_factorisation_h
-#define lamella_linear_block_factorisation_h
+#ifndef lamella_linear_block_factorization_h
+#define lamella_linear_block_factorization_h
 
 #include <lamella/linear/stiffness_matrix.h>
 
@@ -36,11 +36,11 @@ namespace lamella
    * blocks logarithmic in theirs.
    *
    * @p monitor receives the size before memory is allocated, then the end of
-   * the assembly. Throws NotPositiveDefinite as factorise() does, with the same
+   * the assembly. Throws NotPositiveDefinite as factorize() does, with the same
    * condition estimate, and NumericsError without enough memory. Serial.
    */
   std::unique_ptr<LinearSolver>
-  factorise_blocks(const StiffnessTerms &terms,
+  factorize_blocks(const StiffnessTerms &terms,
                    const DenseBlocks    &blocks,
                    const Constraints    &constraints,
                    const std::string    &what,
