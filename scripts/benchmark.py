@@ -11,13 +11,13 @@ from pathlib import Path
 
 from benchmark_calculix import calculix
 from benchmark_growth import contact, growth
-from benchmark_ladder import ladder
+from benchmark_variants import hierarchy
 from benchmark_paper import paper
 from benchmark_profile import profile
 from benchmark_tools import ROOT, Bench, Failed, commit, machine, page
 
-PARTS = {f.__name__: f for f in (paper, ladder, growth, contact, profile, calculix)}
-TITLES = {"paper": "The paper's tables", "ladder": "Ladders of theories",
+PARTS = {f.__name__: f for f in (paper, hierarchy, growth, contact, profile, calculix)}
+TITLES = {"paper": "The paper's tables", "hierarchy": "Hierarchies of theories",
           "growth": "Growth", "contact": "Contact over a linear solution",
           "profile": "Where the seconds go", "calculix": "Against CalculiX"}
 INTRODUCTION = """\

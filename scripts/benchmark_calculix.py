@@ -59,7 +59,7 @@ THEIRS = {
         ("4 x 10, 54 along", beam("16,6,10,6,16", "235,247,253,265"))]}
 
 
-class Rung:
+class Variant:
     """A mesh of one of the two programs and what its runs gave."""
 
     def __init__(self, scene, program, name, overrides, solve):
@@ -99,16 +99,16 @@ class Rung:
 def compare(scene, ours, theirs):
     """Alternates: all of ours, one of theirs, and so on."""
     for peer in theirs:
-        for rung in ours:
-            rung.again()
+        for variant in ours:
+            variant.again()
         peer.again()
 
 
-def front(rungs):
+def front(variants):
     """Those that no other one beats in seconds and in error."""
-    good = [rung for rung in rungs if not rung.failure]
-    return [rung for rung in good
-            if not any(other.seconds < rung.seconds and other.error() <= rung.error()
+    good = [variant for variant in variants if not variant.failure]
+    return [variant for variant in good
+            if not any(other.seconds < variant.seconds and other.error() <= variant.error()
                        for other in good)]
 
 
@@ -116,29 +116,29 @@ def pairs_of(ours, theirs):
     """Each mesh of theirs with our cheapest that is at most as far off, or None."""
     pairs = []
     for peer in sorted(front(theirs), key=lambda r: r.seconds):
-        close = [rung for rung in front(ours) if rung.error() <= peer.error()]
+        close = [variant for variant in front(ours) if variant.error() <= peer.error()]
         pairs.append((min(close, key=lambda r: r.seconds) if close else None, peer))
     return pairs
 
 
-def pair_row(rung, peer):
+def pair_row(variant, peer):
     row = [peer.name, f"{peer.last.dofs:,}", f"{100 * peer.error():.2f} %",
            f"{peer.seconds:.1f}"]
-    if rung is None:
+    if variant is None:
         return row + ["none is as close"] + ["-"] * 5
-    return row + [rung.name, f"{rung.last.dofs:,}", f"{100 * rung.error():.2f} %",
-                  f"{rung.seconds:.2f}", f"{peer.seconds / rung.seconds:.1f}",
-                  f"{peer.last.memory_mb / rung.last.memory_mb:.2f}"]
+    return row + [variant.name, f"{variant.last.dofs:,}", f"{100 * variant.error():.2f} %",
+                  f"{variant.seconds:.2f}", f"{peer.seconds / variant.seconds:.1f}",
+                  f"{peer.last.memory_mb / variant.last.memory_mb:.2f}"]
 
 
 def section(scene, ours, theirs):
     """A scene's blocks and its requirement."""
     compare(scene, ours, theirs)
-    rows = [rung.row() for rung in ours + theirs]
+    rows = [variant.row() for variant in ours + theirs]
     head = ["program", "mesh", "DoFs", "seconds", "MB", "largest error"] + \
         [f"{q.name} (converged: {number(q.converged)})" for q in scene.quantities]
     pairs = pairs_of(ours, theirs)
-    ratios = [peer.seconds / rung.seconds for rung, peer in pairs if rung]
+    ratios = [peer.seconds / variant.seconds for variant, peer in pairs if variant]
     blocks = [f"### {scene.title}", table(head, rows), table(
         ["C3D20R", "DoFs", "largest error", "seconds",
          "our cheapest at most as far off", "DoFs", "largest error", "seconds",
@@ -178,7 +178,7 @@ def calculix(bench):
                 continue
             meshes = ([("tiny", scene.tiny)],) * 2
         ours, theirs = (
-            [Rung(scene, program, mesh, overrides, solve)
+            [Variant(scene, program, mesh, overrides, solve)
              for mesh, overrides in chosen]
             for program, chosen, solve in (
                 ("Lamella, LE-2 or as said", meshes[0], lamella_run),

@@ -273,7 +273,7 @@ def c3d20r():
     """doc/theory/error-bars.md: runs to 1 % beside meshes of C3D20R, whole scenes, taking turns;
     errors are those to the converged values of doc/verification/sandwich.md and the like."""
     from functools import partial
-    from benchmark_calculix import OURS, STIFFNESS, THEIRS, Rung, section
+    from benchmark_calculix import OURS, STIFFNESS, THEIRS, Variant, section
     from benchmark_scenes import LAMINATED, SANDWICH
     from peers import MISSING, find_ccx, lamella_run, peer_run
     if find_ccx() is None:
@@ -281,6 +281,6 @@ def c3d20r():
         return
     for name, scene in (("laminated_beams", LAMINATED), ("sandwich", SANDWICH)):
         solve = partial(peer_run, contact_stiffness=STIFFNESS[name])
-        ours = [Rung(scene, "Lamella", *OURS[name][-1], lamella_run)]
-        theirs = [Rung(scene, "C3D20R", *mesh, solve) for mesh in THEIRS[name]]
+        ours = [Variant(scene, "Lamella", *OURS[name][-1], lamella_run)]
+        theirs = [Variant(scene, "C3D20R", *mesh, solve) for mesh in THEIRS[name]]
         print("\n\n".join(section(scene, ours, theirs)[0]), flush=True)

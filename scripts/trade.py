@@ -4,7 +4,7 @@
 
 Usage: trade.py DIR (by `lamella trade`, which writes that file)
 
-Prints the costs of all rungs, their errors with their own bars, and a sentence for each
+Prints the costs of all variants, their errors with their own bars, and a sentence for each
 tolerance and quantity; leaves trade.csv, trade.py, which draws trade.png and trade.svg and is
 meant to be changed to taste, and these pictures in DIR.
 """
@@ -27,18 +27,18 @@ def print_table(rows):
 
 
 def table_of_costs(table):
-    yield ["rung", "DoFs", "seconds", *table.phases, "MB", ""]
-    for rung in table.rungs:
-        seconds = f"{rung['seconds']:.2f}"
-        if rung["failure"]:
+    yield ["variant", "DoFs", "seconds", *table.phases, "MB", ""]
+    for variant in table.variants:
+        seconds = f"{variant['seconds']:.2f}"
+        if variant["failure"]:
             # The first sentence.
-            begin, stop, _ = rung["failure"].split("\n")[0].partition(". ")
-            yield [rung["name"], "-", seconds, *["-"] * len(table.phases), "-",
+            begin, stop, _ = variant["failure"].split("\n")[0].partition(". ")
+            yield [variant["name"], "-", seconds, *["-"] * len(table.phases), "-",
                    "failed: " + begin + stop.strip()]
         else:
-            yield [rung["name"], str(rung["dofs"]), seconds,
-                   *(f"{rung['phases'][phase]:.2f}" for phase in table.phases),
-                   f"{rung['memory']:.0f}", ""]
+            yield [variant["name"], str(variant["dofs"]), seconds,
+                   *(f"{variant['phases'][phase]:.2f}" for phase in table.phases),
+                   f"{variant['memory']:.0f}", ""]
 
 
 def error_cell(table, k, q):
@@ -51,10 +51,10 @@ def error_cell(table, k, q):
 
 def table_of_errors(table):
     quantities = range(len(table.quantities))
-    yield ["rung", *(quantity["label"] for quantity in table.quantities), ""]
-    for k, rung in enumerate(table.rungs):
-        yield [rung["name"], *(error_cell(table, k, q) for q in quantities),
-               "the reference" if k == table.against else "failed" if rung["failure"] else ""]
+    yield ["variant", *(quantity["label"] for quantity in table.quantities), ""]
+    for k, variant in enumerate(table.variants):
+        yield [variant["name"], *(error_cell(table, k, q) for q in quantities),
+               "the reference" if k == table.against else "failed" if variant["failure"] else ""]
     yield ["reference value", *(text(table.reference(q)) for q in quantities), ""]
 
 
@@ -74,30 +74,30 @@ def print_trade(table):
 
 
 def csv_rows(table):
-    """Numbers with 15 digits; a rung that failed has one line, with empty cells and why."""
+    """Numbers with 15 digits; a variant that failed has one line, with empty cells and why."""
     def number(value):
         return "" if value is None else text(value, 15)
 
-    yield ["rung", "theory", "dofs", "seconds", *table.phases, "memory_mb", "quantity", "value",
+    yield ["variant", "theory", "dofs", "seconds", *table.phases, "memory_mb", "quantity", "value",
            "reference", "error", "front_seconds", "front_dofs", "bar", "stiffening",
            "buckling_factor", "failure"]
     quantities = range(len(table.quantities))
     fronts = [[table.front(q, cost) for cost in ("seconds", "dofs")] for q in quantities]
-    for k, rung in enumerate(table.rungs):
-        begin = [rung["name"], rung["theory"]]
-        if rung["failure"]:
-            yield [*begin, "", number(rung["seconds"]), *[""] * len(table.phases), *[""] * 10,
-                   rung["failure"].replace("\n", " ")]
+    for k, variant in enumerate(table.variants):
+        begin = [variant["name"], variant["theory"]]
+        if variant["failure"]:
+            yield [*begin, "", number(variant["seconds"]), *[""] * len(table.phases), *[""] * 10,
+                   variant["failure"].replace("\n", " ")]
             continue
-        begin += [rung["dofs"], number(rung["seconds"]),
-                  *(number(rung["phases"][phase]) for phase in table.phases),
-                  number(rung["memory"])]
+        begin += [variant["dofs"], number(variant["seconds"]),
+                  *(number(variant["phases"][phase]) for phase in table.phases),
+                  number(variant["memory"])]
         for q in quantities:
-            yield [*begin, table.quantities[q]["label"], number(rung["values"][q]),
+            yield [*begin, table.quantities[q]["label"], number(variant["values"][q]),
                    number(table.reference(q)),
                    number(table.error(k, q) if table.has_error(k, q) else None),
                    *(int(k in front) for front in fronts[q]), number(table.bar(k, q)),
-                   number(rung["stiffening"]), number(rung["buckling_factor"]), ""]
+                   number(variant["stiffening"]), number(variant["buckling_factor"]), ""]
 
 
 def draw(table, title, folder):
@@ -142,7 +142,7 @@ def main():
     if no_picture:
         print(f"\nNo pictures: {no_picture}.", end="")
     print(f"\nThe trade is in {sys.argv[1]} (trade.csv"
-          + ("" if no_picture else ", trade.png, trade.svg") + "; the runs in rungs/)")
+          + ("" if no_picture else ", trade.png, trade.svg") + "; the runs in variants/)")
     return 0
 
 

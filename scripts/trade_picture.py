@@ -3,7 +3,7 @@
 
 A row of two panels for each quantity: error against seconds and against degrees of
 freedom, axes logarithmic. Theories differ by color and mark; the Pareto front, which
-nothing beats in both (accidents, which a richer rung gives away, aside), is filled, named
+nothing beats in both (accidents, which a richer variant gives away, aside), is filled, named
 where there is room, and joined by steps.
 """
 
@@ -50,7 +50,7 @@ def look_of(theory):
 
 
 def rows_by_quantity():
-    """The rungs that have an error, by quantity, both in the order of the table."""
+    """The variants that have an error, by quantity, both in the order of the table."""
     rows = {}
     with open(HERE / "trade.csv", newline="", encoding="utf-8") as table:
         for row in csv.DictReader(table):
@@ -85,11 +85,11 @@ def draw_front(panel, front, cost):
         here = panel.transData.transform((a, b))
         if last is None or abs(here[0] - last[0]) > last[2] or abs(here[1] - last[1]) > 14:
             far_right = here[0] > panel.transAxes.transform((0.7, 0))[0]
-            panel.annotate(row["rung"], (a, b), fontsize=7.5, color="#303030",
+            panel.annotate(row["variant"], (a, b), fontsize=7.5, color="#303030",
                            xytext=(-6 if far_right else 6, 6), parse_math=False,
                            textcoords="offset points",
                            ha="right" if far_right else "left")
-            last = (*here, 6 * len(row["rung"]) + 14)
+            last = (*here, 6 * len(row["variant"]) + 14)
 
 
 def draw_panel(panel, rows, cost, on_front, label):

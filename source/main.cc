@@ -261,8 +261,8 @@ main(int argc, char **argv)
   if ((task == "trade" || task == "report" || task == "new") &&
       n_launched() == 1)
     {
-      // Each rung starts an MPI of its own, in its own process; a report and a
-      // new scene need none.
+      // Each variant starts an MPI of its own, in its own process; a report and
+      // a new scene need none.
       survive_failed_writes();
       const auto [status, message] = outcome_of(all);
       if (status != 0)

@@ -139,8 +139,8 @@ class RunFolder:
             if not os.path.isfile(self.file(name)):
                 raise InputError(
                     f"{place}the folder holds no results of a run: there is no {name} in it. A "
-                    "run that failed in its first load step leaves none; the rungs of a trade "
-                    "have theirs in rungs/NN_NAME/run.")
+                    "run that failed in its first load step leaves none; the variants of a trade "
+                    "have theirs in variants/NN_NAME/run.")
 
     def table(self, name):
         return Table.read(self.file(f"{name}.csv"))

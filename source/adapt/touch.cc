@@ -282,7 +282,7 @@ namespace lamella
     for (unsigned int s = 0; s < supports.size(); ++s)
       add_touches("support " + supports[s].name,
                   n_fields,
-                  supports[s].hold ?
+                  supports[s].isostatic ?
                     std::vector<SectionLoad>() :
                     loads_of_support(beam, body, s, supports[s], rows, rules),
                   &Touch::holds,

@@ -79,14 +79,14 @@ namespace lamella
       "axial stiffness E A / L (1e-6, say), which are iterated out of the "
       "result. 0: none; a body that can move freely is an error.");
     prm.declare_entry(
-      "Hold",
-      "",
-      Anything(),
-      "`statically determinate` holds a body that no support holds: where "
-      "nothing acts against a rigid motion, the body's middle stays where it "
-      "is, and the loads must be in equilibrium; where a contact may, springs "
-      "as of Stabilization = 1e-6 do until it does, and are iterated out of "
-      "the result. Empty: none.");
+      "Isostatic support",
+      "false",
+      dealii::Patterns::Bool(),
+      "Whether rigid motions of the body that nothing else constrains are "
+      "removed, true or false. Motions that no contact can prevent: the middle "
+      "of the body stays in place, and the loads must be in equilibrium. "
+      "Motions that a contact can prevent: springs as of Stabilization = 1e-6, "
+      "which are iterated out of the result.");
     prm.enter_subsection("Kinematics");
     TheoryParameters::declare(prm);
     AxisParameters::declare(prm);
@@ -128,16 +128,6 @@ namespace lamella
 
 
 
-    bool
-    parse_hold(const Entry &entry)
-    {
-      if (!entry.is_empty() && entry.text() != "statically determinate")
-        entry.refuse("must be `statically determinate`, or empty");
-      return !entry.is_empty();
-    }
-
-
-
     /// The `subsection Kinematics`.
     void
     parse_kinematics(const Entries   &in,
@@ -174,7 +164,7 @@ namespace lamella
     const double length = in["Length"].positive();
     body.placement      = parse_placement(in);
     body.stabilization  = parse_stabilization(in["Stabilization"]);
-    body.is_held        = parse_hold(in["Hold"]);
+    body.is_held        = in["Isostatic support"].truth();
     if (body.is_held && body.stabilization == 0.)
       body.stabilization = stabilization_of_held;
     prm.enter_subsection("Kinematics");

@@ -4,7 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/frame_strains.h>
-#include <lamella/conditions/hold.h>
+#include <lamella/conditions/isostatic_support.h>
 #include <lamella/conditions/support.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -227,9 +227,9 @@ namespace lamella
     for (unsigned int s = 0; s < supports.size(); ++s)
       {
         const Support &support = supports[s];
-        if (support.hold)
+        if (support.isostatic)
           for (const PrescribedRow &row :
-               rows_of_hold(*support.hold, s, bodies))
+               rows_of_isostatic_support(*support.isostatic, s, bodies))
             rows.push_back(row);
         std::optional<RigidTurn> turn;
         if (support.rotation)

@@ -70,8 +70,8 @@ namespace lamella
     if (bodies[contact.first.body]->turns())
       reach = std::max(reach, automatic_search_distance(contact, bodies));
     undeformed.decide(interface.discretization,
-                      interface.points_on_second ? PointsOn::second :
-                                                   PointsOn::first);
+                      interface.points_on_second ? SlaveSide::second :
+                                                   SlaveSide::first);
     if (contact.friction > 0.)
       write_slips(undeformed);
     if (contact.overclosure == Overclosure::adjust)
@@ -277,7 +277,7 @@ namespace lamella
   {
     begun_at = BlockVector();
     held.clear();
-    undeformed.decide(known.discretization, undeformed.contact().points_on);
+    undeformed.decide(known.discretization, undeformed.contact().slave_side);
     if (known.u.n_blocks() > 0)
       pair(known.u, known.factor);
     else if (paired_at.n_blocks() > 0)
@@ -736,7 +736,7 @@ namespace lamella
   {
     if (!is_automatic())
       return false;
-    undeformed.decide(Discretization::surface_to_surface, PointsOn::first);
+    undeformed.decide(Discretization::surface_to_surface, SlaveSide::first);
     return true;
   }
 

@@ -75,13 +75,13 @@ namespace lamella
     points_on_second(const ContactSides &sides, const double reach)
     {
       const ContactPair &contact = sides.contact();
-      Assert(contact.points_on != PointsOn::undefined,
+      Assert(contact.slave_side != SlaveSide::undefined,
              ExcMessage("The side that carries the points was never set."));
       if (contact.obstacle != nullptr ||
           contact.discretization == Discretization::node_to_node ||
-          contact.points_on == PointsOn::first)
+          contact.slave_side == SlaveSide::first)
         return false;
-      return contact.points_on == PointsOn::second ||
+      return contact.slave_side == SlaveSide::second ||
              (!sides.are_of_edges() && second_is_finer(sides, reach));
     }
 
@@ -225,7 +225,7 @@ namespace lamella
     {
       Assert(contact.overclosure != Overclosure::undefined,
              ExcMessage("What becomes of an overlap was never set."));
-      if (contact.overclosure == Overclosure::push_apart)
+      if (contact.overclosure == Overclosure::resolve)
         return;
       unsigned int deepest = 0;
       for (unsigned int k = 0; k < interface.rows.size(); ++k)
@@ -238,7 +238,7 @@ namespace lamella
                          "the bodies overlap from the start by up to " +
                            to_text(-gap) + ", at " +
                            to_text(interface.points[deepest].first),
-                         "Move them apart, or choose push apart or adjust.");
+                         "Move them apart, or choose resolve or adjust.");
       for (GapRow &row : interface.rows)
         row.initial_gap = std::max(0., row.initial_gap);
     }

@@ -75,13 +75,13 @@ namespace lamella
       "other side, wherever they slide; line to roller: "
       "the line of a beam that is nearest to a cylinder across it, followed as "
       "it moves over the surface.");
-    prm.declare_entry("Points on",
-                      name_of(PointsOn::automatic),
-                      selection<PointsOn>(),
-                      "first or second: the side whose nodes the rows belong "
-                      "to; auto: the one with the finer grid where the two "
-                      "face each other, of edge to surface the first. Unused "
-                      "with node to node.");
+    prm.declare_entry("Slave side",
+                      name_of(SlaveSide::automatic),
+                      selection<SlaveSide>(),
+                      "Slave (nonmortar) side, whose nodes carry the gap "
+                      "constraints: first or second; auto: the side with the "
+                      "finer grid where the two face each other, for edge to "
+                      "surface the first. Unused with node to node.");
     prm.declare_entry("Search distance",
                       "auto",
                       patterns::WordOr("auto", patterns::positive()),
@@ -90,11 +90,11 @@ namespace lamella
                       "body.");
     prm.declare_entry(
       "Overclosure",
-      name_of(Overclosure::push_apart),
+      name_of(Overclosure::resolve),
       selection<Overclosure>(),
-      "Of bodies that overlap from the start: push apart (contact forces do, "
-      "an interference fit), adjust (the overlap is taken out of the gaps, "
-      "without strain), or error.");
+      "Treatment of bodies that overlap at the start: resolve (contact "
+      "forces push them apart, an interference fit), adjust (the overlap is "
+      "subtracted from the gaps, without strain), or error.");
     declare_enforcement(prm);
     prm.declare_entry("Tolerance",
                       "1e-6",
@@ -235,7 +235,7 @@ namespace lamella
     void
     check_edges(const ContactPair &contact, const Entries &in)
     {
-      const bool         on_second = contact.points_on == PointsOn::second;
+      const bool         on_second = contact.slave_side == SlaveSide::second;
       const std::string &surface =
         (on_second ? contact.second : contact.first).surface;
       for (const char *const end : {"start", "end", "ends"})
@@ -266,8 +266,8 @@ namespace lamella
         in["Discretization"].refuse("the obstacle '" + contact.obstacle->name +
                                       "' is no roller",
                                     "Use auto.");
-      if (contact.points_on == PointsOn::second)
-        in["Points on"].refuse(rule, "Use first, or auto.");
+      if (contact.slave_side == SlaveSide::second)
+        in["Slave side"].refuse(rule, "Use first, or auto.");
     }
   } // namespace
 
@@ -285,7 +285,7 @@ namespace lamella
     contact.discretization = in["Discretization"].choice<Discretization>();
     contact.is_automatic = contact.discretization == Discretization::automatic;
     contact.enforcement  = in["Enforcement"].choice<Enforcement>();
-    contact.points_on    = in["Points on"].choice<PointsOn>();
+    contact.slave_side   = in["Slave side"].choice<SlaveSide>();
     contact.overclosure  = in["Overclosure"].choice<Overclosure>();
     if (contact.obstacle != nullptr)
       check_obstacle(contact, in);

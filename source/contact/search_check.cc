@@ -65,8 +65,8 @@ namespace lamella
   {
     reach            = new_reach;
     ContactPair same = contact;
-    same.points_on =
-      interface.points_on_second ? PointsOn::second : PointsOn::first;
+    same.slave_side =
+      interface.points_on_second ? SlaveSide::second : SlaveSide::first;
     ContactInterface all;
     try
       {

@@ -146,7 +146,7 @@ namespace lamella
                    discretization,
                    enforcement,
                    overclosure,
-                   points_on,
+                   slave_side,
                    penalty,
                    tolerance,
                    search_distance,
@@ -158,7 +158,7 @@ namespace lamella
       for (const auto choice : {static_cast<unsigned int>(discretization),
                                 static_cast<unsigned int>(enforcement),
                                 static_cast<unsigned int>(overclosure),
-                                static_cast<unsigned int>(points_on),
+                                static_cast<unsigned int>(slave_side),
                                 static_cast<unsigned int>(is_automatic),
                                 part_of.value_or(0),
                                 static_cast<unsigned int>(kind)})

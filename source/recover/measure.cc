@@ -13,12 +13,12 @@ namespace lamella
   MeasureParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry(
-      "Of",
+      "Difference",
       "",
       Anything(),
       "PROBE: COLUMN - PROBE: COLUMN, blanks around the minus: the difference "
       "of two columns of probes.csv of one kind; PROBE/PLY on an interface.");
-    prm.declare_entry("Over",
+    prm.declare_entry("Divided by",
                       "1",
                       Anything(),
                       "What the difference is divided by: a number, or "
@@ -84,7 +84,7 @@ namespace lamella
                            const std::string        &name,
                            const std::vector<Probe> &probes)
   {
-    const Entry   of = in["Of"];
+    const Entry   of = in["Difference"];
     NamedQuantity quantity;
     quantity.of     = NamedQuantity::Of::measure;
     quantity.name   = name;
@@ -107,8 +107,9 @@ namespace lamella
     if (a.label() == b.label())
       of.refuse("is zero whatever happens", "Name two probes, or two columns.");
     quantity.over =
-      parse_over(in["Over"], places.front().distance(places.back()));
-    quantity.is_plain = quantity.over == 1. && in["Over"].text() != "distance";
+      parse_over(in["Divided by"], places.front().distance(places.back()));
+    quantity.is_plain =
+      quantity.over == 1. && in["Divided by"].text() != "distance";
     const std::vector<Reference> references =
       parse_references(in["References"], {quantity.column});
     if (!references.empty())

@@ -24,7 +24,7 @@ namespace lamella
                       "",
                       Patterns::Anything(),
                       "Whose plies are looked at, between commas. Empty: all.");
-    prm.declare_entry("Leave out",
+    prm.declare_entry("Excluded boxes",
                       "",
                       Patterns::Anything(),
                       "Boxes that are not looked at, for singular places: two "
@@ -116,8 +116,8 @@ namespace lamella
     StrengthParameters result;
     result.criteria = parse_criteria(in["Criteria"]);
     result.bodies   = parse_bodies(in["Bodies"], bodies);
-    for (const std::string &item : in["Leave out"].items('|'))
-      result.leave_out.push_back(parse_box(in["Leave out"], item));
+    for (const std::string &item : in["Excluded boxes"].items('|'))
+      result.excluded_boxes.push_back(parse_box(in["Excluded boxes"], item));
     result.stress = in["Stress"].choice<StressValues>();
     if (result.stress != StressValues::recovered &&
         result.stress != StressValues::equilibrium)
@@ -125,7 +125,7 @@ namespace lamella
                           "than the elements' own",
                           "Write recovered or equilibrium.");
     if (result.criteria.empty())
-      for (const char *name : {"Bodies", "Leave out"})
+      for (const char *name : {"Bodies", "Excluded boxes"})
         if (!in[name].is_empty())
           in[name].refuse("there are no Criteria to look at plies by",
                           "Give some, or leave this out.");

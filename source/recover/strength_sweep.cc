@@ -85,7 +85,7 @@ namespace lamella
     }
 
     void
-    leave_out(const unsigned int ply, const Point<3> &x)
+    exclude(const unsigned int ply, const Point<3> &x)
     {
       add(ply, x, -1.);
     }
@@ -183,7 +183,7 @@ namespace lamella
           continue;
         if (is_left_out(x))
           {
-            along.leave_out(task.ply, x);
+            along.exclude(task.ply, x);
             continue;
           }
         const Voigt &stress = cell.loaded.samples[k].ply_stress;

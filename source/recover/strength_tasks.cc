@@ -112,7 +112,7 @@ namespace lamella
                                const StrengthParameters &parameters)
     : bodies(bodies)
     , criteria(parameters.criteria)
-    , leave_out(parameters.leave_out)
+    , excluded_boxes(parameters.excluded_boxes)
     , stress(parameters.stress)
   {
     for (const unsigned int b : parameters.bodies)
@@ -219,7 +219,7 @@ namespace lamella
   StrengthSweep::is_left_out(const Point<3> &x) const
   {
     return std::any_of(
-      leave_out.begin(), leave_out.end(), [&x](const auto &box) {
+      excluded_boxes.begin(), excluded_boxes.end(), [&x](const auto &box) {
         for (unsigned int c = 0; c < 3; ++c)
           {
             const double rounding =

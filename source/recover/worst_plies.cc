@@ -111,7 +111,7 @@ namespace lamella
         if (region.body == worst->body && is_on_line_or_point(region, x, near))
           why = "load " + load.name + " acts on a line or point there";
     for (const PrescribedRow &row : prescribed_rows(supports, bodies))
-      if (row.row.body == worst->body && !supports[row.support].hold &&
+      if (row.row.body == worst->body && !supports[row.support].isostatic &&
           row.position.distance(x) <= near)
         why = "support " + supports[row.support].name + " holds that point";
     if (why.empty() && worst->doubt > much)
@@ -124,6 +124,6 @@ namespace lamella
            bodies[worst->body]->name() + "' at " + to_text(x) +
            ", may be of a singular stress and fall with each refinement: " +
            why +
-           "; leave the place out (Strength/Leave out), or refine and see";
+           "; leave the place out (Strength/Excluded boxes), or refine and see";
   }
 } // namespace lamella

@@ -4,7 +4,7 @@
 #include <lamella/adapt/plan.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
-#include <lamella/conditions/hold.h>
+#include <lamella/conditions/isostatic_support.h>
 #include <lamella/contact/assumptions.h>
 #include <lamella/contact/main_normals.h>
 #include <lamella/run/built_scene.h>

@@ -20,7 +20,7 @@ namespace lamella
        lamella report DIR [--output FILE.html]
        lamella new NAME [--kind KIND]
 
-runs the scene; or a ladder of theories and meshes on it, what each costs and how
+runs the scene; or a hierarchy of theories and meshes on it, what each costs and how
 far it is off; or writes it as an input deck of CalculiX; or makes one page of HTML,
 to hand on, of what a run has left in DIR; or writes a commented scene, NAME.prm, that
 runs as it is, to begin with.

@@ -99,9 +99,9 @@ namespace lamella
       const std::string whole = part.name, body = scene.bodies[side.body].name;
       part.name += "_end_of_" + body;
       part.discretization = Discretization::edge_to_surface;
-      part.points_on      = end.of_second ? PointsOn::second : PointsOn::first;
-      part.is_automatic   = false;
-      part.part_of        = end.contact;
+      part.slave_side   = end.of_second ? SlaveSide::second : SlaveSide::first;
+      part.is_automatic = false;
+      part.part_of      = end.contact;
       scene.contacts.push_back(part);
       scene.contact_references[part.name];
       return "contact " + whole + ": an end of body '" + body +

@@ -130,7 +130,7 @@ namespace lamella
                            built.rows().among_contact(k, solved.state.active)));
     add(warnings_of_rollers(solved));
     add(warnings_of_ends(solved));
-    add(warnings_of_holds(solved));
+    add(warnings_of_isostatic_supports(solved));
     if (solved.change && *solved.change > scene.solve.substeps.tolerance)
       warnings.push_back(
         "twice as many substeps, " + std::to_string(solved.substeps) +
@@ -400,7 +400,7 @@ namespace lamella
 
 
   std::vector<std::string>
-  StepRecorder::warnings_of_holds(const SolvedStep &solved) const
+  StepRecorder::warnings_of_isostatic_supports(const SolvedStep &solved) const
   {
     // Of the largest force, a moment over the scene's size.
     constexpr double         worth_saying = 1e-3;
@@ -424,11 +424,11 @@ namespace lamella
         const Resultant &reaction = checks.reactions[s];
         const double     share    = std::max(reaction.force.norm() / largest,
                                       reaction.moment.norm() / of_moments);
-        if (scene.supports[s].hold && share > worth_saying &&
+        if (scene.supports[s].isostatic && share > worth_saying &&
             (checks.is_large || !checks.contacts.empty()))
           warnings.push_back(
             "the hold of body '" +
-            structure.bodies()[scene.supports[s].hold->body]->name() +
+            structure.bodies()[scene.supports[s].isostatic->body]->name() +
             "' bears a force of " + to_text(reaction.force) +
             " and a moment of " + to_text(reaction.moment) + ", " +
             to_text(100. * share, 2) + " % of the largest: " +

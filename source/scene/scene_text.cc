@@ -57,6 +57,30 @@ namespace lamella
 
 
 
+    /// Returns the present name of an entry of version 0.2.0 that was renamed;
+    /// empty for any other @p path.
+    std::string
+    new_name(const std::string &path)
+    {
+      constexpr const char *renamed[][3] = {
+        {"Body", "Hold", "Isostatic support"},
+        {"Body", "Stabilisation", "Stabilization"},
+        {"Contact", "Discretisation", "Discretization"},
+        {"Contact", "Points on", "Slave side"},
+        {"Measure", "Of", "Difference"},
+        {"Measure", "Over", "Divided by"},
+        {"Section", "Fibre angle", "Fiber angle"},
+        {"Strength", "Leave out", "Excluded boxes"},
+        {"Trade", "Ladder", "Variants"}};
+      const std::string kind = path.substr(0, path.find_first_of(" /"));
+      for (const auto &[subsection, before, now] : renamed)
+        if (kind == subsection && last_part(path) == before)
+          return now;
+      return "";
+    }
+
+
+
     /// Limit above any scene; larger files are devices or results.
     constexpr std::size_t longest_scene = 1 << 24;
 
@@ -407,6 +431,12 @@ namespace lamella
         {
           const std::string where =
             parent(item.path).empty() ? "" : " in " + parent(item.path);
+          const std::string renamed = new_name(item.path);
+          if (!renamed.empty())
+            throw InputError("the entry '" + last_part(item.path) + "'" +
+                             where + " is now called '" + renamed +
+                             "'. Rename it.")
+              .at(place(item));
           const std::string nearest =
             nearest_name(last_part(item.path),
                          children(declared, parent(item.path)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/conditions/hold.h>
+#include <lamella/conditions/isostatic_support.h>
 #include <lamella/conditions/parameters.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/material/parameters.h>
@@ -124,7 +124,7 @@ namespace lamella
 
 
 
-    /// Adds the supports of `Hold` of bodies.
+    /// Adds the supports of `Isostatic support` of bodies.
     void
     add_holds(Scene &scene)
     {
@@ -133,14 +133,14 @@ namespace lamella
           if (!scene.bodies[b].is_held)
             continue;
           Support support;
-          support.name = name_of_hold(scene.bodies[b].name);
-          support.hold = Hold{b};
+          support.name      = name_of_isostatic_support(scene.bodies[b].name);
+          support.isostatic = IsostaticSupport{b};
           if (!scene.support_references
                  .emplace(support.name, std::vector<Reference>())
                  .second)
             throw InputError("Support " + support.name,
                              "",
-                             "that is what Hold of the body '" +
+                             "that is what Isostatic support of the body '" +
                                scene.bodies[b].name +
                                "' is called among the supports",
                              "Rename the support.");
@@ -200,8 +200,8 @@ namespace lamella
       const auto body_of_edges = [](const ContactPair &contact) {
         if (contact.discretization != Discretization::edge_to_surface)
           return dealii::numbers::invalid_unsigned_int;
-        return contact.points_on == PointsOn::second ? contact.second.body :
-                                                       contact.first.body;
+        return contact.slave_side == SlaveSide::second ? contact.second.body :
+                                                         contact.first.body;
       };
       return body_of_edges(one) == body_of_edges(other);
     }

@@ -16,17 +16,17 @@ namespace lamella
   namespace
   {
     void
-    declare_ladder(ParameterHandler &prm)
+    declare_variants(ParameterHandler &prm)
     {
       prm.declare_entry(
-        "Ladder",
+        "Variants",
         "EBBT | TBT | TE-1 | TE-2 | TE-3 | TE-4 | "
         "SV | SV-3 | SV-6 | SV-10 | LE-1 | "
         "LE-2, axis 0.5, section 0.5 | LE-2, axis 0.5 | LE-2 | "
         "LE-3, section 0.5 | LE-2, section 2 | LE-3 | solid-1 | solid-2 | solid-2, axis 2 | "
         "LE-3, axis 2",
         Anything(),
-        "Rungs between '|', cheap ones first and the finest last. A rung is a "
+        "Variants between '|', cheap ones first and the finest last. A variant is a "
         "theory and what else it changes between commas: axis FACTOR (on the "
         "numbers of axis elements), section FACTOR (on the numbers of section "
         "cells in each direction), PATH = VALUE (as of --set). In place of a "
@@ -36,7 +36,7 @@ namespace lamella
         "Bodies",
         "",
         Anything(),
-        "Whose theory and meshes the rungs change; all bodies by "
+        "Whose theory and meshes the variants change; all bodies by "
         "default.");
     }
 
@@ -60,14 +60,15 @@ namespace lamella
         "Reference",
         "finest",
         Anything(),
-        "What errors are taken against: finest (the last rung that succeeds), "
+        "What errors are taken against: finest (the last variant that succeeds), "
         "solid (the last such hexahedra), given (the first of the scene's "
-        "References of each quantity), or the name of a rung.");
-      prm.declare_entry("Tolerance",
-                        "1",
-                        patterns::numbers(),
-                        "Errors, in per cent, that the cheapest rung is sought "
-                        "for; one or more between commas.");
+        "References of each quantity), or the name of a variant.");
+      prm.declare_entry(
+        "Tolerance",
+        "1",
+        patterns::numbers(),
+        "Errors, in per cent, that the cheapest variant is sought "
+        "for; one or more between commas.");
     }
   } // namespace
 
@@ -76,18 +77,18 @@ namespace lamella
   void
   TradeParameters::declare(ParameterHandler &prm)
   {
-    declare_ladder(prm);
+    declare_variants(prm);
     declare_comparison(prm);
     prm.declare_entry("Error bars",
                       "false",
                       dealii::Patterns::Bool(),
-                      "Whether each rung makes the error bars of its own "
+                      "Whether each variant makes the error bars of its own "
                       "values, too, as of subsection Goals; they stand beside "
                       "its errors. Its seconds are without them.");
     prm.declare_entry("Time limit",
                       "0",
                       patterns::number(),
-                      "Processor seconds after which a rung is given up; 0: "
+                      "Processor seconds after which a variant is given up; 0: "
                       "never.");
   }
 
@@ -99,112 +100,115 @@ namespace lamella
     // Longest time that the system can count, in seconds.
     constexpr double longest_time = 1e9;
 
-    /// Returns the number after @p word in the @p piece of @p rung, if it has
-    /// this form.
+    /// Returns the number after @p word in the @p piece of @p variant, if it
+    /// has this form.
     std::optional<double>
-    factor(const Entry &rung, const std::string &piece, const std::string &word)
+    factor(const Entry       &variant,
+           const std::string &piece,
+           const std::string &word)
     {
       if (piece.compare(0, word.size() + 1, word + " ") != 0)
         return std::nullopt;
-      const double value = rung.number(piece.substr(word.size() + 1));
+      const double value = variant.number(piece.substr(word.size() + 1));
       if (!(value >= least_factor && value <= greatest_factor))
-        rung.refuse("the factor of " + word + " must lie between " +
-                      to_text(least_factor) + " and " +
-                      to_text(greatest_factor),
-                    "2 makes the mesh twice as fine.");
+        variant.refuse("the factor of " + word + " must lie between " +
+                         to_text(least_factor) + " and " +
+                         to_text(greatest_factor),
+                       "2 makes the mesh twice as fine.");
       return value;
     }
 
 
 
-    /// Returns the tolerance in the @p piece of @p rung as a fraction, if it
+    /// Returns the tolerance in the @p piece of @p variant as a fraction, if it
     /// begins with that word.
     std::optional<double>
-    tolerance(const Entry &rung, const std::string &piece)
+    tolerance(const Entry &variant, const std::string &piece)
     {
       const std::string word = "tolerance";
       if (piece != word && piece.compare(0, word.size() + 1, word + " ") != 0)
         return std::nullopt;
       if (piece == word)
-        rung.refuse("the tolerance is missing", "Write, say, tolerance 1.");
-      const double per_cent = rung.number(piece.substr(word.size() + 1));
+        variant.refuse("the tolerance is missing", "Write, say, tolerance 1.");
+      const double per_cent = variant.number(piece.substr(word.size() + 1));
       if (!(per_cent > 0. && per_cent <= 100.))
-        rung.refuse("the tolerance must be more than 0 and at most 100 per "
-                    "cent",
-                    "Write, say, tolerance 1.");
+        variant.refuse("the tolerance must be more than 0 and at most 100 per "
+                       "cent",
+                       "Write, say, tolerance 1.");
       return per_cent / 100.;
     }
 
 
 
-    /// Returns the theory or the tolerance that @p rung begins with.
-    LadderEntry
-    parse_first(const Entry &rung, const std::string &piece)
+    /// Returns the theory or the tolerance that @p variant begins with.
+    TradeVariant
+    parse_first(const Entry &variant, const std::string &piece)
     {
-      LadderEntry first;
-      first.name      = rung.text();
-      first.tolerance = tolerance(rung, piece);
+      TradeVariant first;
+      first.name      = variant.text();
+      first.tolerance = tolerance(variant, piece);
       first.theory    = first.tolerance ?
                           "tolerance " + to_text(100. * *first.tolerance, 15) :
                           piece;
       if (first.theory.empty())
-        rung.refuse("the rung begins with no theory");
+        variant.refuse("the variant begins with no theory");
       if (!first.tolerance)
-        Theory::parse(Entry(rung.path(), first.theory));
+        Theory::parse(Entry(variant.path(), first.theory));
       return first;
     }
 
 
 
     /// Returns the variant of @p text, its part of the entry.
-    LadderEntry
-    parse_rung(const Entry &text)
+    TradeVariant
+    parse_variant(const Entry &text)
     {
-      const auto  pieces = text.items();
-      LadderEntry rung   = parse_first(text, pieces[0]);
+      const auto   pieces  = text.items();
+      TradeVariant variant = parse_first(text, pieces[0]);
       for (unsigned int k = 1; k < pieces.size(); ++k)
         {
           const std::string &piece = pieces[k];
           if (const auto axis = factor(text, piece, "axis"))
-            rung.axis = *axis;
+            variant.axis = *axis;
           else if (const auto section = factor(text, piece, "section"))
-            rung.section = *section;
+            variant.section = *section;
           else if (piece.find('=') != std::string::npos)
-            rung.overrides.push_back(piece);
-          else if (!rung.overrides.empty())
+            variant.overrides.push_back(piece);
+          else if (!variant.overrides.empty())
             // Values that are lists contain commas.
-            rung.overrides.back() += ", " + piece;
+            variant.overrides.back() += ", " + piece;
           else
             text.refuse("'" + piece +
                           "' is none of axis FACTOR, section FACTOR and PATH = "
                           "VALUE",
                         "Write, say, LE-2, axis 2.");
         }
-      if (rung.tolerance && (rung.axis != 1. || rung.section != 1.))
+      if (variant.tolerance && (variant.axis != 1. || variant.section != 1.))
         text.refuse("a run to a tolerance makes its meshes itself, from those "
                     "that it begins with",
                     "Leave out axis FACTOR and section FACTOR.");
-      return rung;
+      return variant;
     }
 
 
 
-    std::vector<LadderEntry>
-    parse_ladder(const Entry &entry)
+    std::vector<TradeVariant>
+    parse_variants(const Entry &entry)
     {
-      std::vector<LadderEntry> ladder;
-      std::set<std::string>    names;
+      std::vector<TradeVariant> variants;
+      std::set<std::string>     names;
       for (const std::string &piece : entry.items('|'))
         {
           if (piece.empty())
-            entry.refuse("a rung is empty", "Remove a '|'.");
-          ladder.push_back(parse_rung(Entry(entry.path(), piece)));
+            entry.refuse("a variant is empty", "Remove a '|'.");
+          variants.push_back(parse_variant(Entry(entry.path(), piece)));
           if (!names.insert(piece).second)
-            entry.refuse("the rung '" + piece + "' stands there twice");
+            entry.refuse("the variant '" + piece + "' stands there twice");
         }
-      if (ladder.size() < 2)
-        entry.refuse("a trade needs at least two rungs, with '|' between them");
-      return ladder;
+      if (variants.size() < 2)
+        entry.refuse(
+          "a trade needs at least two variants, with '|' between them");
+      return variants;
     }
 
 
@@ -234,14 +238,15 @@ namespace lamella
 
     /// Returns the text of @p entry, if it is a valid reference of errors.
     std::string
-    parse_reference(const Entry &entry, const std::vector<LadderEntry> &ladder)
+    parse_reference(const Entry                     &entry,
+                    const std::vector<TradeVariant> &variants)
     {
       std::vector<std::string> references{"finest", "solid", "given"};
-      for (const LadderEntry &rung : ladder)
-        references.push_back(rung.name);
+      for (const TradeVariant &variant : variants)
+        references.push_back(variant.name);
       if (std::find(references.begin(), references.end(), entry.text()) ==
           references.end())
-        entry.refuse("must be finest, solid, given or the name of a rung",
+        entry.refuse("must be finest, solid, given or the name of a variant",
                      "The nearest is '" +
                        nearest_name(entry.text(), references) + "'.");
       return entry.text();
@@ -281,7 +286,7 @@ namespace lamella
   TradeParameters::parse(const Entries &in, const TradeNames &names)
   {
     TradeParameters trade;
-    trade.ladder = parse_ladder(in["Ladder"]);
+    trade.variants = parse_variants(in["Variants"]);
 
     const Entry bodies = in["Bodies"];
     for (const std::string &body : bodies.items())
@@ -294,7 +299,7 @@ namespace lamella
     trade.quantities       = parse_quantities(quantities, names.quantities);
 
     const Entry reference = in["Reference"];
-    trade.reference       = parse_reference(reference, trade.ladder);
+    trade.reference       = parse_reference(reference, trade.variants);
     // Quantities of goals need not have References.
     if (trade.quantities.empty() && trade.reference != "given")
       trade.quantities = names.of_goals;

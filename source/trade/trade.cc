@@ -37,7 +37,7 @@ namespace lamella
 
 
 
-    /// A folder's name for the rung @p name: letters, digits, '-' and '.'.
+    /// A folder's name for the variant @p name: letters, digits, '-' and '.'.
     std::string
     folder_name(const unsigned int number, const std::string &name)
     {
@@ -65,7 +65,7 @@ namespace lamella
       // Goals, by default these very quantities, would be looked at, too.
       Scene plain = scene;
       plain.goals = GoalParameters();
-      // Whether the scene can be built at all is for the rungs to say.
+      // Whether the scene can be built at all is for the variants to say.
       if (outcome_of([&] {
             model = std::make_unique<const Simulation>(plain, nowhere);
           }).status != 0)
@@ -93,7 +93,7 @@ namespace lamella
     prepare_directory(const std::string &directory)
     {
       std::error_code error;
-      fs::create_directories(directory + "/rungs", error);
+      fs::create_directories(directory + "/variants", error);
       // The lock needs a file; it is not emptied, should another have it.
       if (error || !std::ofstream(directory + "/trade.lock", std::ios::app))
         throw InputError("results cannot be written there. Name a folder that "
@@ -118,7 +118,7 @@ namespace lamella
         throw InputError("Trade/Error bars",
                          "true",
                          "with Rotations = large they are of the axis alone",
-                         "Leave it out: the finest rung is the reference.");
+                         "Leave it out: the finest variant is the reference.");
     }
   } // namespace
 
@@ -144,7 +144,7 @@ namespace lamella
                        "there is nothing to compare, since the scene has "
                        "neither probes nor References of supports and contacts",
                        "Add a probe.");
-    for (const LadderEntry &entry : scene.trade.ladder)
+    for (const TradeVariant &entry : scene.trade.variants)
       try
         {
           check_entries(
@@ -152,14 +152,15 @@ namespace lamella
         }
       catch (const InputError &error)
         {
-          // A theory that cannot turn says so as a rung.
+          // A theory that cannot turn says so as a variant.
           if (scene.solve.rotations == Rotations::large && !entry.tolerance &&
-              !can_turn(Theory::parse(Entry("Trade/Ladder", entry.theory))))
+              !can_turn(Theory::parse(Entry("Trade/Variants", entry.theory))))
             continue;
-          throw InputError("Trade/Ladder",
-                           entry.name,
-                           "the scene cannot be read with this rung's entries",
-                           error.what());
+          throw InputError(
+            "Trade/Variants",
+            entry.name,
+            "the scene cannot be read with this variant's entries",
+            error.what());
         }
   }
 
@@ -168,8 +169,8 @@ namespace lamella
   void
   Trade::check_quantities(const std::string &directory)
   {
-    const std::string said   = directory + "/rungs/check.txt",
-                      errors = directory + "/rungs/check_errors.txt";
+    const std::string said   = directory + "/variants/check.txt",
+                      errors = directory + "/variants/check_errors.txt";
     const ProcessEnd end =
       run_in_child([&] { return plies_of(quantities, scene); },
                    said,
@@ -196,24 +197,25 @@ namespace lamella
   {
     std::map<std::string, std::string> seen;
     unsigned int                       number = 0;
-    for (const LadderEntry &entry : scene.trade.ladder)
+    for (const TradeVariant &entry : scene.trade.variants)
       {
         ++number;
-        out << "Rung " << number << " of " << scene.trade.ladder.size() << ", "
-            << entry.name << ": " << std::flush;
+        out << "Variant " << number << " of " << scene.trade.variants.size()
+            << ", " << entry.name << ": " << std::flush;
         std::vector<std::string> all;
         try
           {
-            all = overrides + make_rung(entry, scene).overrides;
+            all = overrides + make_variant(entry, scene).overrides;
           }
         catch (const InputError &error)
           {
             fail(entry, error.what());
             continue;
           }
-        say_if_interrupted("interrupted. " + directory +
-                           "/rungs has the rungs before this one. The same "
-                           "command goes on with it.");
+        say_if_interrupted(
+          "interrupted. " + directory +
+          "/variants has the variants before this one. The same "
+          "command goes on with it.");
         const std::string of      = fingerprint(entry, all);
         const auto [same, is_new] = seen.emplace(of, entry.name);
         if (!is_new)
@@ -223,11 +225,12 @@ namespace lamella
               reference = same->second;
             continue;
           }
-        run_rung({entry,
-                  all,
-                  of,
-                  scene.trade.error_bars && !entry.tolerance,
-                  directory + "/rungs/" + folder_name(number, entry.name)});
+        run_variant(
+          {entry,
+           all,
+           of,
+           scene.trade.error_bars && !entry.tolerance,
+           directory + "/variants/" + folder_name(number, entry.name)});
       }
   }
 

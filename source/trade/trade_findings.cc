@@ -21,9 +21,9 @@ namespace lamella
   namespace
   {
     Theory
-    theory_of(const RungResult &rung)
+    theory_of(const VariantResult &variant)
     {
-      return Theory::parse(Entry("Theory", rung.theory));
+      return Theory::parse(Entry("Theory", variant.theory));
     }
 
 
@@ -31,7 +31,7 @@ namespace lamella
     /// Whether the theory of @p one holds that of @p other. Runs to a tolerance
     /// hold those to a larger one, and no others.
     bool
-    holds(const RungResult &one, const RungResult &other)
+    holds(const VariantResult &one, const VariantResult &other)
     {
       if (one.tolerance || other.tolerance)
         return one.tolerance && other.tolerance &&
@@ -50,31 +50,31 @@ namespace lamella
 
 
     json
-    to_json(const RungResult &rung, const std::vector<RungResult> &all)
+    to_json(const VariantResult &variant, const std::vector<VariantResult> &all)
     {
       json held = json::array(), bars = json::array();
       for (unsigned int k = 0; k < all.size(); ++k)
-        if (holds(rung, all[k]))
+        if (holds(variant, all[k]))
           held.push_back(k);
-      for (const std::optional<OwnBar> &own : rung.bars)
+      for (const std::optional<OwnBar> &own : variant.bars)
         bars.push_back(
           own ? json{{"bar", own->bar}, {"trusted", own->trusted}} : json());
-      return {{"name", rung.name},
-              {"theory", rung.theory},
-              {"is_solid", !rung.tolerance && theory_of(rung).is_solid()},
+      return {{"name", variant.name},
+              {"theory", variant.theory},
+              {"is_solid", !variant.tolerance && theory_of(variant).is_solid()},
               {"holds", held},
-              {"failure", rung.failure},
-              {"seconds", rung.seconds},
-              {"phases", rung.phases},
-              {"dofs", rung.dofs},
-              {"memory", rung.memory},
-              {"values", rung.values},
+              {"failure", variant.failure},
+              {"seconds", variant.seconds},
+              {"phases", variant.phases},
+              {"dofs", variant.dofs},
+              {"memory", variant.memory},
+              {"values", variant.values},
               {"bars", bars},
-              {"axis", rung.axis},
-              {"section", rung.section},
-              {"overridden", rung.overridden},
-              {"stiffening", rung.stiffening},
-              {"buckling_factor", number(rung.buckling_factor)}};
+              {"axis", variant.axis},
+              {"section", variant.section},
+              {"overridden", variant.overridden},
+              {"stiffening", variant.stiffening},
+              {"buckling_factor", number(variant.buckling_factor)}};
     }
   } // namespace
 
@@ -88,10 +88,10 @@ namespace lamella
                {"phases", phase_names()},
                {"reference", findings.reference},
                {"tolerances", findings.tolerances},
-               {"rungs", json::array()},
+               {"variants", json::array()},
                {"quantities", json::array()}};
-    for (const RungResult &rung : findings.rungs)
-      trade["rungs"].push_back(to_json(rung, findings.rungs));
+    for (const VariantResult &variant : findings.variants)
+      trade["variants"].push_back(to_json(variant, findings.variants));
     for (const NamedQuantity &quantity : findings.quantities)
       trade["quantities"].push_back(
         {{"label", quantity.label()}, {"given", number(quantity.given)}});
@@ -100,7 +100,7 @@ namespace lamella
     const std::string python = python_with("json");
     if (python.empty())
       throw InputError("there is no python3 to make the tables of the trade "
-                       "with. Install it, and start the trade again: rungs "
+                       "with. Install it, and start the trade again: variants "
                        "that have ended are not run again.");
     const std::string errors = directory + "/trade_errors.txt";
     const ProcessEnd  end =

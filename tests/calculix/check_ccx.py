@@ -72,7 +72,7 @@ def check_blocks(peers, folder):
              f"{element}: force on the second body")
         same(run.probes["middle"]["szz"], -force / 6, 1e-4, f"{element}: stress")
     # Without a word on the stiffness the penetration hardly matters.
-    for change in ([], ["Contact faces/Points on=second"],
+    for change in ([], ["Contact faces/Slave side=second"],
                    ["Contact faces/First=lower: top",
                     "Contact faces/Second=upper: bottom"]):
         run = solved(peers.peer_run(HERE / "blocks.prm", change, folder=folder))

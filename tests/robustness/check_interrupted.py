@@ -9,7 +9,7 @@ step that nothing is there; later how many load steps are, which are those of su
 and that --resume goes on, which it does; while error bars are made that all else is there,
 and --resume makes them. It ends by
 the signal, 130 to a shell. A run that is done says nothing of the kind. A run to a
-tolerance names the pass whose results are there, a trade the rungs.
+tolerance names the pass whose results are there, a trade the variants.
 """
 
 import json
@@ -92,10 +92,10 @@ def check_tolerance_run(program, scene, output):
 
 def check_trade(program, scene, output):
     words = [program, "trade", scene, "--output", str(output)]
-    status, errors = interrupted(words, "Rung 2 ", signal.SIGINT)
+    status, errors = interrupted(words, "Variant 2 ", signal.SIGINT)
     expect(status == -signal.SIGINT, f"a trade ends by the signal ({status})")
-    told = f"{output}/rungs has the rungs before this one. The same command goes on with it."
-    expect(told in errors and list(output.glob("rungs/01_*/rung.json")), errors.strip())
+    told = f"{output}/variants has the variants before this one. The same command goes on with it."
+    expect(told in errors and list(output.glob("variants/01_*/variant.json")), errors.strip())
 
 
 def check_revised(program, folder):

@@ -191,7 +191,7 @@ class Writer:
             self.swapped.append(name)
         entries = {"First": first, "Second": second}
         if points:
-            entries["Points on"] = points
+            entries["Slave side"] = points
         entries.update({key.replace("_", " "): value for key, value in more.items()})
         self.add("Contact", name, entries)
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the bending scenes of `lamella new` with laminates of any coupling, held by `Hold`
+"""Runs the bending scenes of `lamella new` with laminates of any coupling, held by `Isostatic support`
 and held by supports at points, and compares the two.
 
 Usage: layups.py LAMELLA WORKDIR [--only KIND:LAYUP:THEORY ...]
 
 Each scene is run as `lamella new` writes it, with another layup and theory, and once more
-as its twin: in place of `Hold` supports at points of the middle section, one component for
+as its twin: in place of `Isostatic support` supports at points of the middle section, one component for
 each rigid motion that the hold takes out, with the displacement of the first run. Motions
 that contact holds have the same springs in both (Stabilization = 1e-6). A moment about z,
 which rollers have on a coupon that twists, is put on the twin's middle section as the hold
@@ -115,9 +115,9 @@ class Case:
 
     def twin(self, displacements, moment):
         """The scene with supports at points, which prescribe `displacements`, in place of
-        Hold, and with `moment` about z on the middle section."""
+        `Isostatic support`, and with `moment` about z on the middle section."""
         springs = "" if self.kind == "four-point" else "  set Stabilization = 1e-6\n"
-        text = re.sub(r"(?m)^\s*set Hold .*\n", springs, self.text)
+        text = re.sub(r"(?m)^\s*set Isostatic support .*\n", springs, self.text)
         text += f"set Supports = {', '.join(self.places)}\n"
         for name, (x, z, components) in self.places.items():
             u = ", ".join(displacements[name][c] if c in components else "free"
@@ -135,7 +135,7 @@ class Case:
         """The largest difference of the two, and the horizontal force of the hold, over the
         largest force."""
         held, held_summary = self.solved("held", self.text)
-        hold = held_summary["supports"]["hold-coupon"]
+        hold = held_summary["supports"]["isostatic-coupon"]
         # Numbers below 1e-30 are refused, and those below 1e-20 are rounding.
         displacements = {row["probe"]: {c: row["u" + c] if abs(float(row["u" + c])) > 1e-20
                                         else "0" for c in "xyz"} for row in held}

@@ -80,7 +80,7 @@ EXPRESSIONS = {"Force", "Pressure"}
 NUMERIC = POSITIVE | COUNTS | VECTORS | DIRECTIONS | NUMBERS | POINTS | EXPRESSIONS | {"Layup"}
 CHOICES = {"Theory", "Units", "Shape", "Axis element", "Discretization", "Enforcement",
            "Contact strategy", "Library", "Write VTU", "Linear solver", "Overclosure",
-           "Points on", "Poisson correction", "Shear strains", "Axis nodes", "Stress"}
+           "Slave side", "Poisson correction", "Shear strains", "Axis nodes", "Stress"}
 NAMES = {"Section", "Material", "Ply materials"}
 PLACES = {"On", "First", "Second"}
 ONE_NUMBER = {"Length", "Width", "Height", "Radius", "Finest cell", "Scale", "Pressure",

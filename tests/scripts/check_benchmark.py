@@ -15,7 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-SECTIONS = ("The paper's tables", "Ladders of theories", "Growth",
+SECTIONS = ("The paper's tables", "Hierarchies of theories", "Growth",
             "Contact over a linear solution", "Where the seconds go",
             "Against CalculiX")
 REQUIREMENT = re.compile(r"^- .*: wanted (at least|at most) (\S+), measured (\S+): "

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs `lamella trade` on a small scene and checks what it says against the files
 of the runs, recomputed here; that it goes on where it was killed; and what happens
-to rungs that fail.
+to variants that fail.
 
 Usage: check_trade.py LAMELLA SCENE.prm WORKDIR
 """
@@ -52,10 +52,10 @@ class Trade:
         return read(self.folder / "trade.csv")
 
     def records(self):
-        """Path -> content and time of the records of rungs that succeeded: one
+        """Path -> content and time of the records of variants that succeeded: one
         that failed is tried again."""
         return {path: (path.read_text(), path.stat().st_mtime_ns)
-                for path in sorted(self.folder.glob("rungs/*/rung.json"))
+                for path in sorted(self.folder.glob("variants/*/variant.json"))
                 if not json.loads(path.read_text())["failure"]}
 
 
@@ -72,13 +72,13 @@ def value_of(run, quantity):
 
 
 def run_folders(trade):
-    """Rung -> folder of its run, from the order of the ladder."""
+    """Variant -> folder of its run, from the order of the hierarchy."""
     return {re.sub(r"^\d+_", "", path.name): path / "run"
-            for path in trade.folder.glob("rungs/*")}
+            for path in trade.folder.glob("variants/*")}
 
 
-def folder_of(trade, rung):
-    return run_folders(trade)[re.sub(r"[^A-Za-z0-9.-]", "_", rung)]
+def folder_of(trade, variant):
+    return run_folders(trade)[re.sub(r"[^A-Za-z0-9.-]", "_", variant)]
 
 
 def check_errors(trade, reference):
@@ -87,12 +87,12 @@ def check_errors(trade, reference):
     expect(rows, "trade.csv has rows")
     worst = 0.
     for row in rows:
-        run = folder_of(trade, row["rung"])
+        run = folder_of(trade, row["variant"])
         value, against = value_of(run, row["quantity"]), reference(row["quantity"])
         summary = json.loads((run / "summary.json").read_text())
         worst = max(worst, abs(float(row["value"]) - value) / abs(value),
                     abs(float(row["reference"]) - against) / abs(against))
-        # The files of a rung that makes bars are not those of its fastest run.
+        # The files of a variant that makes bars are not those of its fastest run.
         if not (run / "goals.csv").exists() or row["theory"].startswith("tolerance"):
             worst = max(worst, abs(float(row["memory_mb"]) / summary["peak_memory_mb"] - 1),
                         *(abs(float(row[phase]) - summary["seconds"][phase])
@@ -109,7 +109,7 @@ def check_errors(trade, reference):
 
 
 def is_richer(one, other):
-    """Whether the rung of the row `one` holds that of `other`; none of theirs sets
+    """Whether the variant of the row `one` holds that of `other`; none of theirs sets
     an entry."""
     def family(row):
         order = row["theory"].partition("-")[2]
@@ -117,7 +117,7 @@ def is_richer(one, other):
             row["theory"], (row["theory"].partition("-")[0], float(order or 0)))
 
     def factor(row, word):
-        found = re.search(rf", {word} ([0-9.]+)", row["rung"])
+        found = re.search(rf", {word} ([0-9.]+)", row["variant"])
         return float(found[1]) if found else 1.
 
     return (family(one)[0] == family(other)[0] and family(one)[1] >= family(other)[1]
@@ -165,7 +165,7 @@ def check_sentences(trade, text, tolerances):
             begin = f"For {per_cent} % in {quantity} "
             said = [line for line in text.splitlines() if line.startswith(begin)]
             if not good:
-                expect(len(said) == 1 and "no rung is enough" in said[0],
+                expect(len(said) == 1 and "no variant is enough" in said[0],
                        begin + "nothing is enough")
                 continue
             least = min(float(row["seconds"]) for row in good)
@@ -173,8 +173,8 @@ def check_sentences(trade, text, tolerances):
                      if float(row["seconds"]) <= 1.05 * least + 0.1]
             best = min(equal, key=lambda row: int(row["dofs"]))
             expect(len(said) == 1 and
-                   f"the cheapest is {best['rung']}: {best['dofs']} DoFs" in said[0],
-                   begin + f"it is {best['rung']}")
+                   f"the cheapest is {best['variant']}: {best['dofs']} DoFs" in said[0],
+                   begin + f"it is {best['variant']}")
             sure = [row for row in good if not any(
                 other["quantity"] == quantity and is_richer(other, row)
                 and float(other["error"]) > per_cent / 100 for other in rows)]
@@ -184,7 +184,7 @@ def check_sentences(trade, text, tolerances):
             least = min((float(row["seconds"]) for row in sure), default=0.)
             equal = [row for row in sure
                      if float(row["seconds"]) <= 1.05 * least + 0.1]
-            name = min(equal, key=lambda row: int(row["dofs"]))["rung"] if sure else ""
+            name = min(equal, key=lambda row: int(row["dofs"]))["variant"] if sure else ""
             expect("Do not count on it: " in said[0] and
                    (f"The cheapest to count on is {name}: " if sure else
                     "There is none to count on") in said[0],
@@ -195,12 +195,12 @@ def check_ladder(program, scene, workdir):
     trade = Trade(program, scene, workdir / "whole")
     done = trade.run()
     print(done.stdout, done.stderr)
-    expect(done.returncode == 0, "the trade succeeds although a rung fails")
+    expect(done.returncode == 0, "the trade succeeds although a variant fails")
     failed = [row for row in trade.table() if row["failure"]]
     expect(len(failed) == 1 and "B9" in failed[0]["failure"] and
-           "B2, B3" in failed[0]["failure"], "the rung that fails is a row, and why")
+           "B2, B3" in failed[0]["failure"], "the variant that fails is a row, and why")
     expect("LE-2, axis 1: the same as LE-2, left out" in done.stdout,
-           "a rung that is the same as another is left out")
+           "a variant that is the same as another is left out")
     last = folder_of(trade, "LE-3, axis 2")
     check_errors(trade, lambda quantity: value_of(last, quantity))
     check_fronts(trade)
@@ -220,17 +220,17 @@ def check_other_questions(trade):
     done = trade.run("Trade/Reference=given", "Trade/Quantities=end: uz | clamp: fz")
     expect(done.returncode == 0, "errors against given values")
     check_errors(trade, given.get)
-    expect(trade.records() == before, "no rung was run again for it")
+    expect(trade.records() == before, "no variant was run again for it")
     done = trade.run("Trade/Quantities=interface: syy")
     expect(done.returncode == 1 and "interface/1: syy" in done.stderr,
            "a stress on an interface wants its ply named")
     done = trade.run("Trade/Reference=solid")
-    expect(done.returncode == 2 and "no rung with hexahedra" in done.stderr,
+    expect(done.returncode == 2 and "no variant with hexahedra" in done.stderr,
            "no solid, no reference")
     done = trade.run("Load tip/Force=0, 0, 0.25")
     expect(done.returncode == 0 and
            not set(before.values()) & set(trade.records().values()),
-           "another load: every rung is run again")
+           "another load: every variant is run again")
     forces = [float(row["value"]) for row in trade.table()
               if row["quantity"] == "clamp: fz"]
     expect(forces and all(abs(force + 2) < 1e-9 for force in forces),
@@ -238,7 +238,7 @@ def check_other_questions(trade):
     done = trade.run("Trade/Reference=LE-2, axis 1", "Trade/Quantities=end: uz",
                      "Load tip/Force=0, 0, 0.25")
     expect(done.returncode == 0 and "Errors are against LE-2." in done.stdout,
-           "a reference that is the same as another rung is that one")
+           "a reference that is the same as another variant is that one")
     done = trade.run("Trade/Quantities=interface/9: syy")
     expect(done.returncode == 1 and "does not lie in this ply" in done.stderr and
            not (trade.folder / "trade.csv").exists(),
@@ -261,7 +261,7 @@ def check_bars(trade, text):
                   if not row["error"]}
     for row in rows:
         goals = {goal["goal"]: goal for goal in
-                 read(folder_of(trade, row["rung"]) / "goals.csv")}
+                 read(folder_of(trade, row["variant"]) / "goals.csv")}
         bar = goals[row["quantity"]]["bar"]
         if bool(bar) != bool(row["bar"]):
             worst = 1.
@@ -283,19 +283,19 @@ def check_bars(trade, text):
 
 
 def check_tolerance(program, scene, workdir):
-    """A run to a tolerance among rungs that make bars of their own; then it alone
+    """A run to a tolerance among variants that make bars of their own; then it alone
     has them; then of goals that the scene leaves open."""
     trade = Trade(program, scene, workdir / "tolerance")
-    ladder = "Trade/Ladder=TBT | tolerance 4 | LE-2 | LE-3, axis 2"
+    hierarchy = "Trade/Variants=TBT | tolerance 4 | LE-2 | LE-3, axis 2"
     quantities = "Trade/Quantities=end: uz | interface/2: syy | clamp: fz"
-    done = trade.run(ladder, quantities, "Trade/Error bars=true")
+    done = trade.run(hierarchy, quantities, "Trade/Error bars=true")
     print(done.stdout, done.stderr)
     expect(done.returncode == 0 and not any(row["failure"] for row in trade.table()),
-           "a tolerance is a rung")
+           "a tolerance is a variant")
     run = folder_of(trade, "tolerance 4")
     passes = read(run / "passes.csv")
     last = [row for row in passes if row["pass"] == passes[-1]["pass"]]
-    rows = [row for row in trade.table() if row["rung"] == "tolerance 4"]
+    rows = [row for row in trade.table() if row["variant"] == "tolerance 4"]
     expect([row["goal"] for row in last] == [row["quantity"] for row in rows] and
            all(row["met"] == "1" for row in last), "the trade's quantities are its goals")
     expect(all(row["dofs"] == one["dofs"] and row["value"] == one["value"]
@@ -308,28 +308,28 @@ def check_tolerance(program, scene, workdir):
     check_errors(trade, lambda quantity: value_of(finest, quantity))
     check_bars(trade, done.stdout)
     before = trade.records()
-    done = trade.run(ladder, quantities, "Trade/Error bars=true",
+    done = trade.run(hierarchy, quantities, "Trade/Error bars=true",
                      "Trade/Reference=tolerance 4")
     expect(done.returncode == 0 and trade.records() == before and
            "Errors are against tolerance 4." in done.stdout,
            "it may be the reference, and nothing is run again")
-    done = trade.run(ladder, quantities)
+    done = trade.run(hierarchy, quantities)
     table = trade.table()
     expect(done.returncode == 0 and
-           all(bool(row["bar"]) == (row["rung"] == "tolerance 4") for row in table),
+           all(bool(row["bar"]) == (row["variant"] == "tolerance 4") for row in table),
            "without Error bars it alone has bars")
     after = trade.records()
     expect([before[path] == after[path] for path in sorted(before)] ==
            [False, True, False, False], "and it alone was not run again")
-    done = trade.run("Trade/Ladder=TBT | tolerance 30", "Trade/Quantities=",
+    done = trade.run("Trade/Variants=TBT | tolerance 30", "Trade/Quantities=",
                      "Probe interface/At=beam: 1, 7, 0.5")
-    rows = [row for row in trade.table() if row["rung"] == "tolerance 30"]
+    rows = [row for row in trade.table() if row["variant"] == "tolerance 30"]
     expect(done.returncode == 0 and len(rows) == 4 and rows[-1]["error"] == "" and
            all(row["bar"] for row in rows), "goals that the scene leaves open")
 
 
 def check_killed(program, scene, workdir):
-    """kill -9 after two rungs: they stay, the rest is run, nothing else lives on."""
+    """kill -9 after two variants: they stay, the rest is run, nothing else lives on."""
     trade = Trade(program, scene, workdir / "killed")
     process = trade.start()
     until = time.monotonic() + 60
@@ -346,15 +346,15 @@ def check_killed(program, scene, workdir):
     while any(alive(pid) for pid in running) and time.monotonic() < until:
         time.sleep(0.01)
     expect(not any(alive(pid) for pid in running),
-           f"the rung that ran ({len(running)} process) does not outlive the trade")
+           f"the variant that ran ({len(running)} process) does not outlive the trade")
     before = trade.records()
     expect(len(before) >= 2 and not (trade.folder / "trade.csv").exists(),
-           f"killed after {len(before)} rungs")
+           f"killed after {len(before)} variants")
     done = trade.run()
     after = trade.records()
     expect(done.returncode == 0 and len(after) == 6, "the trade went on to its end")
     expect(all(after[path] == before[path] for path in before),
-           "the rungs that had ended were not run again")
+           "the variants that had ended were not run again")
     expect(done.stdout.count("(of an earlier trade)") == len(before),
            "and it says so")
     # A record that was cut off is none.
@@ -368,14 +368,14 @@ def check_killed(program, scene, workdir):
 
 def check_time_limit(program, scene, workdir):
     trade = Trade(program, scene, workdir / "limit")
-    done = trade.run("Trade/Ladder=TBT | LE-4, axis 10, section 4",
+    done = trade.run("Trade/Variants=TBT | LE-4, axis 10, section 4",
                      "Trade/Time limit=1", "Trade/Reference=TBT")
     failed = [row["failure"] for row in trade.table() if row["failure"]]
     expect(done.returncode == 0 and len(failed) == 1 and "time limit of 1 s"
-           in failed[0], "a rung beyond the time limit is a row")
+           in failed[0], "a variant beyond the time limit is a row")
     title = "A `touch INJECTED` it's \"b\""
     done = subprocess.run(trade.words + ["--set", f"Title={title}", "--set",
-                                         "Trade/Ladder=EBBT | TBT", "--output",
+                                         "Trade/Variants=EBBT | TBT", "--output",
                                          str(workdir / "it's a folder")],
                           capture_output=True, text=True, cwd=workdir)
     expect(done.returncode == 0 and not (workdir / "INJECTED").exists() and
@@ -384,7 +384,7 @@ def check_time_limit(program, scene, workdir):
 
 
 def check_changed(program, scene, workdir):
-    """The scene's file is written while a rung of it runs."""
+    """The scene's file is written while a variant of it runs."""
     copy = workdir / "changing.prm"
     copy.write_text(scene.read_text())
     trade = Trade(program, copy, workdir / "changed")
@@ -395,45 +395,45 @@ def check_changed(program, scene, workdir):
         time.sleep(0.005)
     copy.write_text(scene.read_text().replace("0, 0, 0.125", "0, 0, 1.25"))
     _, errors = process.communicate()
-    expect(process.returncode == 1 and "changed while rungs" in errors,
+    expect(process.returncode == 1 and "changed while variants" in errors,
            "a scene that changes under the trade ends it")
     expect(trade.run().returncode == 0, "and the next one is all of the new scene")
     forces = [float(row["value"]) for row in trade.table()
               if row["quantity"] == "clamp: fz"]
     expect(forces and all(abs(force + 10) < 1e-8 for force in forces),
-           "with its load in every rung")
+           "with its load in every variant")
 
 
 def check_goals(program, scene, workdir):
-    """The quantities of Goals, where Trade names none; a ladder in which no rung is near
+    """The quantities of Goals, where Trade names none; a hierarchy in which no variant is near
     the reference."""
     trade = Trade(program, scene, workdir / "goals")
-    done = trade.run("Trade/Ladder=EBBT | TE-2", "Trade/Quantities=",
+    done = trade.run("Trade/Variants=EBBT | TE-2", "Trade/Quantities=",
                      "Goals/Quantities=end: ux | clamp: fz", "Goals/Error bars=false")
     expect(done.returncode == 0 and list(dict.fromkeys(
         row["quantity"] for row in trade.table())) == ["end: ux", "clamp: fz"],
         f"the quantities of Goals {done.stderr}")
     # EBBT knows no coupling: the reference has no ux beside it.
     error = max(float(row["error"]) for row in trade.table() if row["error"])
-    expect(error > 0.05 and "Errors are against TE-2. No other rung comes near it in all "
+    expect(error > 0.05 and "Errors are against TE-2. No other variant comes near it in all "
            "quantities (the nearest, EBBT, is off by up to" in done.stdout,
-           f"nothing is called sure by a rung that is {100 * error:.0f} % off")
+           f"nothing is called sure by a variant that is {100 * error:.0f} % off")
 
 
 def check_large(program, scene, workdir):
-    """Rungs that turn by any angle, and one that cannot."""
+    """Variants that turn by any angle, and one that cannot."""
     bends = scene.parents[1] / "scenes/turning_spatial.prm"
     trade = Trade(program, bends, workdir / "large")
-    done = trade.run("Trade/Ladder=TE-1 | TBT | SV | SV, axis 2",
+    done = trade.run("Trade/Variants=TE-1 | TBT | SV | SV, axis 2",
                      "Load factors=1", "Trade/Tolerance=1")
-    rows = {row["rung"]: row for row in trade.table() if row["quantity"] == "tip: uz"}
+    rows = {row["variant"]: row for row in trade.table() if row["quantity"] == "tip: uz"}
     expect(done.returncode == 0 and "All of it with Rotations = large." in done.stdout,
            f"large rotations are said {done.stderr}")
     expect("TE-1: failed" in done.stdout and "Rotations = large wants" in done.stdout,
            "a theory that cannot turn says so")
     expect(abs(float(rows["SV"]["value"]) - 113.361) < 0.1,
            "the reference of turning_spatial.expect")
-    bars = trade.run("Trade/Ladder=TBT | SV", "Trade/Error bars=true")
+    bars = trade.run("Trade/Variants=TBT | SV", "Trade/Error bars=true")
     expect(bars.returncode == 1 and "Trade/Error bars = true" in bars.stderr,
            "there are no bars of them")
 

@@ -368,13 +368,13 @@ BOOST_AUTO_TEST_CASE(energies_are_nested)
   of["SV-6, LE-2, SV-6"] = energy(by_hand({"SV-6", "LE-2", "SV-6"}, inner));
   of["LE-2, SV-6, LE-2"] = energy(by_hand({"LE-2", "SV-6", "LE-2"}, outer));
   const double all       = of["LE-2"];
-  for (const std::vector<std::string> &ladder :
+  for (const std::vector<std::string> &hierarchy :
        {std::vector<std::string>{"SV", "SV-3", "SV-6", "SV-10", "LE-2"},
         {"SV", "SV, LE-2, SV", "SV-6, LE-2, SV-6", "LE-2"},
         {"SV-6", "LE-2, SV-6, LE-2", "LE-2"}})
-    for (unsigned int k = 1; k < ladder.size(); ++k)
-      BOOST_TEST(of[ladder[k - 1]] < of[ladder[k]] * (1. + 1e-10),
-                 ladder[k - 1] << " in " << ladder[k]);
+    for (unsigned int k = 1; k < hierarchy.size(); ++k)
+      BOOST_TEST(of[hierarchy[k - 1]] < of[hierarchy[k]] * (1. + 1e-10),
+                 hierarchy[k - 1] << " in " << hierarchy[k]);
   for (const auto &[name, value] : of)
     BOOST_TEST_MESSAGE(name << " is short of LE-2 by " << 1. - value / all);
   BOOST_TEST(of["SV-6"] > 0.9999 * all);

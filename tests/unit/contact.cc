@@ -471,7 +471,7 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
   BOOST_TEST(!plain.search_distance);
   const ContactPair chosen = read({{"Discretization", "surface to surface"},
                                    {"Enforcement", "augmented lagrangian"},
-                                   {"Points on", "second"},
+                                   {"Slave side", "second"},
                                    {"Overclosure", "error"},
                                    {"Penalty", "900"},
                                    {"Penalty per", "node"},
@@ -481,7 +481,7 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
   BOOST_TEST(chosen.friction == 0.3);
   BOOST_TEST((chosen.discretization == Discretization::surface_to_surface));
   BOOST_TEST((chosen.enforcement == Enforcement::augmented_lagrangian));
-  BOOST_TEST((chosen.points_on == PointsOn::second));
+  BOOST_TEST((chosen.slave_side == SlaveSide::second));
   BOOST_TEST((chosen.overclosure == Overclosure::refuse));
   BOOST_TEST((chosen.penalty.kind == PenaltyKind::per_node));
   BOOST_TEST(chosen.penalty.value == 900.);
@@ -501,7 +501,7 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
                                              {"Second", "flor"},
                                              {"Discretization", "mortar"},
                                              {"Enforcement", ""},
-                                             {"Points on", "third"},
+                                             {"Slave side", "third"},
                                              {"Overclosure", "refuse"},
                                              {"Penalty", "-1"},
                                              {"Penalty", ""},

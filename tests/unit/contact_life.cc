@@ -75,7 +75,7 @@ namespace
     contact.enforcement    = Enforcement::penalty;
     contact.penalty        = {PenaltyKind::per_node, 1.};
     contact.discretization = discretization;
-    contact.points_on      = PointsOn::first;
+    contact.slave_side     = SlaveSide::first;
     return contact;
   }
 
@@ -377,7 +377,7 @@ BOOST_AUTO_TEST_CASE(what_is_left_behind_is_lost_and_what_comes_is_not_seen)
       // others come under it.
       const Bodies bodies = two_strips("LE-1", "LE-1");
       ContactPair  pair   = between(discretization);
-      pair.points_on      = PointsOn::second;
+      pair.slave_side     = SlaveSide::second;
       ContactInterface interface;
       Contact          contact(pair, bodies, interface);
       BlockVector      u = zero(bodies);
@@ -413,7 +413,7 @@ namespace
   struct Rubbing
   {
     Discretization                  discretization;
-    PointsOn                        points_on;
+    SlaveSide                       slave_side;
     std::shared_ptr<const Obstacle> against;
   };
 
@@ -423,7 +423,7 @@ namespace
   words(const Rubbing &what)
   {
     return std::string(name_of(what.discretization)) + " on " +
-           name_of(what.points_on) + " against " +
+           name_of(what.slave_side) + " against " +
            (what.against ? what.against->name : "a body");
   }
 
@@ -436,13 +436,13 @@ namespace
     for (const auto discretization :
          {Discretization::node_to_surface, Discretization::surface_to_surface})
       {
-        for (const auto on : {PointsOn::first, PointsOn::second})
+        for (const auto on : {SlaveSide::first, SlaveSide::second})
           all.push_back({discretization, on, nullptr});
         for (const auto shape :
              {Obstacle::Shape::plane, Obstacle::Shape::cylinder})
-          all.push_back({discretization, PointsOn::first, obstacle(shape)});
+          all.push_back({discretization, SlaveSide::first, obstacle(shape)});
       }
-    all.push_back({Discretization::edge_to_surface, PointsOn::first, nullptr});
+    all.push_back({Discretization::edge_to_surface, SlaveSide::first, nullptr});
     return all;
   }
 
@@ -452,7 +452,7 @@ namespace
   pair_of(const Rubbing &what)
   {
     ContactPair contact = between(what.discretization, what.against);
-    contact.points_on   = what.points_on;
+    contact.slave_side  = what.slave_side;
     contact.friction    = 0.3;
     return contact;
   }

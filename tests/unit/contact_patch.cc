@@ -94,10 +94,11 @@ namespace
 
 
   ContactPair
-  blocks_contact(const Discretization discretization, const PointsOn points_on)
+  blocks_contact(const Discretization discretization,
+                 const SlaveSide      slave_side)
   {
     ContactPair contact = pair_of("bottom", "top", discretization);
-    contact.points_on   = points_on;
+    contact.slave_side  = slave_side;
     contact.penalty     = {PenaltyKind::per_area, eps};
     return contact;
   }
@@ -124,11 +125,12 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_through_meshes_that_do_not_match)
   for (const auto &[placement, nu] :
        {std::make_pair(placements[0], 0.), std::make_pair(placements[1], 0.3)})
     for (const Theory &theory : {layer_wise(2), layer_wise(3), taylor(2)})
-      for (const PointsOn points_on : {PointsOn::first, PointsOn::second})
+      for (const SlaveSide slave_side : {SlaveSide::first, SlaveSide::second})
         {
           const Touching touching =
             solve(two_blocks(placement, theory, nu),
-                  blocks_contact(Discretization::surface_to_surface, points_on),
+                  blocks_contact(Discretization::surface_to_surface,
+                                 slave_side),
                   walls_and_press(moved));
           BOOST_TEST(pressure_error(touching) < 1e-9,
                      "nu " << nu << ": " << pressure_error(touching));
@@ -168,10 +170,10 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
                    nu = 0.3;
   for (const Placement &placement : {placements.back()})
     for (const Theory &theory : {layer_wise(2), layer_wise(3), taylor(2)})
-      for (const PointsOn points_on : {PointsOn::first, PointsOn::second})
+      for (const SlaveSide slave_side : {SlaveSide::first, SlaveSide::second})
         {
           ContactPair contact =
-            blocks_contact(Discretization::surface_to_surface, points_on);
+            blocks_contact(Discretization::surface_to_surface, slave_side);
           contact.enforcement        = Enforcement::exact;
           const Touching    touching = solve(two_blocks(placement, theory, nu),
                                           contact,
@@ -231,13 +233,13 @@ BOOST_AUTO_TEST_CASE(node_to_surface_leaves_an_error)
   // Forces stand at points of the other side, where they are not in balance
   // with the shares of a uniform pressure: an error of the method, which
   // doc/theory/contact.md states.
-  for (const auto &[points_on, largest, resultant] :
-       {std::make_tuple(PointsOn::first, 0.2096, -0.0299),
-        std::make_tuple(PointsOn::second, 0.1311, -0.0075)})
+  for (const auto &[slave_side, largest, resultant] :
+       {std::make_tuple(SlaveSide::first, 0.2096, -0.0299),
+        std::make_tuple(SlaveSide::second, 0.1311, -0.0075)})
     {
       const Touching touching =
         solve(two_blocks(Placement(), layer_wise(2), 0.),
-              blocks_contact(Discretization::node_to_surface, points_on),
+              blocks_contact(Discretization::node_to_surface, slave_side),
               walls_and_press(moved));
       BOOST_TEST(std::abs(pressure_error(touching) - largest) < 1e-4);
       BOOST_TEST(
@@ -261,7 +263,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_between_turned_grids)
   const double angle = 25. * PI / 180., p = 3.;
   for (const Placement &placement : placements)
     for (const Theory &theory : {layer_wise(2), layer_wise(3), taylor(2)})
-      for (const PointsOn points_on : {PointsOn::first, PointsOn::second})
+      for (const SlaveSide slave_side : {SlaveSide::first, SlaveSide::second})
         {
           const Tensor<1, 3> axis =
                                Point<3>(std::sin(angle), std::cos(angle), 0.),
@@ -287,7 +289,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_between_turned_grids)
                                      placement));
           const auto interface =
             make_interface(blocks_contact(Discretization::surface_to_surface,
-                                          points_on),
+                                          slave_side),
                            bodies);
           BlockVector f = zero(bodies), due = zero(bodies);
           for (unsigned int k = 0; k < interface.rows.size(); ++k)
@@ -411,7 +413,7 @@ BOOST_AUTO_TEST_CASE(a_block_on_a_floor_that_rises)
                                    placement,
                                    EngineeringConstants::isotropic(E, 0.3)));
         ContactPair contact =
-          blocks_contact(discretization, PointsOn::automatic);
+          blocks_contact(discretization, SlaveSide::automatic);
         contact.obstacle                  = make_floor(placement, -0.01);
         const Touching          touching  = solve(std::move(bodies),
                                         contact,
@@ -570,7 +572,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_look_away)
         },
         {"the surface 'top' of First lies 1.21 behind 'bottom' of Second",
          "look at each other"});
-      // A block 0.6 deep in a block is no overlap to push apart.
+      // A block 0.6 deep in a block is no overlap to resolve.
       Bodies    inside = two_blocks(Placement(), layer_wise(2), 0.);
       Placement deep;
       deep.origin[2] = -0.6 + lower_height;

@@ -303,7 +303,7 @@ BOOST_AUTO_TEST_CASE(each_row_is_an_average)
         crossed_strips(placement, 30., 0.8, 1., 2, 1, theory);
       ContactPair contact =
         pair_of("bottom", "top", Discretization::surface_to_surface);
-      contact.points_on     = PointsOn::first;
+      contact.slave_side    = SlaveSide::first;
       const auto  interface = make_interface(contact, bodies);
       BlockVector u         = zero(bodies);
       u.block(0)            = any_displacement(*bodies[0]);
@@ -346,7 +346,7 @@ BOOST_AUTO_TEST_CASE(surfaces_behind_surfaces)
         2.,
         3));
       ContactPair contact  = pair_of("bottom", "all", discretization);
-      contact.points_on    = PointsOn::first;
+      contact.slave_side   = SlaveSide::first;
       const auto interface = make_interface(contact, bodies);
       double     area      = 0.;
       for (unsigned int k = 0; k < interface.rows.size(); ++k)

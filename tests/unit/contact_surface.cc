@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(points_of_the_second_side)
   pair.second      = {1, Region::Kind::surface, "top", {}};
   pair.enforcement = Enforcement::penalty;
   pair.penalty     = {PenaltyKind::per_area, 1.};
-  pair.points_on   = PointsOn::second;
+  pair.slave_side  = SlaveSide::second;
   for (const Discretization discretization :
        {Discretization::node_to_surface, Discretization::surface_to_surface})
     {

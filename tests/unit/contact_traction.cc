@@ -192,14 +192,14 @@ BOOST_AUTO_TEST_CASE(turned_grids)
 {
   for (const Placement &placement : placements)
     for (const Theory &theory : {layer_wise(2), layer_wise(3), taylor(2)})
-      for (const PointsOn points_on : {PointsOn::first, PointsOn::second})
+      for (const SlaveSide slave_side : {SlaveSide::first, SlaveSide::second})
         for (const Discretization discretization :
              {Discretization::surface_to_surface,
               Discretization::node_to_surface})
           {
             const Bodies bodies  = turned_blocks(placement, theory);
             ContactPair  pair    = pair_of("bottom", "top", discretization);
-            pair.points_on       = points_on;
+            pair.slave_side      = slave_side;
             const auto interface = make_interface(pair, bodies);
             check_resultants(interface, bodies);
           }
@@ -212,12 +212,12 @@ BOOST_AUTO_TEST_CASE(uniform_on_either_side)
   // Surface to surface the pressure ends where the upper block does, inside of
   // the cells of the lower one.
   for (const Placement &placement : placements)
-    for (const PointsOn points_on : {PointsOn::first, PointsOn::second})
+    for (const SlaveSide slave_side : {SlaveSide::first, SlaveSide::second})
       {
         const Bodies bodies = turned_blocks(placement, layer_wise(2));
         ContactPair  pair =
           pair_of("bottom", "top", Discretization::surface_to_surface);
-        pair.points_on                = points_on;
+        pair.slave_side               = slave_side;
         const auto          interface = make_interface(pair, bodies);
         std::vector<double> forces;
         for (const auto &point : interface.points)
@@ -368,7 +368,7 @@ BOOST_AUTO_TEST_CASE(a_curved_surface)
                                              Point<3>(0., 1., 0.),
                                              Point<3>(0., 0., 1.))));
       ContactPair pair = pair_of("arc", "bottom", discretization);
-      pair.points_on   = PointsOn::first;
+      pair.slave_side  = SlaveSide::first;
       const auto                interface = make_interface(pair, bodies);
       const std::vector<double> forces    = some_forces(interface);
       const ContactTraction     traction(interface,

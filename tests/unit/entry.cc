@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(names_of_enumerations)
   check_names<Enforcement>();
   check_names<Discretization>();
   check_names<Overclosure>();
-  check_names<PointsOn>();
+  check_names<SlaveSide>();
   check_names<Phase>();
   BOOST_TEST(name_of(Strategy::undefined).empty());
 }

@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(keys_of_models)
     [](Scene &s) { s.corner_layers["strip"] = 1; },
     [](Scene &s) { s.contacts[0].enforcement = Enforcement::exact; },
     [](Scene &s) { s.contacts[0].penalty.value = 7.; },
-    [](Scene &s) { s.contacts[0].points_on = PointsOn::second; },
+    [](Scene &s) { s.contacts[0].slave_side = SlaveSide::second; },
     [](Scene &s) { s.contacts[0].tolerance = 1e-3; },
     [](Scene &s) { s.contacts[0].search_distance = 1.; },
     [](Scene &s) { s.resolved += "set u = 0, 0, 1"; }};

@@ -46,11 +46,11 @@ namespace
 
   /// The largest relative error of stress, and of a row's force over its area.
   std::array<double, 2>
-  errors(Bodies bodies, const PointsOn points_on, const Placement &placement)
+  errors(Bodies bodies, const SlaveSide slave_side, const Placement &placement)
   {
     ContactPair contact =
       pair_of("bottom", "top", Discretization::surface_to_surface);
-    contact.points_on   = points_on;
+    contact.slave_side  = slave_side;
     contact.enforcement = Enforcement::exact;
     const std::vector<ContactInterface> contacts{
       make_interface(contact, bodies)};
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(patch)
   // Hanging nodes in the contact: a quarter of the face is divided.
   const SolidRefinement none, divided{0, {{{0., 0., lower_height}, 0.8, 1}}};
   for (const unsigned int degree : {1, 2})
-    for (const PointsOn points_on : {PointsOn::first, PointsOn::second})
+    for (const SlaveSide slave_side : {SlaveSide::first, SlaveSide::second})
       for (const bool beam_above : {true, false})
         for (const SolidRefinement &refinement : {none, divided})
           {
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(patch)
             bodies.push_back(solid_block(
               "lower", lower_height, 2, 3, placement, degree, refinement));
             const auto [stress, force] =
-              errors(std::move(bodies), points_on, placement);
+              errors(std::move(bodies), slave_side, placement);
             BOOST_TEST(stress < 1e-9);
             BOOST_TEST(force < 1e-9);
           }

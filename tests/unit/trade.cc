@@ -2,8 +2,8 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/recover/results.h>
-#include <lamella/trade/ladder.h>
-#include <lamella/trade/rung_result.h>
+#include <lamella/trade/variant_result.h>
+#include <lamella/trade/variants.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -34,8 +34,8 @@ BOOST_AUTO_TEST_CASE(bars_go_through_a_pipe)
   results.goals[0].bar      = 2. / 3.;
   results.goals[0].trusted  = true;
   results.goals[1].name     = "clamp: fz";
-  const RungValues sent(results);
-  const RungValues values(nlohmann::json::parse(sent.to_json().dump()));
+  const VariantValues sent(results);
+  const VariantValues values(nlohmann::json::parse(sent.to_json().dump()));
   BOOST_TEST(values.has_bars());
   const std::optional<OwnBar> bar = values.bar(quantity("uz"));
   BOOST_TEST(bar.value().estimate == -1. / 3.);
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(bars_go_through_a_pipe)
                 .value()
                 .trusted);
   results.goals.clear();
-  BOOST_TEST(!RungValues(results).has_bars());
+  BOOST_TEST(!VariantValues(results).has_bars());
 }
 
 
@@ -75,33 +75,33 @@ namespace
   std::vector<std::string>
   overrides(const SectionShape &shape, const double axis, const double section)
   {
-    LadderEntry entry;
+    TradeVariant entry;
     entry.name = entry.theory = "LE-2";
     entry.axis                = axis;
     entry.section             = section;
     entry.overrides           = {"Contact c/Penalty=7"};
-    return make_rung(entry, scene_with(shape)).overrides;
+    return make_variant(entry, scene_with(shape)).overrides;
   }
 
   using Texts = std::vector<std::string>;
 
 
 
-  /// The ladder that `Trade/Ladder` = @p text means.
-  std::vector<LadderEntry>
+  /// The hierarchy that `Trade/Variants` = @p text means.
+  std::vector<TradeVariant>
   parsed(const std::string &text)
   {
     dealii::ParameterHandler prm;
     prm.enter_subsection("Trade");
     TradeParameters::declare(prm);
-    prm.set("Ladder", text);
-    return TradeParameters::parse(Entries(prm, "Trade"), {}).ladder;
+    prm.set("Variants", text);
+    return TradeParameters::parse(Entries(prm, "Trade"), {}).variants;
   }
 } // namespace
 
 
 
-BOOST_AUTO_TEST_CASE(meshes_of_rungs)
+BOOST_AUTO_TEST_CASE(meshes_of_variants)
 {
   Laminate laminate;
   laminate.cells_per_ply = {1, 4};
@@ -143,15 +143,15 @@ BOOST_AUTO_TEST_CASE(meshes_of_rungs)
 
 
 
-BOOST_AUTO_TEST_CASE(tolerances_in_ladders)
+BOOST_AUTO_TEST_CASE(tolerances_in_hierarchies)
 {
-  const auto ladder =
+  const auto hierarchy =
     parsed("TBT | tolerance  0.50, Goals/Budget DoFs = 1000 | tolerance 100");
-  BOOST_TEST(!ladder[0].tolerance.has_value());
-  BOOST_TEST(ladder[1].theory == "tolerance 0.5");
-  BOOST_TEST(ladder[1].tolerance.value() == 0.005);
-  BOOST_TEST((ladder[1].overrides == Texts{"Goals/Budget DoFs = 1000"}));
-  BOOST_TEST(ladder[2].tolerance.value() == 1.);
+  BOOST_TEST(!hierarchy[0].tolerance.has_value());
+  BOOST_TEST(hierarchy[1].theory == "tolerance 0.5");
+  BOOST_TEST(hierarchy[1].tolerance.value() == 0.005);
+  BOOST_TEST((hierarchy[1].overrides == Texts{"Goals/Budget DoFs = 1000"}));
+  BOOST_TEST(hierarchy[2].tolerance.value() == 1.);
   for (const char *bad : {"tolerance",
                           "tolerance 0",
                           "tolerance -1",
@@ -168,8 +168,8 @@ BOOST_AUTO_TEST_CASE(tolerances_in_ladders)
 
 BOOST_AUTO_TEST_CASE(runs_to_tolerances)
 {
-  LadderEntry entry      = parsed("TBT | tolerance 0.5, Theory = LE-1").back();
-  Scene       scene      = scene_with(Laminate());
+  TradeVariant entry     = parsed("TBT | tolerance 0.5, Theory = LE-1").back();
+  Scene        scene     = scene_with(Laminate());
   scene.trade.quantities = {quantity("uz"), quantity("syy")};
   scene.bodies[0].theory = Theory::parse({"Theory", "LE-2"});
   const Texts begin{"Goals/Quantities=tip: uz | tip: syy",
@@ -184,31 +184,32 @@ BOOST_AUTO_TEST_CASE(runs_to_tolerances)
   Texts all = begin;
   all.push_back("Body a/Kinematics/Theory=LE-2");
   all.insert(all.end(), end.begin(), end.end());
-  BOOST_TEST((make_rung(entry, scene).overrides == all));
-  // Bars of other rungs change nothing of it.
+  BOOST_TEST((make_variant(entry, scene).overrides == all));
+  // Bars of other variants change nothing of it.
   scene.trade.error_bars = true;
-  BOOST_TEST((make_rung(entry, scene).overrides == all));
+  BOOST_TEST((make_variant(entry, scene).overrides == all));
   // Which columns of a whole probe are meant is not known beforehand.
   scene.trade.whole_probes = {"root"};
-  BOOST_TEST(make_rung(entry, scene).overrides[0] == "Goals/Quantities=");
+  BOOST_TEST(make_variant(entry, scene).overrides[0] == "Goals/Quantities=");
 }
 
 
 
-BOOST_AUTO_TEST_CASE(bars_of_rungs)
+BOOST_AUTO_TEST_CASE(bars_of_variants)
 {
-  const LadderEntry entry = parsed("TBT | LE-2").back();
-  Scene             scene = scene_with(Laminate());
-  scene.trade.quantities  = {quantity("uz")};
-  scene.trade.error_bars  = true;
-  BOOST_TEST(
-    (make_rung(entry, scene).overrides == Texts{"Body b/Kinematics/Theory=LE-2",
-                                                "Goals/Error bars=true",
-                                                "Goals/Quantities=tip: uz"}));
+  const TradeVariant entry = parsed("TBT | LE-2").back();
+  Scene              scene = scene_with(Laminate());
+  scene.trade.quantities   = {quantity("uz")};
+  scene.trade.error_bars   = true;
+  BOOST_TEST((make_variant(entry, scene).overrides ==
+              Texts{"Body b/Kinematics/Theory=LE-2",
+                    "Goals/Error bars=true",
+                    "Goals/Quantities=tip: uz"}));
   scene.goals.tolerances = {{0.02}, {0.01}, {0.005, true}};
-  BOOST_TEST(make_rung(entry, scene).overrides.back() == "Goals/Tolerance=1");
+  BOOST_TEST(make_variant(entry, scene).overrides.back() ==
+             "Goals/Tolerance=1");
   scene.goals.tolerances = {{0.005, true}};
-  BOOST_TEST(make_rung(entry, scene).overrides.back() == "Goals/Tolerance=");
+  BOOST_TEST(make_variant(entry, scene).overrides.back() == "Goals/Tolerance=");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -97,7 +97,7 @@ TwoCubes::TwoCubes()
   faces.second         = {1, Region::Kind::surface, "top", {}};
   faces.discretization = Discretization::node_to_node;
   faces.enforcement    = Enforcement::penalty;
-  faces.overclosure    = Overclosure::push_apart;
+  faces.overclosure    = Overclosure::resolve;
   faces.penalty        = {PenaltyKind::per_area, 1.};
   interface            = make_interface(faces, bodies);
 

@@ -6,15 +6,15 @@
 // wanted of it, each as exact as it has to be, with as little work as will do.
 // `lamella trade` says for one number at a time which theory and mesh is the
 // cheapest; a design has to be right in all of them at once. The program climbs
-// the ladder of the scene by itself and then asks what the command does
-// not: the cheapest rung that meets all tolerances, and the best one
+// the hierarchy of the scene by itself and then asks what the command does
+// not: the cheapest variant that meets all tolerances, and the best one
 // within a budget. See README.md in this folder.
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/run/simulation.h>
-#include <lamella/trade/ladder.h>
 #include <lamella/trade/trade_findings.h>
+#include <lamella/trade/variants.h>
 
 #include <deal.II/base/table_handler.h>
 
@@ -31,8 +31,8 @@ public:
   run();
 
 private:
-  RungResult
-  climb(const LadderEntry &entry);
+  VariantResult
+  climb(const TradeVariant &entry);
   bool
   has_error(const unsigned int k) const;
   double
@@ -41,7 +41,7 @@ private:
   utilization(const unsigned int k) const;
   template <typename Number>
   int
-  cheapest(Number RungResult::*const cost) const;
+  cheapest(Number VariantResult::*const cost) const;
   int
   best_within_budget() const;
   void
@@ -65,9 +65,10 @@ private:
   const Scene scene;
   double      largest_imbalance = 0.;
 
-  // All rungs of the ladder, and the number of the finest that has succeeded.
-  std::vector<RungResult> rungs;
-  unsigned int            reference = 0;
+  // All variants of the hierarchy, and the number of the finest that has
+  // succeeded.
+  std::vector<VariantResult> variants;
+  unsigned int               reference = 0;
 };
 
 
@@ -80,19 +81,20 @@ BendingTest::BendingTest()
 
 
 
-// A rung is the same text with a few entries replaced, which make_rung() names:
-// its theory, its elements, its cells. Whatever goes wrong with one (no memory,
-// no convergence) is a result as well, and no reason not to try the others.
+// A variant is the same text with a few entries replaced, which make_variant()
+// names: its theory, its elements, its cells. Whatever goes wrong with one (no
+// memory, no convergence) is a result as well, and no reason not to try the
+// others.
 //
 // The seconds are those of the whole way, from the text to the numbers, as long
 // as nothing else is at work in the process. Simulation::solve() returns all
-// that the run has found out; RungValues picks from it what a trade compares,
-// as the command `lamella trade` does. No file is written on the way.
-RungResult
-BendingTest::climb(const LadderEntry &entry)
+// that the run has found out; VariantValues picks from it what a trade
+// compares, as the command `lamella trade` does. No file is written on the way.
+VariantResult
+BendingTest::climb(const TradeVariant &entry)
 {
-  RungResult result{entry.name, entry.theory, "", 0., {}, 0, 0., {}};
-  // What the sentences need to tell a richer rung from a coarser one.
+  VariantResult result{entry.name, entry.theory, "", 0., {}, 0, 0., {}};
+  // What the sentences need to tell a richer variant from a coarser one.
   result.axis       = entry.axis;
   result.section    = entry.section;
   result.overridden = !entry.overrides.empty();
@@ -100,13 +102,14 @@ BendingTest::climb(const LadderEntry &entry)
     {
       dealii::Timer wall;
       std::ostream  quiet(nullptr);
-      const Rung    rung    = make_rung(entry, scene);
-      const Scene   changed = read_scene(SceneText::read(file, rung.overrides));
-      Simulation    simulation(changed, quiet);
+      const Variant variant = make_variant(entry, scene);
+      const Scene   changed =
+        read_scene(SceneText::read(file, variant.overrides));
+      Simulation     simulation(changed, quiet);
       const Results &results = simulation.solve();
       result.seconds         = wall.wall_time();
 
-      const RungValues values(results);
+      const VariantValues values(results);
       values.tell(result);
       for (const NamedQuantity &quantity : scene.trade.quantities)
         result.values.push_back(values.value(quantity));
@@ -126,11 +129,11 @@ BendingTest::climb(const LadderEntry &entry)
 
 
 
-// Errors are relative to the finest rung, which has none itself.
+// Errors are relative to the finest variant, which has none itself.
 bool
 BendingTest::has_error(const unsigned int k) const
 {
-  return rungs[k].failure.empty() && k != reference;
+  return variants[k].failure.empty() && k != reference;
 }
 
 
@@ -138,14 +141,14 @@ BendingTest::has_error(const unsigned int k) const
 double
 BendingTest::error(const unsigned int k, const unsigned int q) const
 {
-  return std::abs(rungs[k].values[q] / rungs[reference].values[q] - 1.);
+  return std::abs(variants[k].values[q] / variants[reference].values[q] - 1.);
 }
 
 
 
-// The idea of this step, one number for a rung: how much it uses of what it may
-// be off, in the quantity where that is most. Engineers know it from proofs of
-// strength: up to 1 all is well, and 1.2 is not mended by a 0.1 elsewhere.
+// The idea of this step, one number for a variant: how much it uses of what it
+// may be off, in the quantity where that is most. Engineers know it from proofs
+// of strength: up to 1 all is well, and 1.2 is not mended by a 0.1 elsewhere.
 double
 BendingTest::utilization(const unsigned int k) const
 {
@@ -158,15 +161,15 @@ BendingTest::utilization(const unsigned int k) const
 
 
 // The first question: all tolerances are fixed, what is the least work? The
-// answer is -1 if no rung is enough.
+// answer is -1 if no variant is enough.
 template <typename Number>
 int
-BendingTest::cheapest(Number RungResult::*const cost) const
+BendingTest::cheapest(Number VariantResult::*const cost) const
 {
   int best = -1;
-  for (unsigned int k = 0; k < rungs.size(); ++k)
+  for (unsigned int k = 0; k < variants.size(); ++k)
     if (has_error(k) && utilization(k) <= 1. &&
-        (best < 0 || rungs[k].*cost < rungs[best].*cost))
+        (best < 0 || variants[k].*cost < variants[best].*cost))
       best = k;
   return best;
 }
@@ -179,8 +182,8 @@ int
 BendingTest::best_within_budget() const
 {
   int best = -1;
-  for (unsigned int k = 0; k < rungs.size(); ++k)
-    if (has_error(k) && rungs[k].dofs <= budget &&
+  for (unsigned int k = 0; k < variants.size(); ++k)
+    if (has_error(k) && variants[k].dofs <= budget &&
         (best < 0 || utilization(k) < utilization(best)))
       best = k;
   return best;
@@ -192,11 +195,11 @@ void
 BendingTest::print_utilizations() const
 {
   dealii::TableHandler table;
-  for (unsigned int k = 0; k < rungs.size(); ++k)
+  for (unsigned int k = 0; k < variants.size(); ++k)
     if (has_error(k))
       {
-        table.add_value("rung", rungs[k].name);
-        table.add_value("DoFs", rungs[k].dofs);
+        table.add_value("variant", variants[k].name);
+        table.add_value("DoFs", variants[k].dofs);
         for (unsigned int q = 0; q < tolerances.size(); ++q)
           {
             table.add_value(purposes[q], error(k, q) / tolerances[q]);
@@ -211,9 +214,9 @@ BendingTest::print_utilizations() const
 
 
 
-// The two answers, as the DoFs of a rung, its name and what it uses. Seconds of
-// rungs this small are within what a machine lets two equal runs differ, DoFs
-// are the same everywhere.
+// The two answers, as the DoFs of a variant, its name and what it uses. Seconds
+// of variants this small are within what a machine lets two equal runs differ,
+// DoFs are the same everywhere.
 void
 BendingTest::decide() const
 {
@@ -222,25 +225,25 @@ BendingTest::decide() const
     if (k < 0)
       std::cout << "none\n";
     else
-      std::cout << rungs[k].dofs << "\n  (" << rungs[k].name << ", "
-                << rungs[k].seconds << " s, uses " << utilization(k)
+      std::cout << variants[k].dofs << "\n  (" << variants[k].name << ", "
+                << variants[k].seconds << " s, uses " << utilization(k)
                 << " of the tolerances)\n";
   };
   std::cout.precision(3);
-  std::cout << "\nAll at once, DoFs of the rung\n";
-  say("all tolerances, fewest DoFs", cheapest(&RungResult::dofs));
-  say("all tolerances, fewest seconds", cheapest(&RungResult::seconds));
+  std::cout << "\nAll at once, DoFs of the variant\n";
+  say("all tolerances, fewest DoFs", cheapest(&VariantResult::dofs));
+  say("all tolerances, fewest seconds", cheapest(&VariantResult::seconds));
   say("best within the budget", best_within_budget());
 }
 
 
 
-// Two things are known without any of this. The force of the first rung, EBBT:
-// the half of the strip is a cantilever upside down, 3 EI u / L^3, with the EI
-// of fibers alone, since EBBT couples nothing across the plies. And the shear
-// stress in the interface, from the equilibrium of ply 1 (its area A_1 and its
-// distance z_1 from the middle) in a beam with that EI, as a mean over the
-// width,
+// Two things are known without any of this. The force of the first variant,
+// EBBT: the half of the strip is a cantilever upside down, 3 EI u / L^3, with
+// the EI of fibers alone, since EBBT couples nothing across the plies. And the
+// shear stress in the interface, from the equilibrium of ply 1 (its area A_1
+// and its distance z_1 from the middle) in a beam with that EI, as a mean over
+// the width,
 //
 //   F E_1 A_1 z_1 / (b EI).
 void
@@ -252,12 +255,13 @@ BendingTest::check() const
   const double EI =
                  width * ply * ply * ply / 12. * (26. * carbon.E1 + carbon.E2),
                force = 3. * EI * way / std::pow(length, 3),
-               shear = rungs[reference].values[0] * carbon.E1 * ply * ply / EI;
+               shear =
+                 variants[reference].values[0] * carbon.E1 * ply * ply / EI;
   std::cout.precision(8);
   std::cout << "\nforce of EBBT over 3 EI u / L^3: "
-            << rungs.front().values.at(0) / force
+            << variants.front().values.at(0) / force
             << "\nshear stress of the reference over its mean: "
-            << std::abs(rungs[reference].values[2]) / shear
+            << std::abs(variants[reference].values[2]) / shear
             << "\nlargest imbalance of nose and bearing: " << largest_imbalance
             << std::endl;
 }
@@ -273,21 +277,21 @@ BendingTest::run()
 {
   std::filesystem::create_directories(output);
   // The first run waits for libraries to be read from disk; it does not count.
-  climb(scene.trade.ladder.front());
-  for (const LadderEntry &entry : scene.trade.ladder)
+  climb(scene.trade.variants.front());
+  for (const TradeVariant &entry : scene.trade.variants)
     {
       std::cout << entry.name << ": " << std::flush;
-      rungs.push_back(climb(entry));
-      if (rungs.back().failure.empty())
+      variants.push_back(climb(entry));
+      if (variants.back().failure.empty())
         {
-          reference = rungs.size() - 1;
-          std::cout << rungs.back().dofs << " DoFs" << std::endl;
+          reference = variants.size() - 1;
+          std::cout << variants.back().dofs << " DoFs" << std::endl;
         }
       else
-        std::cout << "failed: " << rungs.back().failure << std::endl;
+        std::cout << "failed: " << variants.back().failure << std::endl;
     }
 
-  present_trade({rungs,
+  present_trade({variants,
                  scene.trade.quantities,
                  scene.trade.reference,
                  scene.trade.tolerances,

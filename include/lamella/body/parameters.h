@@ -37,7 +37,7 @@ namespace lamella
     /// (none) to 0.01.
     double stabilization = 0.;
     /// Flag: unloaded rigid motions are removed, and those that contact may
-    /// constrain get springs (conditions/hold.h).
+    /// constrain get springs (conditions/isostatic_support.h).
     bool is_held = false;
     /// Flag: finite rotations (GreenBeam).
     bool turns = false;
@@ -54,7 +54,7 @@ namespace lamella
    *   Axis, Up         directions of y, and that z leans towards (y, z)
    *   Length           of the axis
    *   Stabilization    share of E A / L, 0 to 0.01               (0)
-   *   Hold             statically determinate, or empty          (empty)
+   *   Isostatic support  true or false                          (false)
    * in the scene's axes and unit of length. `Kinematics` has all entries of
    * TheoryParameters, AxisParameters and SolidParameters; those that the theory
    * does not need may stay when it changes.

@@ -31,9 +31,9 @@ namespace lamella
     at(const dealii::Point<3> &x, const Body &body) const;
   };
 
-  /// Isostatic support of a body, from its entry `Hold`: rows that remove
-  /// unresisted rigid motions (conditions/hold.h).
-  struct Hold
+  /// Isostatic support of a body, from its entry `Isostatic support`: rows that
+  /// remove unresisted rigid motions (conditions/isostatic_support.h).
+  struct IsostaticSupport
   {
     /// Number of the body in the scene's list.
     unsigned int body = 0;
@@ -80,7 +80,7 @@ namespace lamella
     /// points.
     std::optional<dealii::Point<3>> about = std::nullopt;
     /// Isostatic support, without regions and values.
-    std::optional<Hold> hold = std::nullopt;
+    std::optional<IsostaticSupport> isostatic = std::nullopt;
     /// Number of its history of load factors (LoadFactor::of()).
     unsigned int history = 0;
   };

@@ -47,16 +47,16 @@ namespace lamella
   enum class Overclosure
   {
     undefined,
-    push_apart, ///< contact forces resolve it: an interference fit
-    adjust,     ///< it is subtracted from the gaps, without strain
-    refuse      ///< an error
+    resolve, ///< contact forces resolve it: an interference fit
+    adjust,  ///< it is subtracted from the gaps, without strain
+    refuse   ///< an error
   };
 
   template <>
   struct Names<Overclosure>
   {
     static constexpr NameOf<Overclosure> all[] = {
-      {Overclosure::push_apart, "push apart"},
+      {Overclosure::resolve, "resolve"},
       {Overclosure::adjust, "adjust"},
       {Overclosure::refuse, "error"}};
   };
@@ -64,7 +64,7 @@ namespace lamella
   /// Slave (nonmortar) side: it has the points of `node to surface`, the hat
   /// functions of `surface to surface` and the edges of `edge to surface`.
   /// Unused by `node to node`.
-  enum class PointsOn
+  enum class SlaveSide
   {
     undefined,
     automatic, ///< the side with the finer grid where the two face each other;
@@ -74,11 +74,11 @@ namespace lamella
   };
 
   template <>
-  struct Names<PointsOn>
+  struct Names<SlaveSide>
   {
-    static constexpr NameOf<PointsOn> all[] = {{PointsOn::automatic, "auto"},
-                                               {PointsOn::first, "first"},
-                                               {PointsOn::second, "second"}};
+    static constexpr NameOf<SlaveSide> all[] = {{SlaveSide::automatic, "auto"},
+                                                {SlaveSide::first, "first"},
+                                                {SlaveSide::second, "second"}};
   };
 
   /**
@@ -102,8 +102,8 @@ namespace lamella
     /// Mandatory: `undefined` fails an assertion.
     Discretization discretization = Discretization::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
-    Overclosure    overclosure    = Overclosure::push_apart;
-    PointsOn       points_on      = PointsOn::automatic;
+    Overclosure    overclosure    = Overclosure::resolve;
+    SlaveSide      slave_side     = SlaveSide::automatic;
     /// Penalty. For `augmented lagrangian` and `exact` it affects the
     /// convergence of the force estimates only.
     Penalty penalty;

@@ -48,10 +48,10 @@ namespace lamella
     /// Sets the `automatic` discretization and slave side, also for sides
     /// displaced from here on.
     void
-    decide(const Discretization discretization, const PointsOn points_on)
+    decide(const Discretization discretization, const SlaveSide slave_side)
     {
       pair.discretization = discretization;
-      pair.points_on      = points_on;
+      pair.slave_side     = slave_side;
     }
 
     /// Returns true for edge contact: gaps are along the normals of the other

@@ -340,9 +340,9 @@ namespace lamella
    *   1. surfaces with normals and search trees (MeshSurface);
    *   2. Discretization::automatic: `node to node` if every node that faces the
    *      other surface faces one of its nodes;
-   *   3. the slave side by PointsOn; `automatic`: the side with more grid cells
-   *      where the two face each other (cells_facing()), if equal the body that
-   *      comes first in the scene;
+   *   3. the slave side by SlaveSide; `automatic`: the side with more grid
+   * cells where the two face each other (cells_facing()), if equal the body
+   * that comes first in the scene;
    *   4. gaps, normals, areas and weights: pair_node_to_node(),
    *      pair_node_to_surface() or weighted_gaps();
    *   5. weights times displacement rows; penalties from local stiffnesses;

@@ -184,7 +184,7 @@ namespace lamella
                        const double           reach);
 
   /// Returns the number of grid cells (degree_s x degree_t per facet) of @p a
-  /// that face @p b, parts of facets by area, for PointsOn::automatic. Facets
+  /// that face @p b, parts of facets by area, for SlaveSide::automatic. Facets
   /// are cut as plane quadrilaterals with those opposite (cut()); the area of
   /// overlapping facets of @p b counts up to that of the facet.
   double

@@ -30,7 +30,7 @@ namespace lamella
     /// Numbers of the scene's bodies, ascending.
     std::vector<unsigned int> bodies;
     /// Boxes to leave out: lower and upper corner, scene axes.
-    std::vector<std::array<dealii::Point<3>, 2>> leave_out;
+    std::vector<std::array<dealii::Point<3>, 2>> excluded_boxes;
     /// Kind of stresses: `recovered` or `equilibrium`.
     StressValues stress = StressValues::recovered;
 
@@ -195,7 +195,7 @@ namespace lamella
 
     const Bodies                                &bodies;
     std::vector<Criterion>                       criteria;
-    std::vector<std::array<dealii::Point<3>, 2>> leave_out;
+    std::vector<std::array<dealii::Point<3>, 2>> excluded_boxes;
     StressValues                                 stress;
     std::vector<Swept>                           all;
   };

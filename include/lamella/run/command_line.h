@@ -16,7 +16,7 @@ namespace lamella
     enum class Task
     {
       run,             ///< solves the scene (Simulation)
-      trade,           ///< a ladder of theories and meshes on it (Trade)
+      trade,           ///< a hierarchy of theories and meshes on it (Trade)
       export_calculix, ///< needs --calculix, the one format that there is
       report,          ///< a page of what a run has left (make_page)
       new_scene        ///< a commented scene to begin with (write_new_scene)

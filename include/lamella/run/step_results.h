@@ -142,7 +142,7 @@ namespace lamella
     /// Returns warnings of forces in isostatic supports if the loads are not in
     /// equilibrium in the removed motions.
     std::vector<std::string>
-    warnings_of_holds(const SolvedStep &solved) const;
+    warnings_of_isostatic_supports(const SolvedStep &solved) const;
     /// Returns the numbers of the contacts of note_on_idle_contacts().
     std::vector<unsigned int>
     idle_contacts() const;

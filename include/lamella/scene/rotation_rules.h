@@ -14,9 +14,9 @@ namespace lamella
    *
    * Throws InputError for entries that large rotations do not allow: theories
    * without finite-rotation kinematics, axes that lock, solid-1,
-   * node-dependent theories, Stabilization and Hold, pairs of nodes, the full
-   * strategy, error bars and tolerances, stresses by equilibrium, several
-   * processes.
+   * node-dependent theories, Stabilization and Isostatic support, pairs of
+   * nodes, the full strategy, error bars and tolerances, stresses by
+   * equilibrium, several processes.
    */
   Scene
   turning(Scene scene);

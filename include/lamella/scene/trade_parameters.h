@@ -17,7 +17,7 @@ namespace lamella
 {
   /// Variant of a trade: a theory and refinement factors on the meshes of the
   /// scene, or a run to a tolerance, which chooses both.
-  struct LadderEntry
+  struct TradeVariant
   {
     /// Name in the scene: `LE-2, axis 2`.
     std::string name;
@@ -47,7 +47,7 @@ namespace lamella
   struct TradeParameters
   {
     /// Variants, at least two, from cheap to the finest.
-    std::vector<LadderEntry> ladder;
+    std::vector<TradeVariant> variants;
     /// Quantities named; by default those of Goals, or those with References.
     std::vector<NamedQuantity> quantities;
     /// Probes in empty Quantities, without columns: the largest displacement

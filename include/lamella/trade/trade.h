@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `trade`: accuracy against cost. It owns ladders of theories and
+// The room `trade`: accuracy against cost. It owns hierarchies of theories and
 // meshes, the runs of their variants, each in a process of its own, and their
 // results, of which scripts/trade.py makes a table, sentences on the cheapest
 // variant, and a picture. A variant is an ordinary scene, of which
@@ -11,8 +11,8 @@
 
 #include <lamella/base/child_process.h>
 #include <lamella/scene/scene.h>
-#include <lamella/trade/ladder.h>
-#include <lamella/trade/rung_result.h>
+#include <lamella/trade/variant_result.h>
+#include <lamella/trade/variants.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -24,8 +24,8 @@
 namespace lamella
 {
   /**
-   * Implements `lamella trade SCENE.prm`: runs variants of a scene (rungs of a
-   * ladder of theories and meshes) and compares their costs and errors.
+   * Implements `lamella trade SCENE.prm`: runs variants of a scene (variants of
+   * a hierarchy of theories and meshes) and compares their costs and errors.
    *
    * Each variant is a forked process, in which Simulation or ToleranceRun runs
    * the scene with its overrides, and Estimation makes error bars if
@@ -50,11 +50,11 @@ namespace lamella
           const unsigned int              threads,
           std::ostream                   &out);
 
-    /// Runs the variants without results in @p directory, into rungs/NN_NAME,
-    /// and presents all there (present_trade()). Throws InputError if another
-    /// trade runs there, a file cannot be written, the scene has changed
-    /// meanwhile or a variant lacks a quantity; NumericsError if no reference
-    /// succeeded.
+    /// Runs the variants without results in @p directory, into
+    /// variants/NN_NAME, and presents all there (present_trade()). Throws
+    /// InputError if another trade runs there, a file cannot be written, the
+    /// scene has changed meanwhile or a variant lacks a quantity; NumericsError
+    /// if no reference succeeded.
     void
     run(const std::string &directory);
 
@@ -62,7 +62,7 @@ namespace lamella
     /// A variant to be run.
     struct Job
     {
-      const LadderEntry &entry;
+      const TradeVariant &entry;
       /// Overrides of the command line and of the variant.
       std::vector<std::string> overrides;
       /// Fingerprint that its record must have.
@@ -74,22 +74,22 @@ namespace lamella
     };
 
     /// Returns the fingerprint of scene and program for a record: the resolved
-    /// scene with @p rung_overrides but without its Trade, size and time of
+    /// scene with @p variant_overrides but without its Trade, size and time of
     /// mesh files and program, its version, the threads.
     std::string
-    fingerprint(const std::vector<std::string> &rung_overrides) const;
+    fingerprint(const std::vector<std::string> &variant_overrides) const;
     /// Returns the fingerprint of the variant @p entry with @p all overrides
     /// and its task: run, with or without bars, or run to a tolerance.
     std::string
-    fingerprint(const LadderEntry              &entry,
+    fingerprint(const TradeVariant             &entry,
                 const std::vector<std::string> &all) const;
     /// Runs the variants with different fingerprints. A variant that cannot be
     /// made is a failed result.
     void
     climb(const std::string &directory);
     /// Runs @p job into @p output, in its own process, and returns the data of
-    /// its record: `values` (RungValues), and `seconds_of_bars` for bars that
-    /// the run itself does not need.
+    /// its record: `values` (VariantValues), and `seconds_of_bars` for bars
+    /// that the run itself does not need.
     nlohmann::json
     answer_of(const Job &job, const std::string &output) const;
     /// Runs answer_of() in a process of its own; its output goes into the
@@ -124,10 +124,10 @@ namespace lamella
     /// Reads the record in the variant's folder, or makes one; adds the variant
     /// to results and numbers.
     void
-    run_rung(const Job &job);
+    run_variant(const Job &job);
     /// Adds a variant that cannot be made to results and numbers.
     void
-    fail(const LadderEntry &entry, const std::string &why);
+    fail(const TradeVariant &entry, const std::string &why);
     /// Adds the largest quantities of probes that are to be compared as a
     /// whole, from the finest run.
     void
@@ -149,12 +149,12 @@ namespace lamella
     /// Quantities of the scene; complete_quantities() adds the rest.
     std::vector<NamedQuantity> quantities;
     /// Result of each variant that was not left out, in their order.
-    std::vector<RungResult> results;
+    std::vector<VariantResult> results;
     /// Reference of the scene, or the variant that replaces it if it was left
     /// out.
     std::string reference;
     /// Numbers of each result; empty if it failed.
-    std::vector<RungValues> numbers;
+    std::vector<VariantValues> numbers;
   };
 } // namespace lamella
 

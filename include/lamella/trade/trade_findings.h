@@ -3,22 +3,22 @@
 #ifndef lamella_trade_trade_findings_h
 #define lamella_trade_trade_findings_h
 
-#include <lamella/trade/rung_result.h>
+#include <lamella/trade/variant_result.h>
 
 #include <string>
 #include <vector>
 
 namespace lamella
 {
-  /// Costs and values of the rungs of a trade, and their reference.
+  /// Costs and values of the variants of a trade, and their reference.
   struct TradeFindings
   {
-    /// Rungs in the order of the ladder. Those without a failure have a value
-    /// for each quantity.
-    std::vector<RungResult> rungs;
+    /// Variants in the order of the hierarchy. Those without a failure have a
+    /// value for each quantity.
+    std::vector<VariantResult> variants;
     /// Compared quantities, with given numbers if the reference is `given`.
     std::vector<NamedQuantity> quantities;
-    /// `finest`, `solid`, `given` or the name of a rung (TradeParameters).
+    /// `finest`, `solid`, `given` or the name of a variant (TradeParameters).
     std::string reference;
     /// Relative tolerances.
     std::vector<double> tolerances;
@@ -32,8 +32,8 @@ namespace lamella
    * writes trade.csv and the pictures (doc/guides/convergence-study.md). Its
    * output goes to that of this process.
    *
-   * Throws NumericsError if the rung of the reference, or every rung, failed;
-   * InputError if there is no python3 or a file cannot be written.
+   * Throws NumericsError if the variant of the reference, or every variant,
+   * failed; InputError if there is no python3 or a file cannot be written.
    */
   void
   present_trade(const TradeFindings &findings, const std::string &directory);

@@ -34,10 +34,11 @@ namespace lamella
     {
       for (const BodyDescription &body : scene.bodies)
         if (body.is_held)
-          throw InputError("Body " + body.name + "/Hold",
-                           "statically determinate",
-                           "the rows that it makes are not exported",
-                           "Hold the body by a Support and leave Hold empty.");
+          throw InputError(
+            "Body " + body.name + "/Isostatic support",
+            "true",
+            "the rows that it makes are not exported",
+            "Hold the body by a Support and leave Isostatic support false.");
         else if (body.stabilization != 0.)
           throw InputError("Body " + body.name + "/Stabilization",
                            to_text(body.stabilization),

@@ -141,7 +141,7 @@ namespace lamella
                          name_of(pair.overclosure),
                          "gaps without their overlap have no counterpart in a "
                          "CalculiX deck",
-                         "Move the bodies apart, or use push apart.");
+                         "Move the bodies apart, or use resolve.");
       if (pair.discretization == Discretization::edge_to_surface)
         throw InputError(path + "/Discretization",
                          name_of(pair.discretization),
@@ -197,8 +197,8 @@ namespace lamella
         contact.master    = mesh.faces(pair.second.body, pair.second.surface);
         contact.stiffness = std::min(first.stiffness, second.stiffness);
         contact.slave_is_second =
-          pair.points_on == PointsOn::second ||
-          (pair.points_on == PointsOn::automatic &&
+          pair.slave_side == SlaveSide::second ||
+          (pair.slave_side == SlaveSide::automatic &&
            second.area < (1. - arithmetic::integrated) * first.area);
         if (contact.slave_is_second)
           std::swap(contact.slave, contact.master);

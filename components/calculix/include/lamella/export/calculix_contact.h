@@ -43,7 +43,7 @@ namespace lamella
    * much stiffer than the body (doc/verification/calculix.md). K is a penalty
    * per area, eps_N of Eq. 20 [force / length^3].
    *
-   * The slave is the side named by `Points on`, else the one with smaller
+   * The slave is the side named by `Slave side`, else the one with smaller
    * faces on average, or the first if equal; against an obstacle it is the
    * body. Refers to the scene. Nodes and elements of obstacles are numbered
    * after those of the mesh.

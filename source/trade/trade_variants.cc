@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The runs of rungs, each in a process of its own, and their records.
+// The runs of variants, each in a process of its own, and their records.
 
 #include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
@@ -26,8 +26,8 @@ namespace lamella
 
   namespace
   {
-    /// The record of a rung that has ended, in its folder.
-    constexpr const char *record_name = "rung.json";
+    /// The record of a variant that has ended, in its folder.
+    constexpr const char *record_name = "variant.json";
     /// Below that folder: the results of the run that counts.
     constexpr const char *kept_run = "/run";
 
@@ -38,7 +38,7 @@ namespace lamella
 
 
 
-    /// @p resolved without its `subsection Trade`, which no rung looks at.
+    /// @p resolved without its `subsection Trade`, which no variant looks at.
     std::string
     without_trade(const std::string &resolved)
     {
@@ -113,7 +113,7 @@ namespace lamella
 
 
 
-    /// The record in @p folder if it says @p fingerprint and the rung
+    /// The record in @p folder if it says @p fingerprint and the variant
     /// succeeded, null otherwise: what made one fail (a time limit, other
     /// programs' memory) may have passed.
     json
@@ -141,11 +141,11 @@ namespace lamella
 
 
 
-    /// What is known of a rung before it is run.
-    RungResult
-    result_of(const LadderEntry &entry)
+    /// What is known of a variant before it is run.
+    VariantResult
+    result_of(const TradeVariant &entry)
     {
-      RungResult result;
+      VariantResult result;
       result.name       = entry.name;
       result.theory     = entry.theory;
       result.axis       = entry.axis;
@@ -159,22 +159,22 @@ namespace lamella
 
 
   std::string
-  Trade::fingerprint(const std::vector<std::string> &rung_overrides) const
+  Trade::fingerprint(const std::vector<std::string> &variant_overrides) const
   {
     std::string text;
     try
       {
-        const Scene rung =
-          read_scene(SceneText::read(scene_file, rung_overrides));
-        text = without_trade(rung.resolved);
-        for (const auto &[name, shape] : rung.sections)
+        const Scene variant =
+          read_scene(SceneText::read(scene_file, variant_overrides));
+        text = without_trade(variant.resolved);
+        for (const auto &[name, shape] : variant.sections)
           if (const auto *file = std::get_if<SectionFile>(&shape))
             text += "mesh " + state_of_file(file->path) + "\n";
       }
     catch (const InputError &error)
       {
-        // The rung will say so itself.
-        for (const std::string &assignment : rung_overrides)
+        // The variant will say so itself.
+        for (const std::string &assignment : variant_overrides)
           if (assignment.compare(0, 6, "Trade/") != 0)
             text += assignment + "\n";
         text += error.what() + std::string("\n");
@@ -186,7 +186,7 @@ namespace lamella
 
 
   std::string
-  Trade::fingerprint(const LadderEntry              &entry,
+  Trade::fingerprint(const TradeVariant             &entry,
                      const std::vector<std::string> &all) const
   {
     // The goals of a scene do not tell: it may have the same ones itself.
@@ -202,21 +202,21 @@ namespace lamella
   {
     std::vector<std::string> entries{"Write VTU=false"};
     entries.insert(entries.end(), job.overrides.begin(), job.overrides.end());
-    const SceneText text = SceneText::read(scene_file, entries);
-    const Scene     rung = read_scene(text);
+    const SceneText text    = SceneText::read(scene_file, entries);
+    const Scene     variant = read_scene(text);
     if (job.entry.tolerance)
       try
         {
-          ToleranceRun passes(rung, std::cout);
+          ToleranceRun passes(variant, std::cout);
           passes.run(output);
-          return {{"values", RungValues(passes.results()).to_json()},
+          return {{"values", VariantValues(passes.results()).to_json()},
                   {"seconds_of_bars", 0.}};
         }
       catch (const InputError &error)
         {
           throw text.placed(error);
         }
-    const auto simulation      = make_simulation(rung, text, std::cout);
+    const auto simulation      = make_simulation(variant, text, std::cout);
     double     seconds_of_bars = 0.;
     lamella::run_scene(*simulation, output, false, [&] {
       if (!job.bars)
@@ -226,7 +226,7 @@ namespace lamella
       simulation->set_goals(bars_of(*simulation, std::cout, cache).goals);
       seconds_of_bars = wall.wall_time();
     });
-    return {{"values", RungValues(simulation->results()).to_json()},
+    return {{"values", VariantValues(simulation->results()).to_json()},
             {"seconds_of_bars", seconds_of_bars}};
   }
 
@@ -308,7 +308,7 @@ namespace lamella
     if (fingerprint(job.entry, job.overrides) != job.fingerprint ||
         fingerprint(overrides) != base)
       throw InputError("the scene, a mesh file or the program changed while "
-                       "rungs of it were run. Start the trade again.")
+                       "variants of it were run. Start the trade again.")
         .at(scene_file + ": ");
     json record{{"of", job.fingerprint},
                 {"seconds", seconds},
@@ -321,7 +321,7 @@ namespace lamella
 
 
   void
-  Trade::run_rung(const Job &job)
+  Trade::run_variant(const Job &job)
   {
     json       record = record_in(job.folder, job.fingerprint);
     const bool had    = !record.is_null();
@@ -330,13 +330,13 @@ namespace lamella
         record = new_record(job);
         keep_record(record, job.folder);
       }
-    RungResult result = result_of(job.entry);
-    RungValues values;
+    VariantResult result = result_of(job.entry);
+    VariantValues values;
     result.seconds = record.at("seconds");
     result.failure = record.at("failure");
     if (result.failure.empty())
       {
-        values = RungValues(record.at("values"));
+        values = VariantValues(record.at("values"));
         values.tell(result);
       }
     out << (result.failure.empty() ? std::to_string(result.dofs) + " DoFs, " +
@@ -350,7 +350,7 @@ namespace lamella
 
 
   void
-  Trade::fail(const LadderEntry &entry, const std::string &why)
+  Trade::fail(const TradeVariant &entry, const std::string &why)
   {
     out << "failed: " << why << std::endl;
     results.push_back(result_of(entry));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_conditions_hold_h
-#define lamella_conditions_hold_h
+#ifndef lamella_conditions_isostatic_support_h
+#define lamella_conditions_isostatic_support_h
 
 #include <lamella/conditions/support.h>
 
@@ -12,7 +12,7 @@
 namespace lamella
 {
   /**
-   * Isostatic support of a body, `Hold = statically determinate`: it removes
+   * Isostatic support of a body, `Isostatic support = true`: it removes
    * the rigid motions that supports leave free, so that displacements are
    * relative to the body's middle.
    *
@@ -40,7 +40,7 @@ namespace lamella
 
   /// Returns the name, among the supports, of the hold of the body @p name.
   std::string
-  name_of_hold(const std::string &name);
+  name_of_isostatic_support(const std::string &name);
 
   /// Sets the motions of the holds among @p supports: those of their bodies
   /// that neither other supports nor contacts at @p places resist.
@@ -55,9 +55,9 @@ namespace lamella
 
   /// Returns the rows of @p hold, number @p support of the supports.
   std::vector<PrescribedRow>
-  rows_of_hold(const Hold        &hold,
-               const unsigned int support,
-               const Bodies      &bodies);
+  rows_of_isostatic_support(const IsostaticSupport &hold,
+                            const unsigned int      support,
+                            const Bodies           &bodies);
 
   /// Throws InputError if the load vector @p load at load factor 1 does work on
   /// a motion that a hold removes, since nothing could balance it.

@@ -39,12 +39,12 @@ def trade(scene, overrides, folder):
     return said, rows, seconds
 
 
-def rungs(rows):
-    """Of a trade's rows, one list a rung that succeeded, in the ladder's order."""
+def variants(rows):
+    """Of a trade's rows, one list a variant that succeeded, in the hierarchy's order."""
     result = {}
     for row in rows:
         if not row["failure"]:
-            result.setdefault(row["rung"], []).append(row)
+            result.setdefault(row["variant"], []).append(row)
     return result
 
 
@@ -54,15 +54,15 @@ def per_cent(error):
 
 
 def reasons(rows):
-    """Why rungs have no result: the first sentence of each."""
-    found = {row["rung"]: row["failure"].split(". ")[0].rstrip(".")
+    """Why variants have no result: the first sentence of each."""
+    found = {row["variant"]: row["failure"].split(". ")[0].rstrip(".")
              for row in rows if row["failure"]}
-    return "; ".join(f"{rung}: {why}" for rung, why in found.items())
+    return "; ".join(f"{variant}: {why}" for variant, why in found.items())
 
 
 def errors_table(rows):
     """Costs and errors; * stands on the front of error against seconds."""
-    found = rungs(rows)
+    found = variants(rows)
     quantities = [row["quantity"] for row in next(iter(found.values()))]
     lines = []
     for name, row in found.items():
@@ -72,7 +72,7 @@ def errors_table(rows):
                      [per_cent(float(r["error"])) +
                       (" *" if r["front_seconds"] == "1" else "")
                       if r["error"] else "-" for r in row])
-    return table(["rung", "DoFs", "seconds", "MB"] + quantities, lines)
+    return table(["variant", "DoFs", "seconds", "MB"] + quantities, lines)
 
 
 def quoted(said):
@@ -80,13 +80,13 @@ def quoted(said):
 
 
 def climb(bench, name, title, scene, overrides, given):
-    """A scene's blocks, and how many rungs and seconds it took."""
+    """A scene's blocks, and how many variants and seconds it took."""
     with tempfile.TemporaryDirectory() as folder:
         said, rows, seconds = trade(scene, overrides, folder)
         picture = Path(folder) / "trade.png"
         if picture.is_file():
             shutil.copy(picture, bench.picture(f"trade_{name}"))
-        blocks = [f"### {title}", f"`{scene}`: {len(rungs(rows))} rungs in "
+        blocks = [f"### {title}", f"`{scene}`: {len(variants(rows))} variants in "
                   f"{seconds:.1f} s.", errors_table(rows)]
         if reasons(rows):
             blocks.append(f"No result: {reasons(rows)}.")
@@ -94,16 +94,16 @@ def climb(bench, name, title, scene, overrides, given):
             blocks.append(show(f"{title}: error against cost", f"trade_{name}"))
         blocks.append(quoted(said))
         if given:
-            # The records of the ladder are there: nothing runs again.
+            # The records of the hierarchy are there: nothing runs again.
             again, _, _ = trade(scene, overrides + ["Trade/Reference=given"], folder)
             blocks += ["Against the converged values that the scene gives:",
                        quoted(again)]
-    return blocks, len(rungs(rows)), seconds
+    return blocks, len(variants(rows)), seconds
 
 
 def cases(bench):
     """Name, title, file, overrides, whether it is the paper's."""
-    short = "Trade/Ladder=EBBT | LE-1"
+    short = "Trade/Variants=EBBT | LE-1"
     for name, scene in SCENES.items():
         yield name, scene.title, f"prm/{scene.file}", \
             [short] + scene.tiny if bench.reduced else [], True
@@ -111,9 +111,9 @@ def cases(bench):
         yield name, title, file, overrides + ([short] if bench.reduced else []), False
 
 
-def ladder(bench):
-    """`lamella trade`: a ladder of theories and meshes, each a process of its own."""
-    blocks = ["Seconds are of each rung's whole process; errors are relative; * is on "
+def hierarchy(bench):
+    """`lamella trade`: a hierarchy of theories and meshes, each a process of its own."""
+    blocks = ["Seconds are of each variant's whole process; errors are relative; * is on "
               "the front: nothing is cheaper and closer. Three scenes of the paper, "
               "three others."]
     demands = []
@@ -123,6 +123,6 @@ def ladder(bench):
         text, count, seconds = climb(bench, name, title, scene, overrides, of_paper)
         blocks += text
         if of_paper:
-            demands += [wanted(f"{scene}, rungs of the ladder", 12, count, True),
+            demands += [wanted(f"{scene}, variants of the hierarchy", 12, count, True),
                         wanted(f"{scene}, its seconds", 120, seconds)]
     return blocks + [demands]

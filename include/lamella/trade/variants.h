@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_trade_ladder_h
-#define lamella_trade_ladder_h
+#ifndef lamella_trade_variants_h
+#define lamella_trade_variants_h
 
 #include <lamella/scene/scene.h>
 
@@ -11,7 +11,7 @@
 namespace lamella
 {
   /// Variant of a trade: the scene with these overrides, PATH=VALUE each.
-  struct Rung
+  struct Variant
   {
     /// Name in the scene: `LE-2, axis 2`.
     std::string name;
@@ -46,8 +46,8 @@ namespace lamella
    * none is named if the trade takes whole probes, which are the goals'
    * default.
    */
-  Rung
-  make_rung(const LadderEntry &entry, const Scene &scene);
+  Variant
+  make_variant(const TradeVariant &entry, const Scene &scene);
 } // namespace lamella
 
 #endif

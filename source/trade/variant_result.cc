@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/memory.h>
-#include <lamella/trade/rung_result.h>
+#include <lamella/trade/variant_result.h>
 
 namespace lamella
 {
-  RungValues::RungValues(const Results &results)
+  VariantValues::VariantValues(const Results &results)
     : ResultNumbers(results)
     , dofs(results.n_dofs())
     , memory(results.peak_memory / megabyte)
@@ -19,7 +19,7 @@ namespace lamella
 
 
 
-  RungValues::RungValues(const nlohmann::json &json)
+  VariantValues::VariantValues(const nlohmann::json &json)
     : ResultNumbers(json)
   {
     json.at("dofs").get_to(dofs);
@@ -35,7 +35,7 @@ namespace lamella
 
 
   nlohmann::json
-  RungValues::to_json() const
+  VariantValues::to_json() const
   {
     nlohmann::json json    = ResultNumbers::to_json();
     json["dofs"]           = dofs;
@@ -55,7 +55,7 @@ namespace lamella
 
 
   void
-  RungValues::tell(RungResult &result) const
+  VariantValues::tell(VariantResult &result) const
   {
     result.dofs            = dofs;
     result.memory          = memory;
@@ -67,7 +67,7 @@ namespace lamella
 
 
   std::optional<OwnBar>
-  RungValues::bar(const NamedQuantity &quantity) const
+  VariantValues::bar(const NamedQuantity &quantity) const
   {
     const auto place = bars.find(quantity.label());
     return place == bars.end() ? std::nullopt :

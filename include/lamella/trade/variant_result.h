@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_trade_rung_result_h
-#define lamella_trade_rung_result_h
+#ifndef lamella_trade_variant_result_h
+#define lamella_trade_variant_result_h
 
 #include <lamella/recover/results.h>
 #include <lamella/scene/trade_parameters.h>
@@ -26,9 +26,9 @@ namespace lamella
   };
 
   /// Cost and values of a variant of a trade.
-  struct RungResult
+  struct VariantResult
   {
-    /// Name and theory of the LadderEntry.
+    /// Name and theory of the TradeVariant.
     std::string name, theory;
     /// Reason why there is no result; empty if there is one.
     std::string failure;
@@ -48,7 +48,7 @@ namespace lamella
     /// Refinement factors on the scene's meshes; true if other entries changed.
     double axis = 1., section = 1.;
     bool   overridden = false;
-    /// Tolerance of the LadderEntry.
+    /// Tolerance of the TradeVariant.
     std::optional<double> tolerance = {};
     /// Bar of each quantity, if the variant makes one; empty if it makes none
     /// at all.
@@ -61,19 +61,19 @@ namespace lamella
   /// Numbers and costs of a variant, as sent by its process and stored in its
   /// record. All numbers are kept, so that another trade may use them for other
   /// quantities without a new run.
-  class RungValues : public ResultNumbers
+  class VariantValues : public ResultNumbers
   {
   public:
     /// Creates the numbers of a failed variant: none.
-    RungValues() = default;
+    VariantValues() = default;
 
     /// Takes the numbers of @p results with the bars of their goals. Throws
     /// InputError if no step was solved.
-    explicit RungValues(const Results &results);
+    explicit VariantValues(const Results &results);
 
     /// Reads @p json written by to_json(). Throws nlohmann::json::exception for
     /// anything else.
-    explicit RungValues(const nlohmann::json &json);
+    explicit VariantValues(const nlohmann::json &json);
 
     /// Returns an object from which doubles are restored exactly.
     nlohmann::json
@@ -82,7 +82,7 @@ namespace lamella
     /// Writes DoFs, seconds by phase, memory and the effects of large
     /// deflections into @p result.
     void
-    tell(RungResult &result) const;
+    tell(VariantResult &result) const;
 
     /// Returns the bar of @p quantity; none if it was no goal of the run.
     std::optional<OwnBar>
@@ -102,7 +102,7 @@ namespace lamella
     /// Peak memory [MB], and wall seconds by phase.
     double                        memory = 0.;
     std::map<std::string, double> seconds;
-    /// Stiffening and buckling factor, see RungResult.
+    /// Stiffening and buckling factor, see VariantResult.
     double                stiffening = 0.;
     std::optional<double> buckling_factor;
   };

@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/trade/ladder.h>
+#include <lamella/trade/variants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,11 +95,12 @@ namespace lamella
       {
         const long times = std::lround(divisions + std::log2(factor));
         if (times < 0)
-          throw InputError(file.what + "/File",
-                           file.path,
-                           "a mesh file is as coarse as Gmsh made it",
-                           "Name a coarser one in the rung: Section NAME/File "
-                           "= ...");
+          throw InputError(
+            file.what + "/File",
+            file.path,
+            "a mesh file is as coarse as Gmsh made it",
+            "Name a coarser one in the variant: Section NAME/File "
+            "= ...");
         return {{"Cells divided", std::to_string(times)}};
       }
     };
@@ -180,9 +181,9 @@ namespace lamella
 
 
 
-    /// What makes a rung of a run of @p scene: theories and meshes.
+    /// What makes a variant of a run of @p scene: theories and meshes.
     std::vector<std::string>
-    run_of_theory(const LadderEntry &entry, const Scene &scene)
+    run_of_theory(const TradeVariant &entry, const Scene &scene)
     {
       std::vector<std::string> overrides;
       std::set<std::string>    sections;
@@ -234,19 +235,22 @@ namespace lamella
 
 
 
-  Rung
-  make_rung(const LadderEntry &entry, const Scene &scene)
+  Variant
+  make_variant(const TradeVariant &entry, const Scene &scene)
   {
-    Rung       rung{entry.name,
-              entry.theory,
-              entry.tolerance ? run_to_tolerance(*entry.tolerance, scene) :
-                                      run_of_theory(entry, scene)};
-    const auto add = [&rung](const std::vector<std::string> &more) {
-      rung.overrides.insert(rung.overrides.end(), more.begin(), more.end());
+    Variant    variant{entry.name,
+                    entry.theory,
+                    entry.tolerance ?
+                         run_to_tolerance(*entry.tolerance, scene) :
+                         run_of_theory(entry, scene)};
+    const auto add = [&variant](const std::vector<std::string> &more) {
+      variant.overrides.insert(variant.overrides.end(),
+                               more.begin(),
+                               more.end());
     };
     if (scene.trade.error_bars && !entry.tolerance)
       add(error_bars(scene));
     add(entry.overrides);
-    return rung;
+    return variant;
   }
 } // namespace lamella

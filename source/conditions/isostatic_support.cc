@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/conditions/hold.h>
+#include <lamella/conditions/isostatic_support.h>
 #include <lamella/conditions/stabilization.h>
 
 #include <algorithm>
@@ -52,9 +52,9 @@ namespace lamella
 
 
   std::string
-  name_of_hold(const std::string &name)
+  name_of_isostatic_support(const std::string &name)
   {
-    return "hold-" + name;
+    return "isostatic-" + name;
   }
 
 
@@ -63,8 +63,8 @@ namespace lamella
   clear_held_motions(std::vector<Support> &supports)
   {
     for (Support &support : supports)
-      if (support.hold)
-        support.hold->motions.clear();
+      if (support.isostatic)
+        support.isostatic->motions.clear();
   }
 
 
@@ -99,25 +99,26 @@ namespace lamella
       if (const auto row = row_of(place, bodies))
         rows.emplace_back().row = *row;
     for (Support &support : supports)
-      if (support.hold)
-        support.hold->motions = free_rigid_motions(*bodies[support.hold->body],
-                                                   support.hold->body,
-                                                   rows);
+      if (support.isostatic)
+        support.isostatic->motions =
+          free_rigid_motions(*bodies[support.isostatic->body],
+                             support.isostatic->body,
+                             rows);
   }
 
 
 
   std::vector<PrescribedRow>
-  rows_of_hold(const Hold        &hold,
-               const unsigned int support,
-               const Bodies      &bodies)
+  rows_of_isostatic_support(const IsostaticSupport &hold,
+                            const unsigned int      support,
+                            const Bodies           &bodies)
   {
     if (hold.motions.empty())
       return {};
     const Body                 &body   = *bodies[hold.body];
     const std::vector<Point<3>> points = corners_of_middle(body);
     const std::vector<Location> locations =
-      locate_all(body, points, "Body " + body.name() + "/Hold");
+      locate_all(body, points, "Body " + body.name() + "/Isostatic support");
     const auto   u     = body.rows(locations, Quantity::displacement);
     const double share = 1. / points.size();
     Point<3>     middle;
@@ -154,12 +155,12 @@ namespace lamella
   {
     for (const Support &support : supports)
       {
-        if (!support.hold)
+        if (!support.isostatic)
           continue;
-        const Body               &body  = *bodies[support.hold->body];
-        const Vector             &f     = load.block(support.hold->body);
+        const Body               &body  = *bodies[support.isostatic->body];
+        const Vector             &f     = load.block(support.isostatic->body);
         const std::vector<Vector> rigid = body.rigid_motions();
-        for (const FreeMotion &motion : support.hold->motions)
+        for (const FreeMotion &motion : support.isostatic->motions)
           {
             Vector q(f.size());
             for (unsigned int m = 0; m < 6; ++m)
@@ -177,8 +178,8 @@ namespace lamella
                 moment[c] = f * rigid[3 + c];
               }
             throw InputError(
-              "Body " + body.name() + "/Hold",
-              "statically determinate",
+              "Body " + body.name() + "/Isostatic support",
+              "true",
               "the loads on the body are not in equilibrium, and no support "
               "and no contact acts against its " +
                 motion.words + ": their resultant is " + to_text(force) +
