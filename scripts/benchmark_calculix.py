@@ -121,7 +121,7 @@ def pairs_of(ours, theirs):
     return pairs
 
 
-def pair_row(variant, peer):
+def constraint(variant, peer):
     row = [peer.name, f"{peer.last.dofs:,}", f"{100 * peer.error():.2f} %",
            f"{peer.seconds:.1f}"]
     if variant is None:
@@ -143,7 +143,7 @@ def section(scene, ours, theirs):
         ["C3D20R", "DoFs", "largest error", "seconds",
          "our cheapest at most as far off", "DoFs", "largest error", "seconds",
          "seconds, theirs over ours", "memory, theirs over ours"],
-        [pair_row(*pair) for pair in pairs])]
+        [constraint(*pair) for pair in pairs])]
     if ratios:
         blocks.append(f"From {min(ratios):.2g} to {max(ratios):.2g} times our seconds.")
     # Where one of theirs is closer than all of ours, no ratio can be claimed.

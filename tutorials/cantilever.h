@@ -105,7 +105,7 @@ namespace lamella
                                                     scene.supports,
                                                     scene.loads);
       model.factors   = linearized(*model.structure);
-      const std::vector<GapRow> no_rows;
+      const std::vector<GapConstraint> no_rows;
       model.u = ContactSolver(model.factors, no_rows).solve_free(1.).u.block(0);
       return model;
     }

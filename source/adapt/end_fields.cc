@@ -53,15 +53,15 @@ namespace lamella
 
 
     /// The rows of @p held at the DoFs of @p piece.
-    std::vector<PrescribedRow>
+    std::vector<PrescribedFunctional>
     rows_of(const HeldSection &held, const Beam &piece)
     {
       const unsigned int node =
         held.goes_forward ? 0 : piece.axis().n_nodes() - 1;
-      std::vector<PrescribedRow> rows;
-      for (const Row &row : held.rows)
+      std::vector<PrescribedFunctional> rows;
+      for (const LinearFunctional &row : held.rows)
         {
-          PrescribedRow at_node;
+          PrescribedFunctional at_node;
           for (const auto &[field, weight] : row.entries())
             at_node.row.row.add(piece.dofs().first(node) + field, weight);
           rows.push_back(at_node);
@@ -133,11 +133,11 @@ namespace lamella
     /// The displacements of @p piece under the six loads, and those that its
     /// end makes of what heat does to it.
     std::vector<Vector>
-    solutions(const Beam                       &piece,
-              const SaintVenant                &states,
-              const HeldSection                &held,
-              const std::vector<PrescribedRow> &rows,
-              const std::vector<HeatedSection> &heat)
+    solutions(const Beam                              &piece,
+              const SaintVenant                       &states,
+              const HeldSection                       &held,
+              const std::vector<PrescribedFunctional> &rows,
+              const std::vector<HeatedSection>        &heat)
     {
       const RowReduction        reduction(piece, 0, rows, {"end"});
       const std::vector<Vector> motions = free_motions(piece, rows);

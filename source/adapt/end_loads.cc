@@ -118,13 +118,13 @@ namespace lamella
 
 
   std::vector<Vector>
-  free_motions(const Beam &piece, const std::vector<PrescribedRow> &rows)
+  free_motions(const Beam &piece, const std::vector<PrescribedFunctional> &rows)
   {
     std::vector<Vector> rigid = piece.rigid_motions();
     for (Vector &motion : rigid)
       motion /= motion.linfty_norm();
     LAPACKFullMatrix<double> gram(n_all, n_all);
-    for (const PrescribedRow &row : rows)
+    for (const PrescribedFunctional &row : rows)
       {
         std::array<double, n_all> value;
         for (unsigned int j = 0; j < n_all; ++j)

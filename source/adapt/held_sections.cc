@@ -57,12 +57,13 @@ namespace lamella
     if (a.goes_forward != b.goes_forward || a.rows.size() != b.rows.size() ||
         !a.is_as_long_as(b))
       return false;
-    const auto same = [](const Row &r, const Row &s) {
+    const auto same = [](const LinearFunctional &r, const LinearFunctional &s) {
       return std::equal(r.entries().begin(),
                         r.entries().end(),
                         s.entries().begin(),
                         s.entries().end(),
-                        [](const Row::Entry &e, const Row::Entry &f) {
+                        [](const LinearFunctional::Entry &e,
+                           const LinearFunctional::Entry &f) {
                           return e.first == f.first &&
                                  std::abs(e.second - f.second) <
                                    arithmetic::alike;
@@ -101,7 +102,7 @@ namespace lamella
       sign[a] = parity(section, a);
     if (std::count(sign.begin(), sign.end(), 0) > 0)
       return {};
-    for (const Row &row : held.rows)
+    for (const LinearFunctional &row : held.rows)
       for (const auto &[field, weight] : row.entries())
         if (sign[field] != sign[row.entries()[0].first])
           return {};

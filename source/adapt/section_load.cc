@@ -15,11 +15,11 @@ namespace lamella
   {
     /// Section load vectors by the nodes of the axis. Rows, since a support of
     /// a whole body has as many as it has nodes, of few entries each.
-    using ByNode = std::map<unsigned int, Row>;
+    using ByNode = std::map<unsigned int, LinearFunctional>;
 
     /// The row's weights, their DoFs the fields of the section.
     ByNode
-    by_node(const Beam &beam, const Row &row)
+    by_node(const Beam &beam, const LinearFunctional &row)
     {
       ByNode result;
       for (const auto &[dof, weight] : row.entries())
@@ -36,7 +36,7 @@ namespace lamella
 
 
     double
-    l2_norm(const Row &f)
+    l2_norm(const LinearFunctional &f)
     {
       double sum = 0.;
       for (const auto &[field, weight] : f.entries())
@@ -47,7 +47,7 @@ namespace lamella
 
 
     double
-    largest_weight(const Row &f)
+    largest_weight(const LinearFunctional &f)
     {
       double largest = 0.;
       for (const auto &[field, weight] : f.entries())
@@ -99,11 +99,13 @@ namespace lamella
 
 
     /// @p f without what acts along the axis, unless that is most of it.
-    Row
-    without_axial(const Row &f, const Section &section, const TouchRules &rules)
+    LinearFunctional
+    without_axial(const LinearFunctional &f,
+                  const Section          &section,
+                  const TouchRules       &rules)
     {
-      double axial = 0.;
-      Row    rest;
+      double           axial = 0.;
+      LinearFunctional rest;
       for (const auto &[field, weight] : f.entries())
         if (section.field(field).terms[0].component == 1)
           axial += weight * weight;
@@ -116,15 +118,15 @@ namespace lamella
 
 
   SectionLoad
-  load_of_row(const Beam       &beam,
-              const Row        &row,
-              const Point<3>   &position,
-              const double      area,
-              const bool        normal,
-              const TouchRules &rules)
+  load_of_row(const Beam             &beam,
+              const LinearFunctional &row,
+              const Point<3>         &position,
+              const double            area,
+              const bool              normal,
+              const TouchRules       &rules)
   {
-    const auto nodes = by_node(beam, row);
-    Row        f;
+    const auto       nodes = by_node(beam, row);
+    LinearFunctional f;
     // The functions of the axis sum to one.
     for (const auto &[node, part] : nodes)
       f.add(part, 1.);
@@ -146,7 +148,7 @@ namespace lamella
                   const std::vector<bool> &asked,
                   const TouchRules        &rules)
   {
-    Row row;
+    LinearFunctional row;
     for (unsigned int dof = 0; dof < load.size(); ++dof)
       if (load[dof] != 0.)
         row.add(dof, load[dof]);

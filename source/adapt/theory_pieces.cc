@@ -70,8 +70,8 @@ namespace lamella
         is_coarse.push_back(!wanted.any_SV &&
                             wanted.degree < beam.section().element().degree());
       }
-    const auto reaches = [&](const GapRow &row) {
-      for (const BodyRow &part : row.parts)
+    const auto reaches = [&](const GapConstraint &row) {
+      for (const BodyFunctional &part : row.parts)
         for (const auto &[dof, weight] : part.row.entries())
           if (part.body == body && is_coarse[beam.dofs().node_of(dof)])
             return true;

@@ -165,15 +165,15 @@ namespace lamella
   {
     /// Of @p support, number @p number, on the body number @p body, @p beam.
     std::vector<SectionLoad>
-    loads_of_support(const Beam                       &beam,
-                     const unsigned int                body,
-                     const unsigned int                number,
-                     const Support                    &support,
-                     const std::vector<PrescribedRow> &rows,
-                     const TouchRules                 &rules)
+    loads_of_support(const Beam                              &beam,
+                     const unsigned int                       body,
+                     const unsigned int                       number,
+                     const Support                           &support,
+                     const std::vector<PrescribedFunctional> &rows,
+                     const TouchRules                        &rules)
     {
       std::vector<SectionLoad> held;
-      for (const PrescribedRow &row : rows)
+      for (const PrescribedFunctional &row : rows)
         if (row.support == number && row.row.body == body)
           {
             held.push_back(
@@ -203,12 +203,13 @@ namespace lamella
       std::vector<SectionLoad> loads;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
-          const GapRow &row = contact.rows[k];
+          const GapConstraint &row = contact.rows[k];
           if (along && *along >= row.slips.size())
             continue;
-          const PairRow &pair =
-            along ? static_cast<const PairRow &>(row.slips[*along]) : row;
-          for (const BodyRow &part : pair.parts)
+          const ContactConstraint &pair =
+            along ? static_cast<const ContactConstraint &>(row.slips[*along]) :
+                    row;
+          for (const BodyFunctional &part : pair.parts)
             if (part.body == body)
               loads.push_back(load_of_row(beam,
                                           part.row,
@@ -276,9 +277,10 @@ namespace lamella
                const std::vector<ContactInterface> &contacts,
                const TouchRules                    &rules)
   {
-    const unsigned int               n_fields = beam.section().n_fields();
-    std::vector<Touch>               touches;
-    const std::vector<PrescribedRow> rows = prescribed_rows(supports, bodies);
+    const unsigned int n_fields = beam.section().n_fields();
+    std::vector<Touch> touches;
+    const std::vector<PrescribedFunctional> rows =
+      prescribed_functionals(supports, bodies);
     for (unsigned int s = 0; s < supports.size(); ++s)
       add_touches("support " + supports[s].name,
                   n_fields,

@@ -210,11 +210,11 @@ namespace lamella
 
 
   void
-  Beam::add_to_rows(const Location::Place &place,
-                    const Quantity         quantity,
-                    const FromStrain      &to_frame,
-                    const double           share,
-                    std::vector<Row>      &rows) const
+  Beam::add_to_rows(const Location::Place         &place,
+                    const Quantity                 quantity,
+                    const FromStrain              &to_frame,
+                    const double                   share,
+                    std::vector<LinearFunctional> &rows) const
   {
     const AxisPoint axis_point =
       beam_axis->evaluate(place.cell / beam_section->n_cells(), place.unit[1]);
@@ -254,13 +254,13 @@ namespace lamella
 
 
 
-  std::vector<std::vector<Row>>
+  std::vector<std::vector<LinearFunctional>>
   Beam::rows(const std::vector<Location> &locations,
              const Quantity               quantity,
              const Frame                  frame) const
   {
     const unsigned int n = quantity == Quantity::displacement ? 3 : 6;
-    std::vector<std::vector<Row>> result;
+    std::vector<std::vector<LinearFunctional>> result;
     for (const Location &where : locations)
       {
         const Location::Place &first = where.places[0];
@@ -271,7 +271,7 @@ namespace lamella
         const ElasticLaw law      = law_at(cell, x, position(first));
         const FromStrain to_frame = from_strain(
           quantity, frame, placement, beam_section->ply_axes(cell, x), law);
-        std::vector<Row> rows(n);
+        std::vector<LinearFunctional> rows(n);
         if (quantity != Quantity::displacement)
           {
             const Voigt constant =
@@ -284,7 +284,7 @@ namespace lamella
         for (const Location::Place &place : where.places)
           add_to_rows(
             place, quantity, to_frame, 1. / where.places.size(), rows);
-        for (Row &row : rows)
+        for (LinearFunctional &row : rows)
           row.compress();
         result.push_back(std::move(rows));
       }

@@ -22,7 +22,7 @@ namespace lamella
     void
     add_load(Vector &f) const override;
     double
-    settle(const Vector &v) override;
+    solve(const Vector &v) override;
     void
     add_geometric_forces(const Vector &w, Vector &f) const override
     {
@@ -150,7 +150,7 @@ namespace lamella
 
 
   double
-  BeamSecondOrder::settle(const Vector &v)
+  BeamSecondOrder::solve(const Vector &v)
   {
     double energy = 0.;
     beam.along_axis().for_each_element(

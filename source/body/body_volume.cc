@@ -31,7 +31,9 @@ namespace lamella
     /// The quantity that @p rows are of, for the displacement @p u.
     template <typename Values>
     void
-    set_values(const std::vector<Row> &rows, const Vector &u, Values &values)
+    set_values(const std::vector<LinearFunctional> &rows,
+               const Vector                        &u,
+               Values                              &values)
     {
       for (unsigned int c = 0; c < rows.size(); ++c)
         values[c] = rows[c](u);
@@ -158,14 +160,15 @@ namespace lamella
                       const Vector                &u) const
   {
     std::vector<Tensor<1, 3>> result;
-    for (const std::vector<Row> &of : rows(locations, Quantity::displacement))
+    for (const std::vector<LinearFunctional> &of :
+         rows(locations, Quantity::displacement))
       set_values(of, u, result.emplace_back());
     return result;
   }
 
 
 
-  std::vector<std::vector<Row>>
+  std::vector<std::vector<LinearFunctional>>
   Body::rows_at(const std::vector<Location> &locations, const Vector &) const
   {
     return rows(locations, Quantity::displacement);

@@ -215,10 +215,10 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_rows(const Location::Place &place,
-                         const double           share,
-                         const Vector          &u,
-                         std::vector<Row>      &rows) const
+  ReissnerBeam::add_rows(const Location::Place         &place,
+                         const double                   share,
+                         const Vector                  &u,
+                         std::vector<LinearFunctional> &rows) const
   {
     const PointFields           at      = fields_at(place);
     const std::vector<LocalDof> numbers = local_dofs(at.on_axis.cell);
@@ -234,17 +234,17 @@ namespace lamella
 
 
 
-  std::vector<std::vector<Row>>
+  std::vector<std::vector<LinearFunctional>>
   ReissnerBeam::rows_at(const std::vector<Location> &locations,
                         const Vector                &u) const
   {
-    std::vector<std::vector<Row>> result;
+    std::vector<std::vector<LinearFunctional>> result;
     for (const Location &where : locations)
       {
-        std::vector<Row> rows(3);
+        std::vector<LinearFunctional> rows(3);
         for (const Location::Place &place : where.places)
           add_rows(place, 1. / where.places.size(), u, rows);
-        for (Row &row : rows)
+        for (LinearFunctional &row : rows)
           row.compress();
         result.push_back(std::move(rows));
       }

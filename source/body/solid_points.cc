@@ -171,11 +171,11 @@ namespace lamella
 
 
   void
-  Solid::add_to_rows(const Location::Place &place,
-                     const Quantity         quantity,
-                     const FromStrain      &to_frame,
-                     const double           share,
-                     std::vector<Row>      &rows) const
+  Solid::add_to_rows(const Location::Place         &place,
+                     const Quantity                 quantity,
+                     const FromStrain              &to_frame,
+                     const double                   share,
+                     std::vector<LinearFunctional> &rows) const
   {
     const HexahedronPoint point =
       element.evaluate(nodes_of(place.cell), place.unit);
@@ -200,13 +200,13 @@ namespace lamella
 
 
 
-  std::vector<std::vector<Row>>
+  std::vector<std::vector<LinearFunctional>>
   Solid::rows(const std::vector<Location> &locations,
               const Quantity               quantity,
               const Frame                  frame) const
   {
     const unsigned int n = quantity == Quantity::displacement ? 3 : 6;
-    std::vector<std::vector<Row>> result;
+    std::vector<std::vector<LinearFunctional>> result;
     for (const Location &where : locations)
       {
         const Location::Place &first = where.places[0];
@@ -218,14 +218,14 @@ namespace lamella
                       placement,
                       ply_axes(first.cell, x),
                       law_at(first.cell, first.unit, x));
-        std::vector<Row> rows(n);
+        std::vector<LinearFunctional> rows(n);
         if (quantity != Quantity::displacement)
           for (unsigned int c = 0; c < n; ++c)
             rows[c].add_constant(to_frame.constant[c]);
         const double share = 1. / where.places.size();
         for (const Location::Place &place : where.places)
           add_to_rows(place, quantity, to_frame, share, rows);
-        for (Row &row : rows)
+        for (LinearFunctional &row : rows)
           {
             row.compress();
             // At a node all other shape functions vanish but for rounding.

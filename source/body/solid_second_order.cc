@@ -24,7 +24,7 @@ namespace lamella
     void
     add_load(Vector &f) const override;
     double
-    settle(const Vector &v) override;
+    solve(const Vector &v) override;
     void
     add_geometric_forces(const Vector &w, Vector &f) const override;
     double
@@ -207,7 +207,7 @@ namespace lamella
 
 
   double
-  SolidSecondOrder::settle(const Vector &v)
+  SolidSecondOrder::solve(const Vector &v)
   {
     double energy = 0.;
     for_each_point([&](const unsigned int        cell,

@@ -69,7 +69,7 @@ namespace lamella
 
 
 
-  std::optional<BodyRow>
+  std::optional<BodyFunctional>
   row_of(const ContactPlace &place, const Bodies &bodies)
   {
     const Body &body  = *bodies[place.body];
@@ -78,7 +78,7 @@ namespace lamella
       return {};
     const auto u =
       body.rows({sides.front().front()}, Quantity::displacement).front();
-    BodyRow row;
+    BodyFunctional row;
     row.body = place.body;
     for (unsigned int c = 0; c < 3; ++c)
       row.row.add(u[c], place.normal[c]);
@@ -94,7 +94,8 @@ namespace lamella
                     const std::vector<ContactPlace> &places)
   {
     clear_held_motions(supports);
-    std::vector<PrescribedRow> rows = prescribed_rows(supports, bodies);
+    std::vector<PrescribedFunctional> rows =
+      prescribed_functionals(supports, bodies);
     for (const ContactPlace &place : places)
       if (const auto row = row_of(place, bodies))
         rows.emplace_back().row = *row;
@@ -108,7 +109,7 @@ namespace lamella
 
 
 
-  std::vector<PrescribedRow>
+  std::vector<PrescribedFunctional>
   rows_of_isostatic_support(const IsostaticSupport &hold,
                             const unsigned int      support,
                             const Bodies           &bodies)
@@ -124,10 +125,10 @@ namespace lamella
     Point<3>     middle;
     for (const Point<3> &x : points)
       middle += share * x;
-    std::vector<PrescribedRow> rows;
+    std::vector<PrescribedFunctional> rows;
     for (const FreeMotion &motion : hold.motions)
       {
-        PrescribedRow row;
+        PrescribedFunctional row;
         row.row.body = hold.body;
         row.support  = support;
         row.position = middle;

@@ -16,7 +16,7 @@ namespace lamella
 
 
 
-  std::vector<std::vector<Row>>
+  std::vector<std::vector<LinearFunctional>>
   MovedPoints::rows(const Vector &u) const
   {
     return body.rows_turn() ? body.rows_at(locations, u) : fixed;

@@ -32,9 +32,10 @@ namespace lamella
 
 
 
-  BodyRows::BodyRows(const Body                       &body,
-                     const unsigned int                index,
-                     const std::vector<PrescribedRow> &rows)
+  BodyConstraints::BodyConstraints(
+    const Body                              &body,
+    const unsigned int                       index,
+    const std::vector<PrescribedFunctional> &rows)
     : body(body)
     , prescribed(rows)
     , functionals(rows.size())
@@ -51,14 +52,14 @@ namespace lamella
 
 
   std::vector<std::vector<unsigned int>>
-  BodyRows::groups() const
+  BodyConstraints::groups() const
   {
     std::vector<DofIndex>     parent(body.n_dofs());
     std::vector<unsigned int> rank(body.n_dofs(), 0);
     std::iota(parent.begin(), parent.end(), 0);
     boost::disjoint_sets<unsigned int *, DofIndex *> sets(rank.data(),
                                                           parent.data());
-    for (const Row &row : functionals)
+    for (const LinearFunctional &row : functionals)
       for (const auto &[dof, weight] : row.entries())
         sets.union_set(row.entries().front().first, dof);
 
@@ -76,7 +77,7 @@ namespace lamella
 
 
   bool
-  RowEquation::is_open() const
+  FunctionalEquation::is_open() const
   {
     return !has_pivot() && largest > dependent * at_start;
   }
@@ -84,7 +85,7 @@ namespace lamella
 
 
   void
-  RowEquation::find_largest()
+  FunctionalEquation::find_largest()
   {
     largest = 0.;
     for (const auto &[dof, weight] : entries)
@@ -94,7 +95,7 @@ namespace lamella
 
 
   double
-  RowEquation::entry(const DofIndex dof) const
+  FunctionalEquation::entry(const DofIndex dof) const
   {
     const auto found = entries.find(dof);
     return found == entries.end() ? 0. : found->second;
@@ -103,9 +104,9 @@ namespace lamella
 
 
   std::vector<DofIndex>
-  RowEquation::subtract(const RowEquation &other,
-                        const DofIndex     eliminated,
-                        const double       factor)
+  FunctionalEquation::subtract(const FunctionalEquation &other,
+                               const DofIndex            eliminated,
+                               const double              factor)
   {
     std::vector<DofIndex> fresh;
     for (const auto &[dof, weight] : other.entries)
@@ -129,7 +130,8 @@ namespace lamella
   {
     /// The DoFs in @p equations, coarse levels first.
     std::vector<DofIndex>
-    ordered_columns(const Body &body, const std::vector<RowEquation> &equations)
+    ordered_columns(const Body                            &body,
+                    const std::vector<FunctionalEquation> &equations)
     {
       std::set<std::pair<unsigned int, DofIndex>> ordered;
       for (const auto &equation : equations)
@@ -146,19 +148,20 @@ namespace lamella
     /// The one of @p equations, all with an entry of @p dof, to eliminate it
     /// with: the shortest of those whose entry is within a factor of ten of the
     /// largest. Null if @p dof is small in all of them.
-    RowEquation *
-    find_pivot(const std::vector<RowEquation *> &equations, const DofIndex dof)
+    FunctionalEquation *
+    find_pivot(const std::vector<FunctionalEquation *> &equations,
+               const DofIndex                           dof)
     {
-      const auto may_eliminate = [dof](const RowEquation &equation) {
+      const auto may_eliminate = [dof](const FunctionalEquation &equation) {
         return equation.is_open() &&
                std::abs(equation.entry(dof)) > stable * equation.largest;
       };
       double largest = 0.;
-      for (const RowEquation *equation : equations)
+      for (const FunctionalEquation *equation : equations)
         if (may_eliminate(*equation))
           largest = std::max(largest, std::abs(equation->entry(dof)));
-      RowEquation *best = nullptr;
-      for (RowEquation *equation : equations)
+      FunctionalEquation *best = nullptr;
+      for (FunctionalEquation *equation : equations)
         if (may_eliminate(*equation) &&
             std::abs(equation->entry(dof)) >= 0.1 * largest &&
             (best == nullptr ||
@@ -171,11 +174,11 @@ namespace lamella
 
     /// Of the open ones among @p equations that of which most is left; null if
     /// there is none.
-    RowEquation *
-    least_dependent(std::vector<RowEquation> &equations)
+    FunctionalEquation *
+    least_dependent(std::vector<FunctionalEquation> &equations)
     {
-      RowEquation *best = nullptr;
-      for (RowEquation &equation : equations)
+      FunctionalEquation *best = nullptr;
+      for (FunctionalEquation &equation : equations)
         if (equation.is_open() &&
             (best == nullptr || equation.largest * best->at_start >
                                   best->largest * equation.at_start))
@@ -206,7 +209,7 @@ namespace lamella
       explicit GaussJordan(RowElimination &group)
         : group(group)
       {
-        for (RowEquation &equation : group.equations)
+        for (FunctionalEquation &equation : group.equations)
           for (const auto &[dof, weight] : equation.entries)
             users[dof].insert(&equation);
       }
@@ -218,28 +221,28 @@ namespace lamella
       {
         for (const DofIndex dof : ordered_columns(body, group.equations))
           {
-            const std::vector<RowEquation *> with_dof(users[dof].begin(),
-                                                      users[dof].end());
-            if (RowEquation *pivot = find_pivot(with_dof, dof))
+            const std::vector<FunctionalEquation *> with_dof(users[dof].begin(),
+                                                             users[dof].end());
+            if (FunctionalEquation *pivot = find_pivot(with_dof, dof))
               eliminate(*pivot, dof);
           }
-        while (RowEquation *pivot = least_dependent(group.equations))
+        while (FunctionalEquation *pivot = least_dependent(group.equations))
           eliminate(*pivot, largest_entry(pivot->entries));
       }
 
     private:
       /// Solves @p pivot for @p dof and takes it out of all others.
       void
-      eliminate(RowEquation &pivot, const DofIndex dof)
+      eliminate(FunctionalEquation &pivot, const DofIndex dof)
       {
         pivot.pivot           = dof;
         const double diagonal = pivot.entry(dof);
         for (auto &[other, weight] : pivot.entries)
           weight /= diagonal;
         pivot.value /= diagonal;
-        const std::vector<RowEquation *> with_dof(users[dof].begin(),
-                                                  users[dof].end());
-        for (RowEquation *equation : with_dof)
+        const std::vector<FunctionalEquation *> with_dof(users[dof].begin(),
+                                                         users[dof].end());
+        for (FunctionalEquation *equation : with_dof)
           if (equation != &pivot && equation->entry(dof) != 0.)
             {
               const double factor = equation->entry(dof);
@@ -253,21 +256,21 @@ namespace lamella
 
       RowElimination &group;
       /// Which equations have an entry of a DoF, or once had. In their order.
-      std::map<DofIndex, std::set<RowEquation *>> users;
+      std::map<DofIndex, std::set<FunctionalEquation *>> users;
     };
   } // namespace
 
 
 
   RowElimination::RowElimination(const std::vector<unsigned int> &group,
-                                 const BodyRows                  &held)
+                                 const BodyConstraints           &held)
     : rows(group)
   {
     for (const unsigned int r : group)
       {
         const double value = held.prescribed[r].value;
         equations.push_back({r, {}, value});
-        RowEquation &equation = equations.back();
+        FunctionalEquation &equation = equations.back();
         for (const auto &[dof, weight] : held.functionals[r].entries())
           equation.entries.emplace(dof, weight / held.sizes[dof]);
         equation.find_largest();
@@ -275,7 +278,7 @@ namespace lamella
         largest_value     = std::max(largest_value, std::abs(value));
       }
     GaussJordan(*this).run(held.body);
-    for (RowEquation &equation : equations)
+    for (FunctionalEquation &equation : equations)
       if (equation.has_pivot())
         {
           for (auto &[dof, weight] : equation.entries)
@@ -289,7 +292,7 @@ namespace lamella
 
   std::optional<DofIndex>
   RowElimination::shift_to(const std::vector<unsigned int> &group,
-                           const BodyRows                  &held) const
+                           const BodyConstraints           &held) const
   {
     if (group.size() != rows.size())
       return {};
@@ -332,7 +335,7 @@ namespace lamella
       row = number.at(row);
     for (DofIndex &dof : independent.pivots)
       dof += shift;
-    for (RowEquation &equation : equations)
+    for (FunctionalEquation &equation : equations)
       {
         equation.number = number.at(equation.number);
         if (equation.has_pivot())
@@ -347,7 +350,7 @@ namespace lamella
 
 
   void
-  RowElimination::factorize(const std::vector<Row> &functionals)
+  RowElimination::factorize(const std::vector<LinearFunctional> &functionals)
   {
     // As sparse as the rows are: a section that is held as a whole has one row
     // a node, with entries of that node and of the rigid fields.

@@ -22,12 +22,12 @@ namespace lamella
 
 
   void
-  RowReduction::keep(const RowElimination             &elimination,
-                     const Body                       &body,
-                     const std::vector<PrescribedRow> &rows,
-                     const std::vector<std::string>   &support_names)
+  RowReduction::keep(const RowElimination                    &elimination,
+                     const Body                              &body,
+                     const std::vector<PrescribedFunctional> &rows,
+                     const std::vector<std::string>          &support_names)
   {
-    for (const RowEquation &equation : elimination.equations)
+    for (const FunctionalEquation &equation : elimination.equations)
       if (!equation.has_pivot())
         {
           if (std::abs(equation.value) >
@@ -55,14 +55,14 @@ namespace lamella
 
 
 
-  RowReduction::RowReduction(const Body                       &body,
-                             const unsigned int                index,
-                             const std::vector<PrescribedRow> &rows,
-                             const std::vector<std::string>   &support_names)
+  RowReduction::RowReduction(const Body                              &body,
+                             const unsigned int                       index,
+                             const std::vector<PrescribedFunctional> &rows,
+                             const std::vector<std::string> &support_names)
     : kinematic(body.kinematic_constraints())
     , particular_solution(body.n_dofs())
   {
-    const BodyRows                held(body, index, rows);
+    const BodyConstraints         held(body, index, rows);
     std::optional<RowElimination> last;
     for (const auto &group : held.groups())
       {

@@ -131,10 +131,10 @@ namespace lamella
 
 
   std::vector<Spring>
-  stabilizing_springs(const Body                       &body,
-                      const unsigned int                index,
-                      const std::vector<PrescribedRow> &rows,
-                      const Stabilization              &stabilization)
+  stabilizing_springs(const Body                              &body,
+                      const unsigned int                       index,
+                      const std::vector<PrescribedFunctional> &rows,
+                      const Stabilization                     &stabilization)
   {
     if (stabilization.share == 0.)
       return {};

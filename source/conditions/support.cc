@@ -43,10 +43,10 @@ namespace lamella
 
 
     /// The row of the component along @p n of what has the three rows @p u.
-    Row
-    along(const std::vector<Row> &u, const Tensor<1, 3> &n)
+    LinearFunctional
+    along(const std::vector<LinearFunctional> &u, const Tensor<1, 3> &n)
     {
-      Row row;
+      LinearFunctional row;
       for (unsigned int c = 0; c < 3; ++c)
         if (n[c] != 0.)
           row.add(u[c], n[c]);
@@ -59,11 +59,11 @@ namespace lamella
 
     /// The rows of n . u = value on the surface @p region of @p body.
     void
-    add_normal_rows(const Body                 &body,
-                    const Region               &region,
-                    const Support              &support,
-                    const unsigned int          number,
-                    std::vector<PrescribedRow> &rows)
+    add_normal_rows(const Body                        &body,
+                    const Region                      &region,
+                    const Support                     &support,
+                    const unsigned int                 number,
+                    std::vector<PrescribedFunctional> &rows)
     {
       const std::string path = "Support " + support.name;
       check_surface(body, region.surface, path + "/On");
@@ -111,20 +111,20 @@ namespace lamella
     /// The rows of the components of u that @p support, number @p number,
     /// prescribes on @p region, with its @p turn if it has one.
     void
-    add_component_rows(const Body                     &body,
-                       const Region                   &region,
-                       const Support                  &support,
-                       const std::optional<RigidTurn> &turn,
-                       const unsigned int              number,
-                       std::vector<PrescribedRow>     &rows)
+    add_component_rows(const Body                        &body,
+                       const Region                      &region,
+                       const Support                     &support,
+                       const std::optional<RigidTurn>    &turn,
+                       const unsigned int                 number,
+                       std::vector<PrescribedFunctional> &rows)
     {
       const std::vector<Location> places = held_places(body, region, support);
       auto all = body.rows(places, Quantity::displacement);
       // The place of a given point comes out of its position, with rounding:
       // without what that leaves at other nodes the rows of a node stay its
       // own.
-      for (std::vector<Row> &components : all)
-        for (Row &row : components)
+      for (std::vector<LinearFunctional> &components : all)
+        for (LinearFunctional &row : components)
           row.drop_below(arithmetic::rounding_of_sums);
       for (unsigned int i = 0; i < places.size(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
@@ -206,8 +206,8 @@ namespace lamella
 
 
 
-  std::pair<PrescribedRow, double>
-  row_at(PrescribedRow prescribed, const Body &body, const Vector &u)
+  std::pair<PrescribedFunctional, double>
+  row_at(PrescribedFunctional prescribed, const Body &body, const Vector &u)
   {
     if (!prescribed.location)
       return {prescribed, prescribed.row.row(u)};
@@ -220,15 +220,16 @@ namespace lamella
 
 
 
-  std::vector<PrescribedRow>
-  prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies)
+  std::vector<PrescribedFunctional>
+  prescribed_functionals(const std::vector<Support> &supports,
+                         const Bodies               &bodies)
   {
-    std::vector<PrescribedRow> rows;
+    std::vector<PrescribedFunctional> rows;
     for (unsigned int s = 0; s < supports.size(); ++s)
       {
         const Support &support = supports[s];
         if (support.isostatic)
-          for (const PrescribedRow &row :
+          for (const PrescribedFunctional &row :
                rows_of_isostatic_support(*support.isostatic, s, bodies))
             rows.push_back(row);
         std::optional<RigidTurn> turn;
@@ -358,13 +359,13 @@ namespace lamella
 
 
   std::vector<FreeMotion>
-  free_rigid_motions(const Body                       &body,
-                     const unsigned int                index,
-                     const std::vector<PrescribedRow> &rows)
+  free_rigid_motions(const Body                              &body,
+                     const unsigned int                       index,
+                     const std::vector<PrescribedFunctional> &rows)
   {
     const std::vector<Vector> motions = body.rigid_motions();
     std::vector<RigidMotion>  values  = body.missing_motions();
-    for (const PrescribedRow &prescribed : rows)
+    for (const PrescribedFunctional &prescribed : rows)
       if (prescribed.row.body == index)
         {
           values.emplace_back();

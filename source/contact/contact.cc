@@ -135,7 +135,8 @@ namespace lamella
     const bool         on_second = interface.points_on_second;
     const MeshSurface &carrying  = *undeformed.surface(on_second),
                       *opposing  = undeformed.surface(!on_second);
-    const RowGeometry &beyond = on_second ? interface.first : interface.second;
+    const ConstraintGeometry &beyond =
+      on_second ? interface.first : interface.second;
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
       {
         const ContactInterface::Point &at = interface.points[k];
@@ -401,10 +402,10 @@ namespace lamella
 
 
 
-  RowGeometry
+  ConstraintGeometry
   Contact::geometry(const bool second) const
   {
-    RowGeometry side;
+    ConstraintGeometry side;
     side.places          = undeformed.trace_places(second);
     const bool   carries = second == interface.points_on_second;
     const double sign    = carries ? -1. : 1.;
@@ -426,21 +427,21 @@ namespace lamella
   {
     const Bodies &bodies  = undeformed.bodies();
     const auto    rows_on = [&](const bool second, const unsigned int body) {
-      RowGeometry &side = second ? interface.second : interface.first;
-      side              = geometry(second);
+      ConstraintGeometry &side = second ? interface.second : interface.first;
+      side                     = geometry(second);
       return body_rows(body,
                        bodies[body]->n_dofs(),
                        sides.trace_rows(second),
                        side);
     };
-    const auto           first = rows_on(false, interface.first_body);
-    std::vector<BodyRow> second;
+    const auto                  first = rows_on(false, interface.first_body);
+    std::vector<BodyFunctional> second;
     if (interface.second_body)
       second = rows_on(true, *interface.second_body);
     name_places();
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
       {
-        GapRow &row = interface.rows[k];
+        GapConstraint &row = interface.rows[k];
         row.parts.clear();
         if (integrals[k].area > 0.)
           row.parts = {first[k]};
@@ -499,18 +500,18 @@ namespace lamella
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
       along.push_back(
         tangents_at(sides, points[first[k]], interface.points[k].normal));
-    const auto parts = slip_rows(sides, along);
+    const auto parts = slip_constraints(sides, along);
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
       {
-        GapRow &row  = interface.rows[k];
-        row.friction = undeformed.contact().friction;
+        GapConstraint &row = interface.rows[k];
+        row.friction       = undeformed.contact().friction;
         SymmetricTensor<2, 3> across;
         for (const auto &[number, node] : integrals[k].carrying)
           across += node.tangential;
         row.slips.clear();
         for (unsigned int a = 0; a < 2; ++a)
           {
-            SlipRow slip;
+            SlipConstraint slip;
             slip.parts   = parts[k][a];
             slip.tangent = along[k][a];
             slip.history = row.history;
@@ -530,7 +531,7 @@ namespace lamella
                              const LoadFactor  &factor)
   {
     const GapIntegrals      &of    = integrals[k];
-    GapRow                  &row   = interface.rows[k];
+    GapConstraint           &row   = interface.rows[k];
     ContactInterface::Point &point = interface.points[k];
     row.gap_rate                   = 0.;
     if (of.area == 0.)
@@ -544,8 +545,7 @@ namespace lamella
     const auto   adjusted = taken_out.find(key(point));
     const double gap =
       of.gap + (adjusted == taken_out.end() ? 0. : adjusted->second);
-    row.initial_gap =
-      gap - row.opening(u) - factor.of(row.history) * row.gap_rate;
+    row.initial_gap = gap - row.jump(u) - factor.of(row.history) * row.gap_rate;
   }
 
 
@@ -555,7 +555,7 @@ namespace lamella
   {
     const double sign = interface.points_on_second ? -1. : 1.;
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
-      for (SlipRow &slip : interface.rows[k].slips)
+      for (SlipConstraint &slip : interface.rows[k].slips)
         {
           slip.initial = 0.;
           slip.initial =
@@ -565,16 +565,16 @@ namespace lamella
 
 
 
-  std::vector<BodyRow>
-  Contact::slip_rows_on(const ContactSides          &sides,
-                        const bool                   second,
-                        const std::vector<Tangents> &tangents,
-                        const unsigned int           a) const
+  std::vector<BodyFunctional>
+  Contact::slip_constraints_on(const ContactSides          &sides,
+                               const bool                   second,
+                               const std::vector<Tangents> &tangents,
+                               const unsigned int           a) const
   {
     const unsigned int body =
       second ? *interface.second_body : interface.first_body;
-    const bool  carries = second == interface.points_on_second;
-    RowGeometry side;
+    const bool         carries = second == interface.points_on_second;
+    ConstraintGeometry side;
     for (unsigned int k = 0; k < integrals.size(); ++k)
       {
         const Tensor<1, 3> t = (second ? 1. : -1.) * tangents[k][a];
@@ -591,16 +591,17 @@ namespace lamella
 
 
 
-  std::vector<std::array<std::vector<BodyRow>, 2>>
-  Contact::slip_rows(const ContactSides          &sides,
-                     const std::vector<Tangents> &tangents) const
+  std::vector<std::array<std::vector<BodyFunctional>, 2>>
+  Contact::slip_constraints(const ContactSides          &sides,
+                            const std::vector<Tangents> &tangents) const
   {
-    std::vector<std::array<std::vector<BodyRow>, 2>> slip(integrals.size());
+    std::vector<std::array<std::vector<BodyFunctional>, 2>> slip(
+      integrals.size());
     for (const bool second : {false, true})
       for (unsigned int a = 0; a < 2; ++a)
         if (!second || interface.second_body)
           {
-            const auto rows = slip_rows_on(sides, second, tangents, a);
+            const auto rows = slip_constraints_on(sides, second, tangents, a);
             for (unsigned int k = 0; k < rows.size(); ++k)
               slip[k][a].push_back(rows[k]);
           }
@@ -609,14 +610,14 @@ namespace lamella
 
 
 
-  std::vector<std::array<std::vector<BodyRow>, 2>>
-  Contact::slip_rows()
+  std::vector<std::array<std::vector<BodyFunctional>, 2>>
+  Contact::slip_constraints()
   {
     find_integrals();
     std::vector<Tangents> tangents;
     for (const ContactInterface::Point &point : interface.points)
       tangents.push_back(tangents_of(point.normal));
-    return slip_rows(undeformed, tangents);
+    return slip_constraints(undeformed, tangents);
   }
 
 

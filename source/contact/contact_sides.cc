@@ -134,7 +134,7 @@ namespace lamella
 
 
 
-  const std::vector<std::vector<Row>> &
+  const std::vector<std::vector<LinearFunctional>> &
   ContactSides::trace_rows(const bool second) const
   {
     const unsigned int number = region(second).body;
@@ -151,7 +151,7 @@ namespace lamella
 
 
 
-  std::vector<std::vector<Row>>
+  std::vector<std::vector<LinearFunctional>>
   ContactSides::trace_rows(const bool                       second,
                            const std::vector<unsigned int> &numbers) const
   {
@@ -164,7 +164,7 @@ namespace lamella
           at.push_back(trace_places(second)[node]);
         return body.rows_at(at, u->block(number));
       }
-    std::vector<std::vector<Row>> result;
+    std::vector<std::vector<LinearFunctional>> result;
     for (const unsigned int node : numbers)
       result.push_back(trace_rows(second)[node]);
     return result;

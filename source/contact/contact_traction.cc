@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/contact/contact_traction.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <algorithm>
 

@@ -22,7 +22,7 @@ namespace lamella
 
     /// Sums the weights of each number, in ascending order.
     void
-    merge(RowGeometry::Weights &weights)
+    merge(ConstraintGeometry::Weights &weights)
     {
       std::sort(weights.begin(),
                 weights.end(),
@@ -40,9 +40,9 @@ namespace lamella
 
     /// Numbers the locations that the weights of all rows refer to from 0 on.
     std::vector<Location>
-    renumber(std::vector<WeightedGap> &gaps,
-             RowGeometry::Weights WeightedGap::*weights,
-             const MeshSurface                 &surface)
+    renumber(std::vector<WeightedGap>   &gaps,
+             ConstraintGeometry::Weights WeightedGap::*weights,
+             const MeshSurface                        &surface)
     {
       const unsigned int        none = numbers::invalid_unsigned_int;
       std::vector<unsigned int> place(surface.n_trace_nodes(), none);

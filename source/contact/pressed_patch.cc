@@ -76,7 +76,7 @@ namespace lamella
     , shares(traction.shares(strip))
   {
     Tensor<1, 3> sum;
-    for (const ContactTraction::Row &row : traction.rows())
+    for (const ContactTraction::LinearFunctional &row : traction.rows())
       sum += row.area * row.normal;
     facing = largest_component(sum);
   }

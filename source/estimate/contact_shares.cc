@@ -17,18 +17,18 @@ namespace lamella
     // instead.
     if (!any_penalty || any_friction)
       return;
-    std::vector<GapRow> rows(run.model().rows().begin(),
-                             run.model().rows().end());
-    for (GapRow &row : rows)
+    std::vector<GapConstraint> rows(run.model().rows().begin(),
+                                    run.model().rows().end());
+    for (GapConstraint &row : rows)
       row.enforcement = Enforcement::exact;
-    const GapRows     view(rows);
-    ContactSolver     solver(run.contact_solver().shared_tangent(),
+    const GapConstraints view(rows);
+    ContactSolver        solver(run.contact_solver().shared_tangent(),
                          view,
                          run.model().scene().solve.loop,
                          run.model().scene().solve.strategy);
-    const auto       &last    = run.results().last();
-    const LoadFactor &factor  = last.load_factor;
-    const State       without = solver.release_springs(
+    const auto          &last    = run.results().last();
+    const LoadFactor    &factor  = last.load_factor;
+    const State          without = solver.release_springs(
       solver.solve_contact(solver.solve_free(factor), factor, last.state),
       factor);
 

@@ -175,8 +175,8 @@ namespace lamella
     {
       std::set<unsigned int> nodes;
       for (const ContactInterface &contact : model.interfaces())
-        for (const GapRow &row : contact.rows)
-          for (const BodyRow &part : row.parts)
+        for (const GapConstraint &row : contact.rows)
+          for (const BodyFunctional &part : row.parts)
             if (part.body == body)
               for (const auto &entry : part.row.entries())
                 nodes.insert(whole.dofs().node_of(entry.first));

@@ -79,7 +79,7 @@ namespace lamella
     for (unsigned int b = 0; b < w.n_blocks(); ++b)
       w.block(b) =
         structure.reduction(b).influence([&](const unsigned int row) {
-          const PrescribedRow &p = structure.prescribed()[row];
+          const PrescribedFunctional &p = structure.prescribed()[row];
           return p.support == support ? p.direction[direction] : 0.;
         });
     return w;
@@ -177,7 +177,7 @@ namespace lamella
     // K w, with the springs.
     result.u.add(1., model.contact_solver().tangent().apply(w));
     for (unsigned int k = 0; k < active.size(); ++k)
-      result.force[k] = -model.model().rows()[active[k]].opening(w);
+      result.force[k] = -model.model().rows()[active[k]].jump(w);
     return result;
   }
 
@@ -240,9 +240,9 @@ namespace lamella
         left -= model.contact_solver().tangent().apply(result.u);
         for (unsigned int k = 0; k < active.size(); ++k)
           {
-            const GapRow &row = model.model().rows()[active[k]];
+            const GapConstraint &row = model.model().rows()[active[k]];
             row.add_to(left, result.force[k]);
-            right[k] = -derivative.force[k] - row.opening(result.u) -
+            right[k] = -derivative.force[k] - row.jump(result.u) -
                        law_softness(row) * result.force[k];
           }
       }

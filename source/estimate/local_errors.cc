@@ -82,11 +82,11 @@ namespace lamella
         this->coarse.model().structure(), support, c));
     })
   {
-    const State        &state = fine.results().last().state;
-    const State        &rough = coarse.results().last().state;
-    const BlockVector   u     = on_fine(rough.u);
-    const GapRows      &rows  = fine.model().rows();
-    std::vector<double> forces(rows.size(), 0.);
+    const State          &state = fine.results().last().state;
+    const State          &rough = coarse.results().last().state;
+    const BlockVector     u     = on_fine(rough.u);
+    const GapConstraints &rows  = fine.model().rows();
+    std::vector<double>   forces(rows.size(), 0.);
     if (!state.force.empty() && !rough.force.empty())
       for (const unsigned int r : dual.active_rows())
         {

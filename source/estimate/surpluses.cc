@@ -79,12 +79,12 @@ namespace lamella
 
 
   Vector
-  Surpluses::openings(const BlockVector &v) const
+  Surpluses::jumps(const BlockVector &v) const
   {
     const auto &active = run.results().last().state.active;
     Vector      result(active.size());
     for (unsigned int k = 0; k < active.size(); ++k)
-      result[k] = run.model().rows()[active[k]].opening(v);
+      result[k] = run.model().rows()[active[k]].jump(v);
     return result;
   }
 
@@ -94,15 +94,14 @@ namespace lamella
   Surpluses::answer_to(const BlockVector &v) const
   {
     const BlockVector zero = run.model().structure().zero();
-    Answer      answer{run.contact_solver().tangent().apply(v), openings(v)};
-    const auto &active = run.results().last().state.active;
+    Answer            answer{run.contact_solver().tangent().apply(v), jumps(v)};
+    const auto       &active = run.results().last().state.active;
     if (active.empty())
       return answer;
-    Vector opened = answer.rows;
-    opened *= -1.;
+    Vector jump = answer.rows;
+    jump *= -1.;
     BlockVector unused = zero;
-    run.contact_solver().solve_linear(
-      active, zero, opened, unused, answer.rows);
+    run.contact_solver().solve_linear(active, zero, jump, unused, answer.rows);
     return answer;
   }
 
@@ -111,10 +110,10 @@ namespace lamella
   double
   Surpluses::work(const Answer &answer, const BlockVector &z) const
   {
-    double       sum    = answer.bodies * z;
-    const Vector opened = openings(z);
-    for (unsigned int k = 0; k < opened.size(); ++k)
-      sum -= answer.rows[k] * opened[k];
+    double       sum  = answer.bodies * z;
+    const Vector jump = jumps(z);
+    for (unsigned int k = 0; k < jump.size(); ++k)
+      sum -= answer.rows[k] * jump[k];
     return sum;
   }
 
@@ -147,12 +146,12 @@ namespace lamella
   double
   Surpluses::sizes(const Answer &answer, const BlockVector &z) const
   {
-    double       sum = sum_by_nodes(beams_of(run.model().structure().bodies()),
+    double       sum  = sum_by_nodes(beams_of(run.model().structure().bodies()),
                               answer.bodies,
                               z);
-    const Vector opened = openings(z);
-    for (unsigned int k = 0; k < opened.size(); ++k)
-      sum += std::abs(answer.rows[k] * opened[k]);
+    const Vector jump = jumps(z);
+    for (unsigned int k = 0; k < jump.size(); ++k)
+      sum += std::abs(answer.rows[k] * jump[k]);
     return sum;
   }
 
@@ -191,9 +190,9 @@ namespace lamella
         products.scale(z.block(b));
         add_spans(b, products, result);
       }
-    const Vector opened = openings(z);
-    for (unsigned int k = 0; k < opened.size(); ++k)
-      result.contact -= answer.rows[k] * opened[k];
+    const Vector jump = jumps(z);
+    for (unsigned int k = 0; k < jump.size(); ++k)
+      result.contact -= answer.rows[k] * jump[k];
     return by_pairs(result, run);
   }
 

@@ -188,7 +188,7 @@ namespace lamella
       });
       for (const auto &[spring, stiffness] : terms.springs)
         {
-          const Row free = spring.reduced(constraints);
+          const LinearFunctional free = spring.reduced(constraints);
           add(free.entries(), free.entries(), stiffness);
         }
     }

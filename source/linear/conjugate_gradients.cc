@@ -42,9 +42,8 @@ namespace lamella
         return std::make_unique<RowProducts>(
           *this,
           matrix.m(),
-          [this](const std::vector<Row> &rows, const unsigned int first) {
-            return products(rows, first);
-          });
+          [this](const std::vector<LinearFunctional> &rows,
+                 const unsigned int first) { return products(rows, first); });
       }
 
       double
@@ -70,7 +69,8 @@ namespace lamella
 
     private:
       std::vector<double>
-      products(const std::vector<Row> &rows, const unsigned int first) const;
+      products(const std::vector<LinearFunctional> &rows,
+               const unsigned int                   first) const;
 
       const std::shared_ptr<const SharedMatrix> kept;
       const SharedMatrix                       &matrix;
@@ -164,8 +164,8 @@ namespace lamella
 
 
     std::vector<double>
-    ConjugateGradients::products(const std::vector<Row> &rows,
-                                 const unsigned int      first) const
+    ConjugateGradients::products(const std::vector<LinearFunctional> &rows,
+                                 const unsigned int first) const
     {
       std::vector<double> result;
       for (unsigned int i = first; i < rows.size(); ++i)
@@ -173,7 +173,7 @@ namespace lamella
           Vector x(matrix.m());
           rows[i].add_to(x, 1.);
           solve(x);
-          for (const Row &row : rows)
+          for (const LinearFunctional &row : rows)
             result.push_back(row(x) - row.constant());
         }
       return result;

@@ -108,20 +108,20 @@ namespace lamella
                                   const double *const          values,
                                   const RowUse                &use) const
     {
-      Row entries;
+      LinearFunctional entries;
       for (unsigned int j = 0; j < columns.size(); ++j)
         entries.add(columns[j], values == nullptr ? 1. : values[j]);
-      const Row             free = entries.reduced(constraints);
-      std::vector<DofIndex> free_columns;
-      for (const Row::Entry &entry : free.entries())
+      const LinearFunctional free = entries.reduced(constraints);
+      std::vector<DofIndex>  free_columns;
+      for (const LinearFunctional::Entry &entry : free.entries())
         free_columns.push_back(entry.first);
-      Row target;
+      LinearFunctional target;
       target.add(row, 1.);
-      const Row targets = target.reduced(constraints);
+      const LinearFunctional targets = target.reduced(constraints);
       for (const auto &[free_row, factor] : targets.entries())
         {
           std::vector<double> scaled;
-          for (const Row::Entry &entry : free.entries())
+          for (const LinearFunctional::Entry &entry : free.entries())
             scaled.push_back(factor * entry.second);
           use(free_row,
               free_columns,
@@ -136,16 +136,16 @@ namespace lamella
     CondensedTerms::add_spring(const SpringTerm &spring,
                                const RowUse     &use) const
     {
-      const Row             row = spring.first.reduced(constraints);
-      std::vector<DofIndex> columns;
-      for (const Row::Entry &entry : row.entries())
+      const LinearFunctional row = spring.first.reduced(constraints);
+      std::vector<DofIndex>  columns;
+      for (const LinearFunctional::Entry &entry : row.entries())
         columns.push_back(entry.first);
       // All processes know all springs.
       for (const auto &[dof, weight] : row.entries())
         if (terms.owned.is_element(dof))
           {
             std::vector<double> values;
-            for (const Row::Entry &entry : row.entries())
+            for (const LinearFunctional::Entry &entry : row.entries())
               values.push_back(spring.second * weight * entry.second);
             use(dof, columns, values.data(), true);
           }

@@ -39,8 +39,8 @@ namespace lamella
 
 
   void
-  HalfSolvedRows::scatter(const std::vector<Row> &rows,
-                          const unsigned int      first)
+  HalfSolvedRows::scatter(const std::vector<LinearFunctional> &rows,
+                          const unsigned int                   first)
   {
     // Which columns pass through a supernode.
     std::map<std::size_t, std::vector<unsigned int>> through;
@@ -148,7 +148,7 @@ namespace lamella
 
 
   void
-  HalfSolvedRows::append(const std::vector<Row> &rows)
+  HalfSolvedRows::append(const std::vector<LinearFunctional> &rows)
   {
     if (rows.empty())
       return;
@@ -232,7 +232,7 @@ namespace lamella
       {}
 
       void
-      append(const std::vector<Row> &some) override
+      append(const std::vector<LinearFunctional> &some) override
       {
         rows.append(some);
       }

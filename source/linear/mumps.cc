@@ -139,15 +139,16 @@ namespace lamella
 
       /// As RowProducts asks for.
       std::vector<double>
-      products(const std::vector<Row> &rows, const unsigned int first) const;
+      products(const std::vector<LinearFunctional> &rows,
+               const unsigned int                   first) const;
 
       /// Solves for @p rows from @p begin to @p end and adds this process's
       /// share of their products with all rows to @p result.
       void
-      add_products(const std::vector<Row> &rows,
-                   const unsigned int      begin,
-                   const unsigned int      end,
-                   double *const           result) const;
+      add_products(const std::vector<LinearFunctional> &rows,
+                   const unsigned int                   begin,
+                   const unsigned int                   end,
+                   double *const                        result) const;
 
       /// MUMPS refers to it while it factorizes.
       MatrixEntries     matrix;
@@ -323,9 +324,9 @@ namespace lamella
       std::vector<int>    starts{1}, dofs;
       std::vector<double> weights;
 
-      SparseColumns(const std::vector<Row> &rows,
-                    const unsigned int      begin,
-                    const unsigned int      end)
+      SparseColumns(const std::vector<LinearFunctional> &rows,
+                    const unsigned int                   begin,
+                    const unsigned int                   end)
       {
         for (unsigned int k = begin; k < end; ++k)
           {
@@ -342,8 +343,8 @@ namespace lamella
 
 
     std::vector<double>
-    MumpsFactorization::products(const std::vector<Row> &rows,
-                                 const unsigned int      first) const
+    MumpsFactorization::products(const std::vector<LinearFunctional> &rows,
+                                 const unsigned int first) const
     {
       // As many at a time as make good use of the BLAS, while their solutions
       // take no more than 200 MB a process.
@@ -363,10 +364,10 @@ namespace lamella
 
 
     void
-    MumpsFactorization::add_products(const std::vector<Row> &rows,
-                                     const unsigned int      begin,
-                                     const unsigned int      end,
-                                     double *const           result) const
+    MumpsFactorization::add_products(const std::vector<LinearFunctional> &rows,
+                                     const unsigned int                   begin,
+                                     const unsigned int                   end,
+                                     double *const result) const
     {
       SparseColumns columns(rows, begin, end);
       mumps.rhs    = nullptr;

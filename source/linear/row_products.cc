@@ -15,7 +15,7 @@ namespace lamella
 
 
   void
-  RowProducts::append(const std::vector<Row> &fresh)
+  RowProducts::append(const std::vector<LinearFunctional> &fresh)
   {
     if (fresh.empty())
       return;

@@ -12,7 +12,7 @@ namespace lamella
   namespace
   {
     std::vector<DofIndex>
-    dofs_of(const Row &row)
+    dofs_of(const LinearFunctional &row)
     {
       std::vector<DofIndex> dofs;
       for (const auto &[dof, weight] : row.entries())

@@ -262,7 +262,7 @@ namespace lamella
                        });
     const bool is_driven = std::any_of(structure.prescribed().begin(),
                                        structure.prescribed().end(),
-                                       [](const PrescribedRow &row) {
+                                       [](const PrescribedFunctional &row) {
                                          return row.value != 0. || row.turn;
                                        });
     if (!is_driven && !structure.is_heated() &&

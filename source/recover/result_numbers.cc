@@ -17,7 +17,7 @@ namespace lamella
   ContactTraction
   traction_of(const ContactFacts &contact, const std::vector<ContactRow> &rows)
   {
-    std::vector<ContactTraction::Row> all;
+    std::vector<ContactTraction::LinearFunctional> all;
     for (const ContactRow &row : rows)
       {
         all.push_back({place_of(row.point),
@@ -157,7 +157,7 @@ namespace lamella
     traction_json(const ContactTraction &traction)
     {
       nlohmann::json rows = nlohmann::json::array(), surface;
-      for (const ContactTraction::Row &row : traction.rows())
+      for (const ContactTraction::LinearFunctional &row : traction.rows())
         rows.push_back({{"place", point_json(row.place)},
                         {"normal", point_json(row.normal)},
                         {"area", row.area},
@@ -181,7 +181,7 @@ namespace lamella
     ContactTraction
     read_traction(const nlohmann::json &json)
     {
-      std::vector<ContactTraction::Row> rows;
+      std::vector<ContactTraction::LinearFunctional> rows;
       for (const auto &row : json.at("rows"))
         rows.push_back({Point<3>(point_of(row.at("place"))),
                         point_of(row.at("normal")),

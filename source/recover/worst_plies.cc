@@ -110,7 +110,8 @@ namespace lamella
       for (const Region &region : load.on)
         if (region.body == worst->body && is_on_line_or_point(region, x, near))
           why = "load " + load.name + " acts on a line or point there";
-    for (const PrescribedRow &row : prescribed_rows(supports, bodies))
+    for (const PrescribedFunctional &row :
+         prescribed_functionals(supports, bodies))
       if (row.row.body == worst->body && !supports[row.support].isostatic &&
           row.position.distance(x) <= near)
         why = "support " + supports[row.support].name + " holds that point";

@@ -44,7 +44,7 @@ namespace lamella
       const auto [least, greatest] =
         std::minmax_element(contact.rows.begin(),
                             contact.rows.end(),
-                            [](const GapRow &a, const GapRow &b) {
+                            [](const GapConstraint &a, const GapConstraint &b) {
                               return a.initial_gap < b.initial_gap;
                             });
       return {contact.name,
@@ -208,15 +208,15 @@ namespace lamella
     void
     drop_held_slips(ContactInterface &contact, const Structure &structure)
     {
-      for (GapRow &row : contact.rows)
+      for (GapConstraint &row : contact.rows)
         row.slips.erase(
           std::remove_if(row.slips.begin(),
                          row.slips.end(),
-                         [&](const SlipRow &slip) {
+                         [&](const SlipConstraint &slip) {
                            return slip.rate == 0. &&
                                   std::all_of(slip.parts.begin(),
                                               slip.parts.end(),
-                                              [&](const BodyRow &part) {
+                                              [&](const BodyFunctional &part) {
                                                 return structure.holds(part);
                                               });
                          }),
@@ -381,8 +381,9 @@ namespace lamella
     FaceTractions tractions(given.loads, factor, given.supports);
     for (unsigned int c = 0; c < contacts.size(); ++c)
       tractions.add_contact(contacts[c],
-                            gap_rows.of_contact(c, state.force),
-                            gap_rows.of_contact(c, state.friction.shear));
+                            gap_constraints.of_contact(c, state.force),
+                            gap_constraints.of_contact(c,
+                                                       state.friction.shear));
     return tractions;
   }
 
@@ -391,7 +392,7 @@ namespace lamella
   std::string
   BuiltScene::describe_row(const unsigned int row) const
   {
-    const auto [c, k]               = gap_rows.in_contact(row);
+    const auto [c, k]               = gap_constraints.in_contact(row);
     const ContactInterface &contact = contacts[c];
     return "contact " + contact.name + ", body '" +
            whole->bodies()[contact.first_body]->name() + "' at " +

@@ -29,7 +29,7 @@ namespace lamella
       return contact.obstacle != nullptr &&
              contact.obstacle->displacement.norm() > 0.;
     };
-    const auto is_driven = [](const PrescribedRow &row) {
+    const auto is_driven = [](const PrescribedFunctional &row) {
       return row.value != 0.;
     };
     BlockVector growing = structure.load(1.);

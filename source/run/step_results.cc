@@ -86,11 +86,11 @@ namespace lamella
                               const State      &previous,
                               StepResults      &results) const
   {
-    const GapRows &all = built.rows();
+    const GapConstraints &all = built.rows();
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
       {
         const ContactInterface &contact = built.interfaces()[c];
-        const RowForces         forces(all, c, solved.state);
+        const ConstraintForces  forces(all, c, solved.state);
         auto                   &rows   = results.contacts.emplace_back();
         auto                   &change = results.changes.emplace_back();
         for (unsigned int k = 0; k < contact.rows.size(); ++k)

@@ -27,8 +27,9 @@ namespace lamella
     for (unsigned int q = 1; q < degree(); ++q)
       for (const EdgePoint &node : nodes)
         {
-          std::array<Row, 3> rows   = displacement(node.cell, node.unit);
-          const auto         coarse = interpolated(node.cell, node.unit, q);
+          std::array<LinearFunctional, 3> rows =
+            displacement(node.cell, node.unit);
+          const auto coarse = interpolated(node.cell, node.unit, q);
           for (unsigned int c = 0; c < 3; ++c)
             {
               rows[c].add(coarse[c], -1.);
@@ -41,12 +42,12 @@ namespace lamella
 
 
 
-  std::array<Row, 3>
+  std::array<LinearFunctional, 3>
   HierarchicalSurplus::displacement(const unsigned int cell,
                                     const Point<2>    &unit) const
   {
-    const SectionPoint point = section.evaluate(cell, unit);
-    std::array<Row, 3> rows;
+    const SectionPoint              point = section.evaluate(cell, unit);
+    std::array<LinearFunctional, 3> rows;
     for (unsigned int k = 0; k < point.fields->size(); ++k)
       for (unsigned int c = 0; c < 3; ++c)
         rows[c].add((*point.fields)[k], point.value[k][c]);
@@ -55,7 +56,7 @@ namespace lamella
 
 
 
-  std::array<Row, 3>
+  std::array<LinearFunctional, 3>
   HierarchicalSurplus::interpolated(const unsigned int cell,
                                     const Point<2>    &unit,
                                     const unsigned int q) const
@@ -64,7 +65,7 @@ namespace lamella
     const auto               grid  = grid_points(basis, basis);
     std::vector<double>      weights;
     evaluate_on_grid(basis, basis, unit, weights);
-    std::array<Row, 3> rows;
+    std::array<LinearFunctional, 3> rows;
     for (unsigned int m = 0; m < grid.size(); ++m)
       {
         const auto at = displacement(cell, grid[m]);
@@ -79,9 +80,9 @@ namespace lamella
   void
   HierarchicalSurplus::factorize(const std::vector<EdgePoint> &nodes)
   {
-    std::vector<Row> rows;
+    std::vector<LinearFunctional> rows;
     for (const EdgePoint &node : nodes)
-      for (Row &row : displacement(node.cell, node.unit))
+      for (LinearFunctional &row : displacement(node.cell, node.unit))
         rows.push_back(std::move(row));
     Assert(rows.size() == section.n_fields(), ExcInternalError());
     DynamicSparsityPattern dynamic(rows.size());

@@ -41,7 +41,7 @@ namespace lamella
     public:
       BucklingModes(const Structure                                 &structure,
                     ContactSolver                                   &solver,
-                    const ClosedRows                                &closed,
+                    const ActiveConstraints                         &closed,
                     const std::vector<std::unique_ptr<SecondOrder>> &bodies)
         : structure(structure)
         , solver(solver)
@@ -78,7 +78,7 @@ namespace lamella
 
       const Structure                                 &structure;
       ContactSolver                                   &solver;
-      const ClosedRows                                 closed;
+      const ActiveConstraints                          closed;
       const std::vector<std::unique_ptr<SecondOrder>> &bodies;
       /// Of unit energy q . K q and orthogonal, and K times them.
       std::vector<BlockVector> q, Kq;
@@ -240,15 +240,15 @@ namespace lamella
       BlockVector load = structure.zero(), v;
       for (unsigned int b = 0; b < bodies.size(); ++b)
         bodies[b]->add_load(load.block(b));
-      const ClosedRows held = solver.held_rows(state);
-      Vector           gaps(held.numbers.size()), forces;
+      const ActiveConstraints held = solver.held_rows(state);
+      Vector                  gaps(held.numbers.size()), forces;
       solver.solve_linear(held, load, gaps, v, forces);
 
       std::vector<double> stretched;
       double              all = 0.;
       for (unsigned int b = 0; b < bodies.size(); ++b)
         {
-          stretched.push_back(bodies[b]->settle(v.block(b)));
+          stretched.push_back(bodies[b]->solve(v.block(b)));
           all += stretched[b] + energies[b];
         }
       for (unsigned int b = 0; b < bodies.size(); ++b)

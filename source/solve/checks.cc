@@ -30,9 +30,9 @@ namespace lamella
     std::vector<Point<3>>
     places_of_supports(const Structure &structure, const BlockVector &u)
     {
-      const std::vector<PrescribedRow> &rows = structure.prescribed();
-      std::vector<Point<3>>             places;
-      for (const PrescribedRow &row : rows)
+      const std::vector<PrescribedFunctional> &rows = structure.prescribed();
+      std::vector<Point<3>>                    places;
+      for (const PrescribedFunctional &row : rows)
         places.push_back(row.position);
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
         if (structure.bodies()[b]->turns())
@@ -57,9 +57,9 @@ namespace lamella
     /// Of each of @p n supports a reaction without force yet, about the middle
     /// of the box around the points that it holds.
     std::vector<Resultant>
-    unloaded_reactions(const std::vector<PrescribedRow> &rows,
-                       const std::vector<Point<3>>      &places,
-                       const unsigned int                n)
+    unloaded_reactions(const std::vector<PrescribedFunctional> &rows,
+                       const std::vector<Point<3>>             &places,
+                       const unsigned int                       n)
     {
       std::vector<std::vector<Point<3>>> points(n);
       for (unsigned int k = 0; k < rows.size(); ++k)
@@ -77,10 +77,10 @@ namespace lamella
     /// with that @p center, about it: by its place and direction, whatever the
     /// body's theory feels.
     Wrench
-    wrench_of(const PrescribedRow &row,
-              const Point<3>      &place,
-              const double         force,
-              const Point<3>      &center)
+    wrench_of(const PrescribedFunctional &row,
+              const Point<3>             &place,
+              const double                force,
+              const Point<3>             &center)
     {
       return {force * row.direction,
               force *
@@ -109,8 +109,8 @@ namespace lamella
       for (const auto &[row, force] :
            tangent.reduction(b).multipliers(unbalanced))
         {
-          const PrescribedRow &p     = tangent.prescribed()[row];
-          const Wrench         whole = wrench_of(p, places[row], force, center);
+          const PrescribedFunctional &p = tangent.prescribed()[row];
+          const Wrench whole = wrench_of(p, places[row], force, center);
           of_support[p.support].force += whole.force;
           of_support[p.support].moment += whole.moment;
           const double multiplier = force;
@@ -336,11 +336,11 @@ namespace lamella
                      const std::vector<ContactInterface> &contacts,
                      const State                         &state)
     {
-      BlockVector   load = structure.zero();
-      const GapRows rows(contacts);
+      BlockVector          load = structure.zero();
+      const GapConstraints rows(contacts);
       for (unsigned int c = 0; c < contacts.size(); ++c)
         {
-          const RowForces forces(rows, c, state);
+          const ConstraintForces forces(rows, c, state);
           for (unsigned int k = 0; k < contacts[c].rows.size(); ++k)
             add_force(contacts[c].rows[k],
                       forces.normal[k],
@@ -365,14 +365,15 @@ namespace lamella
                             std::vector<BodyForces>             &on_body,
                             Checks                              &checks)
     {
-      const GapRows rows(contacts);
+      const GapConstraints rows(contacts);
       for (unsigned int c = 0; c < contacts.size(); ++c)
-        checks.contacts.push_back(check_contact(contacts[c],
-                                                RowForces(rows, c, state),
-                                                state.u,
-                                                factor,
-                                                checks.max_displacement,
-                                                on_body));
+        checks.contacts.push_back(
+          check_contact(contacts[c],
+                        ConstraintForces(rows, c, state),
+                        state.u,
+                        factor,
+                        checks.max_displacement,
+                        on_body));
       BlockVector reaction = unbalanced;
       reaction *= -1.;
       for (unsigned int b = 0; b < on_body.size(); ++b)

@@ -4,8 +4,8 @@
 
 namespace lamella
 {
-  Compliance::Compliance(const Linearization &linearization,
-                         const GapRows       &rows)
+  Compliance::Compliance(const Linearization  &linearization,
+                         const GapConstraints &rows)
     : linearization(linearization)
     , rows(rows)
     , place(rows.end_of_slips(), dealii::numbers::invalid_unsigned_int)
@@ -33,10 +33,10 @@ namespace lamella
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        const unsigned int first = bodies[b].solved->size();
-        std::vector<Row>   reduced;
+        const unsigned int            first = bodies[b].solved->size();
+        std::vector<LinearFunctional> reduced;
         for (const unsigned int r : fresh)
-          for (const BodyRow &part : rows.pair_row(r).parts)
+          for (const BodyFunctional &part : rows.constraint(r).parts)
             if (part.body == b)
               {
                 reduced.push_back(

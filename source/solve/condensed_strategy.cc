@@ -49,8 +49,8 @@ namespace lamella
 
 
 
-  CondensedStrategy::CondensedStrategy(const Linearization &linearization,
-                                       const GapRows       &rows)
+  CondensedStrategy::CondensedStrategy(const Linearization  &linearization,
+                                       const GapConstraints &rows)
     : ContactStrategy(linearization, rows)
     , compliance(linearization, rows)
   {}
@@ -60,8 +60,8 @@ namespace lamella
   double
   CondensedStrategy::softness(const unsigned int number) const
   {
-    const GapRow &row   = rows[rows.row_of(number)];
-    const double  given = numerical_softness(row),
+    const GapConstraint &row   = rows[rows.row_of(number)];
+    const double         given = numerical_softness(row),
                  least =
                    std::max(smallest_softness * compliance.diagonal(number),
                             smallest_of_given * given);
@@ -87,7 +87,7 @@ namespace lamella
 
 
   std::vector<double>
-  CondensedStrategy::system_of(const ClosedRows &closed)
+  CondensedStrategy::system_of(const ActiveConstraints &closed)
   {
     const std::vector<unsigned int> &numbers = closed.numbers;
     const std::size_t                n       = numbers.size();
@@ -117,8 +117,8 @@ namespace lamella
 
 
   void
-  CondensedStrategy::solve_closed(const ClosedRows    &closed,
-                                  std::vector<double> &lambda)
+  CondensedStrategy::solve_closed(const ActiveConstraints &closed,
+                                  std::vector<double>     &lambda)
   {
     const std::size_t n = closed.numbers.size();
     if (!closed.sliding.empty())
@@ -149,11 +149,11 @@ namespace lamella
 
 
   void
-  CondensedStrategy::solve(const ClosedRows  &closed,
-                           const BlockVector &r_u,
-                           const Vector      &r_lambda,
-                           BlockVector       &du,
-                           Vector            &dlambda)
+  CondensedStrategy::solve(const ActiveConstraints &closed,
+                           const BlockVector       &r_u,
+                           const Vector            &r_lambda,
+                           BlockVector             &du,
+                           Vector                  &dlambda)
   {
     const std::vector<unsigned int> &numbers = closed.numbers;
     du                                       = linearization.solve(r_u);
@@ -163,7 +163,7 @@ namespace lamella
 
     std::vector<double> lambda(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      lambda[i] = r_lambda[i] - rows.pair_row(numbers[i]).opening(du);
+      lambda[i] = r_lambda[i] - rows.constraint(numbers[i]).jump(du);
     solve_closed(closed, lambda);
     std::copy(lambda.begin(), lambda.end(), dlambda.begin());
     std::vector<unsigned int> of = numbers;
@@ -397,8 +397,8 @@ namespace lamella
 
 
   ContactSolution
-  CondensedStrategy::settle(const ContactProblem &problem,
-                            const Monitor        &monitor)
+  CondensedStrategy::solve(const ContactProblem &problem,
+                           const Monitor        &monitor)
   {
     ContactSolution solution;
     solution.du     = linearization.of().zero();
@@ -424,7 +424,7 @@ namespace lamella
 
         std::vector<double> g = problem.gap;
         for (unsigned int r = 0; r < rows.size(); ++r)
-          g[r] += rows[r].opening(solution.du);
+          g[r] += rows[r].jump(solution.du);
         joining = rows_below(-problem.closed, part, g);
         monitor(round_of(solution, joining));
         if (joining.empty() && !all_that_touch && !solution.active.empty())

@@ -5,7 +5,7 @@
 namespace lamella
 {
   double
-  law_softness(const GapRow &row)
+  law_softness(const GapConstraint &row)
   {
     return row.enforcement == Enforcement::penalty ? 1. / row.penalty : 0.;
   }
@@ -13,7 +13,7 @@ namespace lamella
 
 
   double
-  NumericalSoftness::operator()(const GapRow &row) const
+  NumericalSoftness::operator()(const GapConstraint &row) const
   {
     return row.enforcement == Enforcement::penalty ?
              1. / row.penalty :

@@ -28,7 +28,7 @@ namespace lamella
 
   ContactSolver::ContactSolver(
     std::shared_ptr<const Linearization> linearization_,
-    const GapRows                       &rows,
+    const GapConstraints                &rows,
     const SolverParameters              &parameters,
     const Strategy                       which)
     : progress([](const std::string &) {})
@@ -47,7 +47,7 @@ namespace lamella
   ContactSolver::gaps(const BlockVector &u, const LoadFactor &factor) const
   {
     std::vector<double> g;
-    for (const GapRow &row : rows)
+    for (const GapConstraint &row : rows)
       g.push_back(row.gap(u, factor));
     return g;
   }
@@ -74,7 +74,7 @@ namespace lamella
     while (true)
       {
         const ContactSolution found =
-          strategy->settle(problem, [&](const Round &round) {
+          strategy->solve(problem, [&](const Round &round) {
             watch(round, state.iterations);
           });
         if (state.iterations == 0)
@@ -391,7 +391,7 @@ namespace lamella
   {
     // Gaps are differences of displacements and of the way of obstacles.
     double size = state.u.linfty_norm();
-    for (const GapRow &row : rows)
+    for (const GapConstraint &row : rows)
       size = std::max(size, std::abs(factor.of(row.history) * row.gap_rate));
     // A body that springs back to where it began has come some way.
     for (const Tensor<1, 3> &slip : state.friction.before)
@@ -429,10 +429,10 @@ namespace lamella
 
 
 
-  ClosedRows
+  ActiveConstraints
   ContactSolver::held_rows(const State &state) const
   {
-    ClosedRows held(state.active);
+    ActiveConstraints held(state.active);
     for (const unsigned int r : state.active)
       for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
         held.numbers.push_back(rows.slip(r, a));
@@ -442,9 +442,9 @@ namespace lamella
 
 
   Vector
-  ContactSolver::law_residual(const State      &state,
-                              const LoadFactor &factor,
-                              const ClosedRows &closed) const
+  ContactSolver::law_residual(const State             &state,
+                              const LoadFactor        &factor,
+                              const ActiveConstraints &closed) const
   {
     Vector residual(closed.numbers.size());
     for (unsigned int i = 0; i < residual.size(); ++i)
@@ -474,9 +474,9 @@ namespace lamella
                   state.friction.empty() ? Tensor<1, 3>() :
                                            state.friction.shear[r],
                   r_u);
-    const ClosedRows closed = closed_rows(rows, state);
-    BlockVector      du;
-    Vector           dlambda;
+    const ActiveConstraints closed = closed_rows(rows, state);
+    BlockVector             du;
+    Vector                  dlambda;
     strategy->solve(
       closed, r_u, law_residual(state, factor, closed), du, dlambda);
     state.u += du;

@@ -10,9 +10,9 @@ namespace lamella
 
 
   std::unique_ptr<ContactStrategy>
-  make_strategy(const Strategy       which,
-                const Linearization &linearization,
-                const GapRows       &rows)
+  make_strategy(const Strategy        which,
+                const Linearization  &linearization,
+                const GapConstraints &rows)
   {
     if (which == Strategy::full)
       return std::make_unique<FullStrategy>(linearization, rows);

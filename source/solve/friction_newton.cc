@@ -11,7 +11,7 @@ namespace lamella
   using namespace dealii;
 
   ContactSolution
-  FrictionNewton::settle(const ContactProblem &problem, const Monitor &monitor)
+  FrictionNewton::solve(const ContactProblem &problem, const Monitor &monitor)
   {
     // Full steps end soonest, but for some that go round in circles.
     constexpr unsigned int full_steps = 8, shortened_each = 4;
@@ -105,10 +105,10 @@ namespace lamella
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
         const double d = softness(rows[r]), a = law_softness(rows[r]);
-        v[r][0] = problem.gap[r] + rows[r].opening(at.du) + d * at.force[r][0] -
+        v[r][0] = problem.gap[r] + rows[r].jump(at.du) + d * at.force[r][0] -
                   (d - a) * problem.estimate[r];
         for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
-          v[r][1 + t] = problem.slip[r][t] + rows[r].slips[t].opening(at.du) +
+          v[r][1 + t] = problem.slip[r][t] + rows[r].slips[t].jump(at.du) +
                         d * at.force[r][1 + t] - (d - a) * problem.shear[r][t];
       }
     return v;
@@ -242,7 +242,7 @@ namespace lamella
                            component =
                              term.of == r ? 0 : 1 + term.of - rows.slip(r, 0);
         next.force[r][component] -=
-          term.weight * rows.pair_row(term.on).opening(du);
+          term.weight * rows.constraint(term.on).jump(du);
       }
     return next;
   }
@@ -349,7 +349,7 @@ namespace lamella
           result.direction[r] = result.shear[r] / length;
         if (result.force[r] != problem.force[r] ||
             (result.shear[r] - problem.shear[r]).norm() > 0.)
-          for (const BodyRow &part : rows[r].parts)
+          for (const BodyFunctional &part : rows[r].parts)
             moved[part.body] = true;
       }
     // Where forces came and went displacements have but the rounding of both.

@@ -10,12 +10,12 @@ namespace lamella
   using namespace dealii;
 
   FrictionState
-  FrictionState::at_rest(const GapRows &rows)
+  FrictionState::at_rest(const GapConstraints &rows)
   {
     const std::vector<Tensor<1, 3>> none(rows.size());
     const std::vector<double>       nothing(rows.size(), 0.);
     FrictionState state{none, none, none, nothing, nothing, {}, 0.};
-    for (const GapRow &row : rows)
+    for (const GapConstraint &row : rows)
       state.opening.push_back(row.initial_gap);
     return state;
   }
@@ -42,7 +42,7 @@ namespace lamella
 
 
   Tensor<1, 2>
-  along_tangents(const GapRow &row, const Tensor<1, 3> &vector)
+  along_tangents(const GapConstraint &row, const Tensor<1, 3> &vector)
   {
     Tensor<1, 2> components;
     for (unsigned int a = 0; a < row.slips.size(); ++a)
@@ -53,7 +53,7 @@ namespace lamella
 
 
   Tensor<1, 3>
-  in_scene(const GapRow &row, const Tensor<1, 2> &components)
+  in_scene(const GapConstraint &row, const Tensor<1, 2> &components)
   {
     Tensor<1, 3> vector;
     for (unsigned int a = 0; a < row.slips.size(); ++a)
@@ -64,7 +64,9 @@ namespace lamella
 
 
   Tensor<1, 2>
-  slip_of(const GapRow &row, const BlockVector &u, const LoadFactor &factor)
+  slip_of(const GapConstraint &row,
+          const BlockVector   &u,
+          const LoadFactor    &factor)
   {
     Tensor<1, 2> slip;
     for (unsigned int a = 0; a < row.slips.size(); ++a)
@@ -75,13 +77,13 @@ namespace lamella
 
 
   void
-  add_force(const GapRow       &row,
-            const double        normal,
-            const Tensor<1, 3> &shear,
-            BlockVector        &f)
+  add_force(const GapConstraint &row,
+            const double         normal,
+            const Tensor<1, 3>  &shear,
+            BlockVector         &f)
   {
     row.add_to(f, normal);
-    for (const SlipRow &slip : row.slips)
+    for (const SlipConstraint &slip : row.slips)
       slip.add_to(f, slip.tangent * shear);
   }
 } // namespace lamella

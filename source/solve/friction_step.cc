@@ -10,7 +10,7 @@ namespace lamella
   using namespace dealii;
 
   std::vector<Tensor<1, 3>>
-  forces_by_rows(const GapRows &rows, const State &state)
+  forces_by_rows(const GapConstraints &rows, const State &state)
   {
     std::vector<Tensor<1, 3>> forces(rows.size());
     for (unsigned int r = 0; r < rows.size(); ++r)
@@ -25,10 +25,10 @@ namespace lamella
 
 
   Tensor<1, 2>
-  slip_in_step(const GapRow      &row,
-               const unsigned int r,
-               const State       &state,
-               const LoadFactor  &factor)
+  slip_in_step(const GapConstraint &row,
+               const unsigned int   r,
+               const State         &state,
+               const LoadFactor    &factor)
   {
     return slip_of(row, state.u, factor) +
            along_tangents(row,
@@ -39,10 +39,10 @@ namespace lamella
 
 
   void
-  add_friction(const GapRows    &rows,
-               const State      &state,
-               const LoadFactor &factor,
-               ContactProblem   &problem)
+  add_friction(const GapConstraints &rows,
+               const State          &state,
+               const LoadFactor     &factor,
+               ContactProblem       &problem)
   {
     problem.first_forces = forces_by_rows(rows, state);
     for (unsigned int r = 0; r < rows.size(); ++r)
@@ -58,7 +58,9 @@ namespace lamella
 
 
   void
-  take_forces(const GapRows &rows, const ContactSolution &found, State &state)
+  take_forces(const GapConstraints  &rows,
+              const ContactSolution &found,
+              State                 &state)
   {
     state.force  = found.force;
     state.active = found.active;
@@ -75,10 +77,10 @@ namespace lamella
 
 
 
-  ClosedRows
-  closed_rows(const GapRows &rows, const State &state)
+  ActiveConstraints
+  closed_rows(const GapConstraints &rows, const State &state)
   {
-    ClosedRows closed(state.active);
+    ActiveConstraints closed(state.active);
     for (const unsigned int r : state.active)
       if (!rows[r].slips.empty())
         {
@@ -96,10 +98,10 @@ namespace lamella
 
 
   void
-  add_forces(const GapRows    &rows,
-             const ClosedRows &closed,
-             const Vector     &dlambda,
-             State            &state)
+  add_forces(const GapConstraints    &rows,
+             const ActiveConstraints &closed,
+             const Vector            &dlambda,
+             State                   &state)
   {
     for (unsigned int i = 0; i < closed.numbers.size(); ++i)
       {
@@ -117,10 +119,10 @@ namespace lamella
 
 
   double
-  friction_error(const GapRow      &row,
-                 const unsigned int r,
-                 const State       &state,
-                 const LoadFactor  &factor)
+  friction_error(const GapConstraint &row,
+                 const unsigned int   r,
+                 const State         &state,
+                 const LoadFactor    &factor)
   {
     const Tensor<1, 2> v = slip_in_step(row, r, state, factor),
                        e = along_tangents(row, state.friction.direction[r]);
@@ -145,7 +147,7 @@ namespace lamella
     /// Adds to what @p now remembers of row @p r what the step has @p slid, and
     /// dissipated under the @p mean force; the latter is returned.
     double
-    add_loss(const GapRow        &row,
+    add_loss(const GapConstraint &row,
              const unsigned int   r,
              const double         mean,
              const double         slid,
@@ -162,10 +164,10 @@ namespace lamella
 
 
   void
-  end_step(const GapRows    &rows,
-           const State      &before,
-           const LoadFactor &factor,
-           State            &state)
+  end_step(const GapConstraints &rows,
+           const State          &before,
+           const LoadFactor     &factor,
+           State                &state)
   {
     if (state.friction.empty())
       return;
@@ -196,10 +198,10 @@ namespace lamella
 
 
   void
-  end_moved_step(const GapRows    &rows,
-                 const State      &before,
-                 const LoadFactor &factor,
-                 State            &state)
+  end_moved_step(const GapConstraints &rows,
+                 const State          &before,
+                 const LoadFactor     &factor,
+                 State                &state)
   {
     std::set<unsigned int> pressed;
     for (const unsigned int r : state.active)

@@ -21,8 +21,8 @@ namespace lamella
 
 
 
-  FullStrategy::FullStrategy(const Linearization &linearization,
-                             const GapRows       &rows)
+  FullStrategy::FullStrategy(const Linearization  &linearization,
+                             const GapConstraints &rows)
     : ContactStrategy(linearization, rows)
     , matrix(linearization, rows)
   {}
@@ -48,11 +48,11 @@ namespace lamella
 
 
   void
-  FullStrategy::solve(const ClosedRows  &closed,
-                      const BlockVector &r_u,
-                      const Vector      &r_lambda,
-                      BlockVector       &du,
-                      Vector            &dlambda)
+  FullStrategy::solve(const ActiveConstraints &closed,
+                      const BlockVector       &r_u,
+                      const Vector            &r_lambda,
+                      BlockVector             &du,
+                      Vector                  &dlambda)
   {
     const std::vector<unsigned int> &numbers  = closed.numbers;
     const auto                       softness = [&](const unsigned int number) {
@@ -71,7 +71,7 @@ namespace lamella
     for (unsigned int k = 0; k < numbers.size(); ++k)
       {
         const double force = r_lambda[k] / softness(numbers[k]);
-        rows.pair_row(numbers[k]).add_to(du, force);
+        rows.constraint(numbers[k]).add_to(du, force);
         if (numbers[k] < rows.size())
           pushed[numbers[k]] = force;
       }
@@ -80,7 +80,7 @@ namespace lamella
     du = matrix.solve(std::move(du));
     dlambda.reinit(numbers.size());
     for (unsigned int k = 0; k < numbers.size(); ++k)
-      dlambda[k] = (r_lambda[k] - rows.pair_row(numbers[k]).opening(du)) /
+      dlambda[k] = (r_lambda[k] - rows.constraint(numbers[k]).jump(du)) /
                    softness(numbers[k]);
   }
 
@@ -89,11 +89,11 @@ namespace lamella
   // ---- Newton's method
 
   ContactSolution
-  FullStrategy::settle(const ContactProblem &problem, const Monitor &monitor)
+  FullStrategy::solve(const ContactProblem &problem, const Monitor &monitor)
   {
     if (!problem.slip.empty())
       return FrictionNewton(linearization, rows, numerical_softness, matrix)
-        .settle(problem, monitor);
+        .solve(problem, monitor);
     // Of the displacements: what one solution with K + K^p is accurate to.
     constexpr double accurate = arithmetic::rounding_of_solutions;
 
@@ -152,7 +152,7 @@ namespace lamella
     for (unsigned int k = 0; k < at.active.size(); ++k)
       {
         const unsigned int r = at.active[k];
-        r_lambda[k]          = -(problem.gap[r] + rows[r].opening(at.du) +
+        r_lambda[k]          = -(problem.gap[r] + rows[r].jump(at.du) +
                         law_softness(rows[r]) * at.force[r]);
       }
     BlockVector du;
@@ -174,7 +174,7 @@ namespace lamella
     for (unsigned int r = 0; r < rows.size(); ++r)
       overlap.push_back((numerical_softness(rows[r]) - law_softness(rows[r])) *
                           at.force[r] -
-                        problem.gap[r] - rows[r].opening(at.du));
+                        problem.gap[r] - rows[r].jump(at.du));
     return overlap;
   }
 
@@ -271,7 +271,7 @@ namespace lamella
       double        sum = -(at.K_du * way);
       for (unsigned int r = 0; r < rows.size(); ++r)
         if (at.force[r] != problem.force[r])
-          sum += (at.force[r] - problem.force[r]) * rows[r].opening(way);
+          sum += (at.force[r] - problem.force[r]) * rows[r].jump(way);
       return sum;
     };
     double       low = 0., high = 1., t = 1.;

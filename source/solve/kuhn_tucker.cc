@@ -41,7 +41,7 @@ namespace lamella
     /// What the rows say of gaps and forces, each for itself.
     void
     check_rows(const ContactInterface &contact,
-               const RowForces        &forces,
+               const ConstraintForces &forces,
                const BlockVector      &u,
                const LoadFactor       &factor,
                const double            displacement,
@@ -50,10 +50,10 @@ namespace lamella
       double smallest = std::numeric_limits<double>::max(), largest = 0.;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
-          const GapRow &row    = contact.rows[k];
-          const double  lambda = forces.normal[k];
-          const double  g      = row.gap(u, factor);
-          kkt.max_penetration  = std::max(kkt.max_penetration, -g);
+          const GapConstraint &row    = contact.rows[k];
+          const double         lambda = forces.normal[k];
+          const double         g      = row.gap(u, factor);
+          kkt.max_penetration         = std::max(kkt.max_penetration, -g);
           kkt.law_error =
             std::max(kkt.law_error,
                      lambda == 0. ? -g :
@@ -84,7 +84,7 @@ namespace lamella
     /// What rubs.
     void
     check_friction(const ContactInterface &contact,
-                   const RowForces        &forces,
+                   const ConstraintForces &forces,
                    KuhnTucker             &kkt)
     {
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
@@ -104,7 +104,7 @@ namespace lamella
     /// about its center.
     std::vector<Wrench>
     wrenches_of_rows(const ContactInterface &contact,
-                     const RowForces        &forces,
+                     const ConstraintForces &forces,
                      const unsigned int      side,
                      const BodyForces       &on_body)
     {
@@ -112,9 +112,9 @@ namespace lamella
       for (unsigned int k = 0; k < of_rows.size(); ++k)
         if (forces.normal[k] != 0.)
           of_rows[k] = on_body.felt([&](const Vector &motion) {
-            const GapRow &row  = contact.rows[k];
-            double        work = forces.normal[k] * row.parts[side].row(motion);
-            for (const SlipRow &slip : row.slips)
+            const GapConstraint &row = contact.rows[k];
+            double work = forces.normal[k] * row.parts[side].row(motion);
+            for (const SlipConstraint &slip : row.slips)
               work += slip.tangent * forces.shear_of(k) *
                       slip.parts[side].row(motion);
             return work;
@@ -175,7 +175,7 @@ namespace lamella
     /// Force, moment and center of pressure; adds the forces to the bodies'.
     void
     add_contact_forces(const ContactInterface  &contact,
-                       const RowForces         &forces,
+                       const ConstraintForces  &forces,
                        KuhnTucker              &kkt,
                        std::vector<BodyForces> &on_body)
     {
@@ -239,9 +239,9 @@ namespace lamella
 
 
 
-  RowForces::RowForces(const GapRows     &rows,
-                       const unsigned int contact,
-                       const State       &state)
+  ConstraintForces::ConstraintForces(const GapConstraints &rows,
+                                     const unsigned int    contact,
+                                     const State          &state)
     : normal(rows.of_contact(contact, state.force))
     , shear(rows.of_contact(contact, state.friction.shear))
     , direction(rows.of_contact(contact, state.friction.direction))
@@ -253,7 +253,7 @@ namespace lamella
 
   KuhnTucker
   check_contact(const ContactInterface  &contact,
-                const RowForces         &forces,
+                const ConstraintForces  &forces,
                 const BlockVector       &u,
                 const LoadFactor        &factor,
                 const double             displacement,

@@ -45,8 +45,8 @@ namespace lamella
           continue;
         // Rows that depend on others at rest hold no more where these have
         // turned: what little is left of them then would hold warpings.
-        std::vector<PrescribedRow> held = moved_rows;
-        for (PrescribedRow &row : held)
+        std::vector<PrescribedFunctional> held = moved_rows;
+        for (PrescribedFunctional &row : held)
           row.row.body = dealii::numbers::invalid_unsigned_int;
         for (const auto &[k, force] :
              structure.reduction(b).multipliers(Vector(bodies[b]->n_dofs())))
@@ -82,7 +82,7 @@ namespace lamella
   {
     BlockVector u = structure.particular(to);
     u -= structure.particular(from);
-    const std::vector<PrescribedRow> &rows = prescribed();
+    const std::vector<PrescribedFunctional> &rows = prescribed();
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
         const bool turns = !moved_reductions.empty() && moved_reductions[b];
@@ -124,8 +124,8 @@ namespace lamella
                    const Vector   &u,
                    const Vector   &warpings)
     {
-      Tensor<1, 3>           turned;
-      const std::vector<Row> rows = body.rows_at({location}, u)[0];
+      Tensor<1, 3>                        turned;
+      const std::vector<LinearFunctional> rows = body.rows_at({location}, u)[0];
       for (unsigned int c = 0; c < 3; ++c)
         turned[c] = rows[c](warpings);
       return (turned - transpose(body.turn_at(location, u)) * turned).norm();
@@ -136,13 +136,13 @@ namespace lamella
     /// missed_most() of body number @p b, whose state is @p u, in a structure
     /// of the size @p size.
     Linearization::Missed
-    missed_of(const Body                       &body,
-              const unsigned int                b,
-              const Vector                     &u,
-              const std::vector<PrescribedRow> &rows,
-              const std::vector<bool>          &is_followed,
-              const LoadFactor                 &at,
-              const double                      size)
+    missed_of(const Body                              &body,
+              const unsigned int                       b,
+              const Vector                            &u,
+              const std::vector<PrescribedFunctional> &rows,
+              const std::vector<bool>                 &is_followed,
+              const LoadFactor                        &at,
+              const double                             size)
     {
       // Rows that depend on others are combinations of these.
       constexpr double combined     = 10.;
@@ -174,8 +174,8 @@ namespace lamella
   Linearization::Missed
   Linearization::missed_most(const LoadFactor &at) const
   {
-    Missed                            worst;
-    const std::vector<PrescribedRow> &rows = structure.prescribed();
+    Missed                                   worst;
+    const std::vector<PrescribedFunctional> &rows = structure.prescribed();
     for (unsigned int b = 0; b < moved_reductions.size(); ++b)
       {
         if (moved_reductions[b] == nullptr)

@@ -28,8 +28,8 @@ namespace lamella
   PressedPlaces::PressedPlaces(const std::vector<ContactInterface> &contacts,
                                const State                         &state)
   {
-    const GapRows rows(contacts);
-    const auto    keep = [&](const unsigned int row) -> Pressed    &{
+    const GapConstraints rows(contacts);
+    const auto           keep = [&](const unsigned int row) -> Pressed           &{
       const auto [c, k] = rows.in_contact(row);
       Pressed &kept     = places[key(c, contacts[c].points[k])];
       kept.force        = state.force[row];
@@ -56,7 +56,7 @@ namespace lamella
   PressedPlaces::give(const std::vector<ContactInterface> &contacts,
                       State                               &state) const
   {
-    const GapRows rows(contacts);
+    const GapConstraints rows(contacts);
     state.force.assign(rows.size(), 0.);
     state.active.clear();
     FrictionState &of = state.friction;
@@ -179,7 +179,7 @@ namespace lamella
     AssertDimension(known.size(), lives.size());
     for (unsigned int c = 0; c < lives.size(); ++c)
       lives[c]->recall(known[c], u, factor);
-    numbered = GapRows(all);
+    numbered = GapConstraints(all);
   }
 
 
@@ -346,7 +346,7 @@ namespace lamella
       }
     if (any)
       {
-        numbered = GapRows(all);
+        numbered = GapConstraints(all);
         pressed.give(all, state);
       }
     return any;
@@ -383,7 +383,7 @@ namespace lamella
       }
     catch (const InputError &)
       {
-        numbered = GapRows(all);
+        numbered = GapConstraints(all);
         lose(c,
              " at load factor " + to_text(factor.of_scene()) +
                ": nothing faces its other side any more.");

@@ -256,7 +256,7 @@ namespace lamella
   Newton::largest_turn(const LoadFactor &from, const LoadFactor &to) const
   {
     double largest = 0.;
-    for (const PrescribedRow &row : structure.prescribed())
+    for (const PrescribedFunctional &row : structure.prescribed())
       if (row.turn)
         largest = std::max(largest,
                            std::abs(to.of(row.history) - from.of(row.history)) *

@@ -46,13 +46,13 @@ namespace lamella
 
 
   ContactSolution
-  Newton::press(ContactStrategy  &strategy,
-                const GapRows    &rows,
-                const LoadFactor &to,
-                State            &state) const
+  Newton::press(ContactStrategy      &strategy,
+                const GapConstraints &rows,
+                const LoadFactor     &to,
+                State                &state) const
   {
     ContactProblem problem;
-    for (const GapRow &row : rows)
+    for (const GapConstraint &row : rows)
       problem.gap.push_back(row.gap(state.u, to));
     problem.force = problem.estimate = state.force;
     problem.start                    = state.active;
@@ -60,7 +60,7 @@ namespace lamella
     if (!state.friction.empty())
       add_friction(rows, state, to, problem);
     ContactSolution found =
-      strategy.settle(problem, [this, rounds = 0u](const Round &round) mutable {
+      strategy.solve(problem, [this, rounds = 0u](const Round &round) mutable {
         if (++rounds > parameters.max_iterations)
           throw NumericsError("The contact did not settle in " +
                               std::to_string(rounds - 1) + " rounds.");
@@ -111,10 +111,10 @@ namespace lamella
     if (state.active.empty())
       return du;
     // Those that slip push along with their normal force.
-    const ClosedRows closed = closed_rows(contacts.rows(), state);
-    const Vector     held(closed.numbers.size());
-    Vector           forces;
-    const auto       answer = [&](const BlockVector &w) {
+    const ActiveConstraints closed = closed_rows(contacts.rows(), state);
+    const Vector            held(closed.numbers.size());
+    Vector                  forces;
+    const auto              answer = [&](const BlockVector &w) {
       BlockVector x = structure.zero(), f = turn_of_rows(state, u, w, to);
       add_spring_forces(firmer, w, f);
       strategy.solve(closed, f, held, x, forces);
@@ -191,7 +191,7 @@ namespace lamella
     du += moved;
     if (!contacts.none())
       {
-        const GapRows rows  = leaning ? leaning->rows() : contacts.rows();
+        const GapConstraints rows = leaning ? leaning->rows() : contacts.rows();
         const auto strategy = make_strategy(Strategy::condensed, about, rows);
         // Gaps are those of the tangent planes, whose states are sums.
         if (leaning)

@@ -47,10 +47,10 @@ namespace lamella
 
 
     /// The stabilizing springs of all bodies, as many times as @p share.
-    LeaningRows::Springs
+    ActiveConstraintShift::Springs
     springs_of(const Structure &structure, const double share)
     {
-      LeaningRows::Springs springs(structure.bodies().size());
+      ActiveConstraintShift::Springs springs(structure.bodies().size());
       for (unsigned int b = 0; b < springs.size(); ++b)
         for (const auto &[row, stiffness] : structure.spring_terms(b))
           springs[b].emplace_back(row, share * stiffness);
@@ -76,14 +76,14 @@ namespace lamella
           aid.leaning.reset();
           aid.firmer = trial.firmer;
           if (trial.leaning > 0.)
-            aid.leaning =
-              std::make_unique<const LeaningRows>(contacts.interfaces(),
-                                                  state,
-                                                  structure.bodies().size(),
-                                                  trial.leaning);
+            aid.leaning = std::make_unique<const ActiveConstraintShift>(
+              contacts.interfaces(),
+              state,
+              structure.bodies().size(),
+              trial.leaning);
           if (aid.leaning && aid.leaning->none())
             continue;
-          LeaningRows::Springs more;
+          ActiveConstraintShift::Springs more;
           if (aid.leaning)
             more = aid.leaning->springs();
           else if (aid.firmer > 1.)
@@ -170,7 +170,7 @@ namespace lamella
     /// of, with the @p rows of @p state that bear a force held.
     std::vector<BlockVector>
     answers(const Linearization            &about,
-            const GapRows                  &rows,
+            const GapConstraints           &rows,
             const State                    &state,
             const std::vector<BlockVector> &loads)
     {
@@ -181,10 +181,10 @@ namespace lamella
             found.push_back(about.solve(load));
           return found;
         }
-      const auto strategy     = make_strategy(Strategy::condensed, about, rows);
-      const ClosedRows closed = closed_rows(rows, state);
-      const Vector     held(closed.numbers.size());
-      Vector           forces;
+      const auto strategy = make_strategy(Strategy::condensed, about, rows);
+      const ActiveConstraints closed = closed_rows(rows, state);
+      const Vector            held(closed.numbers.size());
+      Vector                  forces;
       for (const BlockVector &load : loads)
         {
           found.push_back(about.of().zero());
@@ -206,11 +206,12 @@ namespace lamella
     const BlockVector internal = structure.internal_forces(state.u, state.rest);
     if (is_rounding(Linearization(structure, state.u), internal, state.u))
       return false;
-    Aid                 aid;
-    const Linearization about = tangent(state, BlockVector(), to, aid);
-    const GapRows rows  = aid.leaning ? aid.leaning->rows() : contacts.rows();
-    const auto    loads = loads_of_springs(structure, aid.firmer);
-    const auto    modes = answers(about, rows, state, loads);
+    Aid                  aid;
+    const Linearization  about = tangent(state, BlockVector(), to, aid);
+    const GapConstraints rows =
+      aid.leaning ? aid.leaning->rows() : contacts.rows();
+    const auto                 loads = loads_of_springs(structure, aid.firmer);
+    const auto                 modes = answers(about, rows, state, loads);
     dealii::FullMatrix<double> G(modes.size()), energy(modes.size());
     for (unsigned int i = 0; i < modes.size(); ++i)
       for (unsigned int j = 0; j < modes.size(); ++j)

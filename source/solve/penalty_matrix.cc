@@ -16,8 +16,8 @@ namespace lamella
 {
   using namespace dealii;
 
-  PenaltyMatrix::PenaltyMatrix(const Linearization &linearization,
-                               const GapRows       &rows)
+  PenaltyMatrix::PenaltyMatrix(const Linearization  &linearization,
+                               const GapConstraints &rows)
     : structure(linearization.of())
     , rows(rows)
     , symmetry(rows.rub() ? Symmetry::none : Symmetry::definite)
@@ -92,12 +92,12 @@ namespace lamella
 
 
     /// The DoFs and weights of a gap or a slip in the numbering of the scene.
-    Row
-    global_row(const Structure &structure, const PairRow &row)
+    LinearFunctional
+    global_row(const Structure &structure, const ContactConstraint &row)
     {
-      const auto &blocks = structure.blocks();
-      Row         result;
-      for (const BodyRow &part : row.parts)
+      const auto      &blocks = structure.blocks();
+      LinearFunctional result;
+      for (const BodyFunctional &part : row.parts)
         for (const auto &[dof, weight] : part.row.entries())
           result.add(blocks.local_to_global(part.body, dof), weight);
       result.compress();
@@ -107,7 +107,7 @@ namespace lamella
 
 
     Dofs
-    dofs_of(const Row &row)
+    dofs_of(const LinearFunctional &row)
     {
       Dofs dofs;
       for (const auto &[dof, weight] : row.entries())
@@ -119,10 +119,10 @@ namespace lamella
 
     /// Those of a gap and its slips.
     Dofs
-    dofs_of(const Structure &structure, const GapRow &row)
+    dofs_of(const Structure &structure, const GapConstraint &row)
     {
-      Row all = global_row(structure, row);
-      for (const SlipRow &slip : row.slips)
+      LinearFunctional all = global_row(structure, row);
+      for (const SlipConstraint &slip : row.slips)
         for (const DofIndex dof : dofs_of(global_row(structure, slip)))
           all.add(dof, 1.);
       all.compress();
@@ -276,8 +276,8 @@ namespace lamella
   PenaltyMatrix::add_penalty(const PenaltyTerm &term)
   {
     // k^p = eps n^T n (Eq. 23), with the row in place of n.
-    const Row of = global_row(structure, rows.pair_row(term.of)),
-              on = global_row(structure, rows.pair_row(term.on));
+    const LinearFunctional of = global_row(structure, rows.constraint(term.of)),
+                           on = global_row(structure, rows.constraint(term.on));
     FullMatrix<double> block(of.entries().size(), on.entries().size());
     for (unsigned int i = 0; i < block.m(); ++i)
       for (unsigned int j = 0; j < block.n(); ++j)
@@ -387,9 +387,9 @@ namespace lamella
       {
         if (term.of != term.on)
           continue;
-        double    soft = 0.;
-        const Row free =
-          global_row(structure, rows.pair_row(term.of)).reduced(constraints);
+        double                 soft = 0.;
+        const LinearFunctional free =
+          global_row(structure, rows.constraint(term.of)).reduced(constraints);
         for (const auto &[dof, weight] : free.entries())
           soft += weight * weight / diagonal[dof];
         if (soft * term.weight > hardest)

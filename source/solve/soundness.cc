@@ -205,7 +205,7 @@ namespace lamella
           "surfaces curve. Refine it where they touch, or take Discretization "
           "= node to surface");
       double smallest = 0.;
-      for (const GapRow &row : contact.rows)
+      for (const GapConstraint &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);
       if (smallest < 0.)
         warnings.push_back(what +

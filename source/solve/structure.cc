@@ -41,10 +41,11 @@ namespace lamella
 
 
     /// @p rows with the values of @p history, the others zero.
-    std::vector<PrescribedRow>
-    of_history(std::vector<PrescribedRow> rows, const unsigned int history)
+    std::vector<PrescribedFunctional>
+    of_history(std::vector<PrescribedFunctional> rows,
+               const unsigned int                history)
     {
-      for (PrescribedRow &row : rows)
+      for (PrescribedFunctional &row : rows)
         if (row.history != history)
           row.value = 0.;
       return rows;
@@ -59,14 +60,14 @@ namespace lamella
                        const std::vector<Stabilization> &stabilizations,
                        const dealii::Tensor<1, 3>       &gravity)
     : all_bodies(std::move(bodies))
-    , rows(prescribed_rows(supports, all_bodies))
+    , rows(prescribed_functionals(supports, all_bodies))
     , histories(n_histories(supports, loads), {zero(), zero()})
     , turning(all_bodies.size())
     , initial_load(zero())
   {
     check_held(stabilizations);
-    const std::vector<PrescribedRow> of_scene = of_history(rows, 0);
-    const std::vector<std::string>   names    = names_of(supports);
+    const std::vector<PrescribedFunctional> of_scene = of_history(rows, 0);
+    const std::vector<std::string>          names    = names_of(supports);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
         reductions.push_back(
@@ -156,15 +157,15 @@ namespace lamella
   Structure::prescribed_in(const unsigned int              history,
                            const std::vector<std::string> &names) const
   {
-    const std::vector<PrescribedRow> own     = of_history(rows, history);
-    BlockVector                      u       = zero();
-    double                           largest = 0.;
-    for (const PrescribedRow &row : own)
+    const std::vector<PrescribedFunctional> own     = of_history(rows, history);
+    BlockVector                             u       = zero();
+    double                                  largest = 0.;
+    for (const PrescribedFunctional &row : own)
       largest = std::max(largest, std::abs(row.value));
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       u.block(b) = reductions[b]->influence(
         [&own](const unsigned int k) { return own[k].value; });
-    for (const PrescribedRow &row : own)
+    for (const PrescribedFunctional &row : own)
       if (std::abs(row.row(u) - row.value) > arithmetic::dependent * largest)
         throw InputError(
           "Support " + names[row.support],
@@ -183,8 +184,8 @@ namespace lamella
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       if (is_turned(b) && all_bodies[b]->turns() && !all_bodies[b]->rows_turn())
         {
-          std::vector<PrescribedRow> whole = rows;
-          for (PrescribedRow &row : whole)
+          std::vector<PrescribedFunctional> whole = rows;
+          for (PrescribedFunctional &row : whole)
             row.value = row.value_at(1.);
           RowReduction(*all_bodies[b], b, whole, names);
         }
@@ -325,9 +326,9 @@ namespace lamella
 
 
   bool
-  Structure::holds(const BodyRow &row) const
+  Structure::holds(const BodyFunctional &row) const
   {
-    const auto largest_of = [](const Row &of) {
+    const auto largest_of = [](const LinearFunctional &of) {
       double largest = 0.;
       for (const auto &[dof, weight] : of.entries())
         largest = std::max(largest, std::abs(weight));

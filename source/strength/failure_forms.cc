@@ -78,9 +78,9 @@ namespace lamella
 
     /// The largest of c_i . sigma / limit over the nine limits @p s, where
     /// @p row gives the c_i.
-    template <typename F, typename Row>
+    template <typename F, typename LinearFunctional>
     std::vector<F>
-    maximum_forms(const Strengths &s, const Row &row)
+    maximum_forms(const Strengths &s, const LinearFunctional &row)
     {
       const std::array<double, 3> t = {{s.Xt, s.Yt, s.Zt}},
                                   c = {{s.Xc, s.Yc, s.Zc}},

@@ -68,7 +68,7 @@ namespace lamella
     {
       return given.locate(points);
     }
-    std::vector<std::vector<Row>>
+    std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const override

@@ -88,10 +88,10 @@ namespace
 
 
 
-  Row
+  LinearFunctional
   row_of(const std::vector<DofIndex> &dofs)
   {
-    Row row;
+    LinearFunctional row;
     for (const DofIndex dof : dofs)
       row.add(dof, std::cos(1. + 2. * dof));
     return row;

@@ -102,8 +102,8 @@ namespace
   free_motions(const Bodies &bodies, const std::vector<Support> &supports)
   {
     std::vector<std::string> words;
-    for (const FreeMotion &motion :
-         free_rigid_motions(*bodies[0], 0, prescribed_rows(supports, bodies)))
+    for (const FreeMotion &motion : free_rigid_motions(
+           *bodies[0], 0, prescribed_functionals(supports, bodies)))
       words.push_back(motion.words);
     return words;
   }
@@ -130,7 +130,8 @@ namespace
 
 
   RowReduction
-  reduction_of(const Bodies &bodies, const std::vector<PrescribedRow> &rows)
+  reduction_of(const Bodies                            &bodies,
+               const std::vector<PrescribedFunctional> &rows)
   {
     return RowReduction(*bodies[0], 0, rows, {clamp_name, other_name});
   }
@@ -175,11 +176,11 @@ namespace
 
 
   Wrench
-  reactions(const RowReduction               &reduction,
-            const Body                       &body,
-            const std::vector<PrescribedRow> &rows,
-            const Vector                     &u,
-            const Vector                     &load)
+  reactions(const RowReduction                      &reduction,
+            const Body                              &body,
+            const std::vector<PrescribedFunctional> &rows,
+            const Vector                            &u,
+            const Vector                            &load)
   {
     Vector residual(body.n_dofs());
     body.add_internal_forces(u, residual);
@@ -368,7 +369,7 @@ BOOST_AUTO_TEST_CASE(rows_of_another_body_do_not_hold)
 {
   Bodies bodies = one_beam();
   bodies.push_back(std::move(one_beam()[0]));
-  const auto rows = prescribed_rows({on_surface("start")}, bodies);
+  const auto rows = prescribed_functionals({on_surface("start")}, bodies);
   BOOST_TEST(free_rigid_motions(*bodies[0], 0, rows).empty());
   BOOST_TEST(free_rigid_motions(*bodies[1], 1, rows).size() == 6);
   // Nor do they reduce anything there.
@@ -388,7 +389,7 @@ BOOST_AUTO_TEST_CASE(a_clamped_face_takes_all_fields_of_its_node)
   for (const std::vector<Support> &supports :
        {std::vector<Support>{clamp}, std::vector<Support>{clamp, clamp}})
     {
-      const auto rows      = prescribed_rows(supports, bodies);
+      const auto rows      = prescribed_functionals(supports, bodies);
       const auto reduction = reduction_of(bodies, rows);
       BOOST_TEST(rows.size() == 27 * supports.size());
       BOOST_TEST(reduction.constraints().n_constraints() == 27);
@@ -425,13 +426,13 @@ BOOST_AUTO_TEST_CASE(rows_of_a_poor_basis_depend_on_each_other)
           6u)})
     {
       // The values of a rigid motion, which no redundancy contradicts.
-      auto rows = prescribed_rows({support}, bodies);
+      auto rows = prescribed_functionals({support}, bodies);
       if (n_rows == 9)
         {
           // Points of the line: the degree of the section or of the axis, two.
           BOOST_TEST(rows.size() == n_rows);
         }
-      for (PrescribedRow &row : rows)
+      for (PrescribedFunctional &row : rows)
         {
           const Tensor<1, 3> u =
             Point<3>(0.1, 0.2, 0.3) +
@@ -440,7 +441,7 @@ BOOST_AUTO_TEST_CASE(rows_of_a_poor_basis_depend_on_each_other)
         }
       const auto reduction = reduction_of(bodies, rows);
       BOOST_TEST(reduction.constraints().n_constraints() == rank);
-      for (const PrescribedRow &row : rows)
+      for (const PrescribedFunctional &row : rows)
         BOOST_TEST(std::abs(row.row.row(reduction.particular()) - row.value) <
                    1e-12);
     }
@@ -459,15 +460,15 @@ BOOST_AUTO_TEST_CASE(every_reduced_displacement_satisfies_the_rows)
   const auto at = [&tilted](const double x, const double y, const double z) {
     return tilted.to_scene({x, y, z});
   };
-  auto rows = prescribed_rows({on_surface("start"),
-                               on_line(at(0., 0., height),
-                                       at(0., length, height),
-                                       {0., free_, 0.},
-                                       other_name),
-                               at_points({at(0.07, 0., 0.03)})},
-                              bodies);
+  auto rows = prescribed_functionals({on_surface("start"),
+                                      on_line(at(0., 0., height),
+                                              at(0., length, height),
+                                              {0., free_, 0.},
+                                              other_name),
+                                      at_points({at(0.07, 0., 0.03)})},
+                                     bodies);
   // Displacements quadratic in space, which one B4 and one L9 hold.
-  for (PrescribedRow &row : rows)
+  for (PrescribedFunctional &row : rows)
     {
       const Point<3> x = tilted.to_body(row.position);
       const Point<3> u(0.2 + x[0] * x[2], 0.1 - x[1] * x[1], 0.3 * x[1] * x[2]);
@@ -479,11 +480,11 @@ BOOST_AUTO_TEST_CASE(every_reduced_displacement_satisfies_the_rows)
     u[i] = std::sin(1. + i);
   reduction.constraints().distribute(u);
   u += reduction.particular();
-  for (const PrescribedRow &row : rows)
+  for (const PrescribedFunctional &row : rows)
     BOOST_TEST(std::abs(row.row.row(u) - row.value) < 1e-11);
   // And G v alone satisfies the rows with zero.
   u -= reduction.particular();
-  for (const PrescribedRow &row : rows)
+  for (const PrescribedFunctional &row : rows)
     BOOST_TEST(std::abs(row.row.row(u)) < 1e-11);
 }
 
@@ -531,7 +532,7 @@ BOOST_AUTO_TEST_CASE(symmetry_of_a_turned_body)
   for (const auto &[row, force] :
        quarter.structure->reduction(0).multipliers(residual))
     {
-      const PrescribedRow &p = quarter.structure->prescribed()[row];
+      const PrescribedFunctional &p = quarter.structure->prescribed()[row];
       if (p.support == 1)
         across += std::abs(force * p.direction * turned.axes[2]);
       else
@@ -553,7 +554,7 @@ BOOST_AUTO_TEST_CASE(contradictions_are_refused_by_name)
   const Support lift =
     at_points({{0.05, 0., 0.05}}, {free_, free_, 1e-3}, other_name);
   // The two are supports number 0 and 1.
-  const auto rows = prescribed_rows({clamp, lift}, bodies);
+  const auto rows = prescribed_functionals({clamp, lift}, bodies);
   try
     {
       reduction_of(bodies, rows);
@@ -572,12 +573,12 @@ BOOST_AUTO_TEST_CASE(contradictions_are_refused_by_name)
   const Support agrees =
     at_points({{0.05, 0., 0.05}}, {free_, free_, 0.}, other_name);
   BOOST_CHECK_NO_THROW(
-    reduction_of(bodies, prescribed_rows({clamp, agrees}, bodies)));
+    reduction_of(bodies, prescribed_functionals({clamp, agrees}, bodies)));
   // Nor one at another place.
   const Support apart =
     at_points({{0.05, 1., 0.05}}, {free_, free_, 1e-3}, other_name);
   BOOST_CHECK_NO_THROW(
-    reduction_of(bodies, prescribed_rows({clamp, apart}, bodies)));
+    reduction_of(bodies, prescribed_functionals({clamp, apart}, bodies)));
 }
 
 
@@ -599,7 +600,7 @@ BOOST_AUTO_TEST_CASE(reactions_of_a_cantilever)
       {
         const Bodies         bodies = one_beam(placement);
         std::vector<Support> supports(times, on_surface("start"));
-        const auto           rows      = prescribed_rows(supports, bodies);
+        const auto           rows = prescribed_functionals(supports, bodies);
         const auto           reduction = reduction_of(bodies, rows);
         Load                 here      = load;
         const Point<3>       X         = placement.to_scene(tip);
@@ -633,7 +634,7 @@ BOOST_AUTO_TEST_CASE(reactions_of_a_prescribed_displacement)
   // and u_z = 0.01 on one at the end, two points against sliding. No force is
   // needed to tilt it, so all reactions vanish.
   const Bodies bodies = one_beam();
-  const auto   rows   = prescribed_rows(
+  const auto   rows   = prescribed_functionals(
     {on_line({0., 0., 0.}, {width, 0., 0.}, {free_, free_, 0.}),
          on_line({0., length, 0.}, {width, length, 0.}, {free_, free_, 0.01}),
          at_points({Point<3>()}, {0., 0., free_}),

@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(penalties_of_an_interface)
   const Bodies bodies = two_beams();
   const auto   sum    = [&bodies](const Penalty &penalty) {
     double s = 0.;
-    for (const GapRow &row :
+    for (const GapConstraint &row :
          make_interface(between("bottom", "top", penalty), bodies).rows)
       s += row.penalty;
     return s;
@@ -346,7 +346,7 @@ BOOST_AUTO_TEST_CASE(gap_of_a_row)
         for (unsigned int c = 0; c < 3; ++c)
           u.block(body).add(translation[c], motions[c]);
         std::vector<double> result;
-        for (const GapRow &row : interface.rows)
+        for (const GapConstraint &row : interface.rows)
           result.push_back(row.gap(u, 1.));
         return result;
       };

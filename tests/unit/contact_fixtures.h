@@ -5,7 +5,7 @@
 
 #include "fixtures.h"
 
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/shape/shapes.h>
 
 #include <random>

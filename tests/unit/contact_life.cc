@@ -157,9 +157,9 @@ namespace
     constexpr double    h = 1e-5, factor = 0.7;
     std::vector<double> slope, gap, change(contact.rows().size());
     contact.pair(u, factor);
-    for (const GapRow &row : contact.rows())
+    for (const GapConstraint &row : contact.rows())
       {
-        slope.push_back(row.opening(d));
+        slope.push_back(row.jump(d));
         gap.push_back(row.gap(u, factor));
       }
     change.assign(contact.rows().size(), 0.);
@@ -269,14 +269,14 @@ BOOST_AUTO_TEST_CASE(flat_faces_that_have_not_moved_keep_their_rows)
       const Bodies     bodies = two_strips("LE-2", nodes ? "LE-2" : "TE-2", 2);
       ContactInterface interface;
       Contact          contact(between(discretization), bodies, interface);
-      const std::vector<GapRow> before = contact.rows();
-      const BlockVector         u = zero(bodies), d = any(bodies, 3);
+      const std::vector<GapConstraint> before = contact.rows();
+      const BlockVector                u = zero(bodies), d = any(bodies, 3);
       contact.move(u, 0.);
       BOOST_REQUIRE(contact.rows().size() == before.size());
       for (unsigned int k = 0; k < before.size(); ++k)
         {
-          BOOST_TEST(std::abs(contact.rows()[k].opening(d) -
-                              before[k].opening(d)) < 1e-11);
+          BOOST_TEST(std::abs(contact.rows()[k].jump(d) - before[k].jump(d)) <
+                     1e-11);
           BOOST_TEST(std::abs(contact.rows()[k].initial_gap -
                               before[k].initial_gap) < 1e-12);
         }
@@ -298,7 +298,7 @@ BOOST_AUTO_TEST_CASE(a_turn_of_both_bodies_changes_no_gap)
         Contact          contact(between(discretization), bodies, interface);
         BlockVector      u = both(bodies, turn(angle));
         contact.move(u, 0.);
-        for (const GapRow &row : contact.rows())
+        for (const GapConstraint &row : contact.rows())
           BOOST_TEST(std::abs(row.gap(u, 0.) - distance) < 1e-10);
         BOOST_TEST(contact.stays_paired(u, 0., {}).none());
         // Nor does a small turn on top of it, about any axis of the scene.
@@ -308,8 +308,8 @@ BOOST_AUTO_TEST_CASE(a_turn_of_both_bodies_changes_no_gap)
             small[axis][(axis + 1) % 3] = 1.;
             small[(axis + 1) % 3][axis] = -1.;
             const BlockVector d = both(bodies, small * turn(angle) + small);
-            for (const GapRow &row : contact.rows())
-              BOOST_TEST(std::abs(row.opening(d)) < 1e-9);
+            for (const GapConstraint &row : contact.rows())
+              BOOST_TEST(std::abs(row.jump(d)) < 1e-9);
           }
       }
 }
@@ -354,10 +354,11 @@ BOOST_AUTO_TEST_CASE(what_slides_far_faces_other_places)
           };
           const auto found =
             std::find_if(other.points.begin(), other.points.end(), is_here);
-          const GapRow &row = contact.rows()[k];
+          const GapConstraint &row = contact.rows()[k];
           if (found == other.points.end() || row.parts.empty())
             continue;
-          const GapRow &fresh = anew.rows()[found - other.points.begin()];
+          const GapConstraint &fresh =
+            anew.rows()[found - other.points.begin()];
           BOOST_TEST(std::abs(row.gap(u, 0.) - fresh.gap(u, 0.)) < same);
           ++compared;
         }
@@ -392,7 +393,7 @@ BOOST_AUTO_TEST_CASE(what_is_left_behind_is_lost_and_what_comes_is_not_seen)
       contact.pair(u, 0.);
       all.resize(std::min<std::size_t>(all.size(), contact.rows().size()));
       BOOST_TEST(contact.stays_paired(u, 0., all).none());
-      for (const GapRow &row : contact.rows())
+      for (const GapConstraint &row : contact.rows())
         BOOST_TEST(std::abs(row.gap(u, 0.) + 0.1 * distance) < 1e-10);
     }
 }
@@ -480,7 +481,7 @@ namespace
   slips(const Contact &contact, const BlockVector &u, const LoadFactor &factor)
   {
     std::vector<Tensor<1, 2>> result;
-    for (const GapRow &row : contact.rows())
+    for (const GapConstraint &row : contact.rows())
       {
         result.emplace_back();
         for (unsigned int a = 0; a < row.slips.size(); ++a)
@@ -518,7 +519,7 @@ BOOST_AUTO_TEST_CASE(slips_are_those_since_the_step_began)
       BOOST_REQUIRE(!contact.rows().empty());
       BOOST_TEST(largest(slips(contact, u, factor)) < 1e-12);
       std::vector<double> gap;
-      for (const GapRow &row : contact.rows())
+      for (const GapConstraint &row : contact.rows())
         gap.push_back(std::abs(row.gap(u, factor)));
       // Rows that touch are their gradients there, with the way of an obstacle;
       // the foot of one that does not is moved by turns, too.
@@ -590,8 +591,8 @@ BOOST_AUTO_TEST_CASE(bodies_that_turn_together_do_not_slip)
         BlockVector slid = turned;
         slid.block(0) += affine(*bodies[0], {}, way);
         contact.move(slid, 0.);
-        for (const GapRow &row : contact.rows())
-          for (const SlipRow &slip : row.slips)
+        for (const GapConstraint &row : contact.rows())
+          for (const SlipConstraint &slip : row.slips)
             if (!row.parts.empty())
               BOOST_TEST(std::abs(slip.slip(slid, 0.) + way * slip.tangent) <
                          1e-10);
@@ -617,7 +618,7 @@ BOOST_AUTO_TEST_CASE(forces_of_a_state_nearby_are_those_of_rows_moved_there)
       contact.move(u, factor);
       // At the rims some face nothing there.
       std::vector<bool> faces;
-      for (const GapRow &row : contact.rows())
+      for (const GapConstraint &row : contact.rows())
         faces.push_back(!row.parts.empty());
       contact.move(start, factor);
       std::vector<double>       lambda;
@@ -632,7 +633,7 @@ BOOST_AUTO_TEST_CASE(forces_of_a_state_nearby_are_those_of_rows_moved_there)
       contact.move(u, factor);
       for (unsigned int k = 0; k < lambda.size(); ++k)
         {
-          const GapRow &row = contact.rows()[k];
+          const GapConstraint &row = contact.rows()[k];
           row.add_to(expected, lambda[k]);
           for (unsigned int a = 0; a < row.slips.size(); ++a)
             row.slips[a].add_to(expected, shear[k][a]);
@@ -660,7 +661,7 @@ BOOST_AUTO_TEST_CASE(slip_is_what_is_across_the_normal)
         const Tensor<1, 3> shift({0.3, -0.2, 0.5});
         BlockVector        d = zero(bodies);
         d.block(1)           = affine(*bodies[1], {}, shift);
-        const auto slip      = contact.slip_rows();
+        const auto slip      = contact.slip_constraints();
         for (unsigned int k = 0; k < slip.size(); ++k)
           {
             const Tensor<1, 3> n = interface.points[k].normal;
@@ -670,7 +671,7 @@ BOOST_AUTO_TEST_CASE(slip_is_what_is_across_the_normal)
             for (unsigned int a = 0; a < 2; ++a)
               {
                 double s = 0.;
-                for (const BodyRow &part : slip[k][a])
+                for (const BodyFunctional &part : slip[k][a])
                   s += part(d);
                 BOOST_TEST(std::abs(s - shift * t[a]) < 1e-11);
               }
@@ -681,7 +682,7 @@ BOOST_AUTO_TEST_CASE(slip_is_what_is_across_the_normal)
           for (const auto &parts : of_row)
             {
               double s = 0.;
-              for (const BodyRow &part : parts)
+              for (const BodyFunctional &part : parts)
                 s += part(d);
               BOOST_TEST(std::abs(s) < 1e-11);
             }

@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_through_meshes_that_do_not_match)
           BOOST_TEST(pressure_error(touching) < 1e-9,
                      "nu " << nu << ": " << pressure_error(touching));
           // Penetration p / eps in every row, and the whole force.
-          for (const GapRow &row : touching.contacts[0].rows)
+          for (const GapConstraint &row : touching.contacts[0].rows)
             BOOST_TEST(std::abs(row.gap(touching.state.u, 1.) * eps / pressure +
                                 1.) < 1e-9);
           BOOST_TEST((touching.checks.contacts[0].force +
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
           const Point<3> center = placement.to_body(kkt.center_of_pressure);
           BOOST_TEST(std::hypot(center[0] - 1., center[1] - 1.5) < 1e-9);
           BOOST_TEST(kkt.min_force >= 0.);
-          for (const GapRow &row : touching.contacts[0].rows)
+          for (const GapConstraint &row : touching.contacts[0].rows)
             BOOST_TEST(std::abs(row.gap(touching.state.u, 1.)) < 1e-9 * moved);
 
           double stress = 0., displacement = 0., single = 0.;
@@ -532,7 +532,7 @@ BOOST_AUTO_TEST_CASE(overlaps)
 
   const auto smallest = [&] {
     double gap = 1.;
-    for (const GapRow &row : make_interface(contact, bodies).rows)
+    for (const GapConstraint &row : make_interface(contact, bodies).rows)
       gap = std::min(gap, row.initial_gap);
     return gap;
   };

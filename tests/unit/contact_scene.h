@@ -14,7 +14,7 @@ namespace lamella
 {
   /// A row that keeps @p point of the body @p body above a rigid floor at the
   /// distance @p gap below it.
-  inline GapRow
+  inline GapConstraint
   above_floor(const Bodies           &bodies,
               const dealii::Point<3> &point,
               const double            gap,
@@ -23,7 +23,7 @@ namespace lamella
               const unsigned int      body = 0)
   {
     const Location where = bodies[body]->locate({point}).at(0).at(0);
-    GapRow         row;
+    GapConstraint  row;
     row.parts = {
       {body, bodies[body]->rows({where}, Quantity::displacement)[0][2]}};
     row.initial_gap = gap;
@@ -36,7 +36,7 @@ namespace lamella
   inline std::unique_ptr<ContactSolver>
   contact_solver(const Strategy          which,
                  Structure              &structure,
-                 const GapRows          &rows,
+                 const GapConstraints   &rows,
                  const SolverParameters &parameters = SolverParameters())
   {
     return std::make_unique<ContactSolver>(which == Strategy::full ?
@@ -52,7 +52,7 @@ namespace lamella
   struct ContactScene
   {
     std::unique_ptr<Structure>     structure;
-    std::vector<GapRow>            rows;
+    std::vector<GapConstraint>     rows;
     std::unique_ptr<ContactSolver> solver;
 
     void

@@ -108,7 +108,7 @@ namespace
   {
     double sum = 0.;
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
-      sum += interface.points[k].area * interface.rows[k].opening(u);
+      sum += interface.points[k].area * interface.rows[k].jump(u);
     return sum;
   }
 } // namespace
@@ -317,7 +317,7 @@ BOOST_AUTO_TEST_CASE(each_row_is_an_average)
                      displacement(*bodies[0], p.location, u.block(0));
             });
           BOOST_TEST(std::abs(point.area / area - 1.) < 1e-11);
-          BOOST_TEST(std::abs(interface.rows[k].opening(u) + sum / area) <
+          BOOST_TEST(std::abs(interface.rows[k].jump(u) + sum / area) <
                      1e-11 * u.linfty_norm());
         }
     }
@@ -397,7 +397,7 @@ BOOST_AUTO_TEST_CASE(weighted_gaps_of_curved_bodies)
         {
           // A rotation moves X_2 against X_1 along w x (X_2 - X_1): none along
           // n, which is the direction between them.
-          BOOST_TEST(std::abs(interface.rows[k].opening(u)) < 1e-11);
+          BOOST_TEST(std::abs(interface.rows[k].jump(u)) < 1e-11);
           const Point<3> x   = placement.to_body(interface.points[k].first);
           const double   a   = std::asin(std::clamp(x[0] - 1., -1., 1.));
           const double   due = (0.1 + 1. - std::cos(a)) / std::cos(0.5 * a);

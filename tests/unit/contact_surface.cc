@@ -63,7 +63,7 @@ namespace
          structure.bodies()[0]->surface_points(surface))
       if (keep(point))
         {
-          GapRow row;
+          GapConstraint row;
           row.initial_gap = 0.25;
           row.gap_rate    = -0.5;
           contact.rows.push_back(row);

@@ -149,7 +149,7 @@ namespace
           for (unsigned int k = 0; k < made.rows.size(); ++k)
             {
               const double along = made.points[k].normal[axis];
-              BOOST_TEST(std::abs(made.rows[k].opening(u) -
+              BOOST_TEST(std::abs(made.rows[k].jump(u) -
                                   (body == 1 ? along : -along)) < rounding);
             }
         }
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(of_geometric_forces)
       const Bodies bodies = made(theory);
       const Body  &body   = *bodies[0];
       const auto   state  = body.second_order(any_displacement(body, 1));
-      state->settle(any_displacement(body, 4));
+      state->solve(any_displacement(body, 4));
       const auto geometric = [&](const Vector &v) {
         Vector f(v.size());
         state->add_geometric_forces(v, f);
@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(of_samples)
       const auto check = [&](const Quantity quantity, const auto &entry) {
         const auto all     = rows(quantity);
         double     largest = 0.;
-        for (const Row &row : all)
+        for (const LinearFunctional &row : all)
           largest = std::max(largest, std::abs(row(d) - row.constant()));
         for (unsigned int c = 0; c < all.size(); ++c)
           {
@@ -357,13 +357,13 @@ BOOST_AUTO_TEST_CASE(of_gaps)
           }
         if (!obstacle)
           opens_with_bodies(made, bodies);
-        for (const GapRow &row : made.rows)
+        for (const GapConstraint &row : made.rows)
           {
             BlockVector low = u, high = u, force = u;
             low.add(-0.5, d);
             high.add(0.5, d);
             const double change = row.gap(high, 1.) - row.gap(low, 1.);
-            BOOST_TEST(std::abs(change - row.opening(d)) < rounding);
+            BOOST_TEST(std::abs(change - row.jump(d)) < rounding);
             // What the force does to the bodies is the transpose.
             force = 0.;
             row.add_to(force, 2.);

@@ -53,7 +53,7 @@ namespace
               use(block);
             }
     };
-    Row mean;
+    LinearFunctional mean;
     for (unsigned int i = 0; i < n; ++i)
       mean.add(17 * i + 5, 0.2 + i);
     terms.springs = {{mean, 0.7}};
@@ -98,13 +98,13 @@ namespace
 
 
 
-  std::vector<Row>
+  std::vector<LinearFunctional>
   some_rows(const Constraints &constraints)
   {
-    std::vector<Row> rows;
+    std::vector<LinearFunctional> rows;
     for (unsigned int k = 0; k < 5; ++k)
       {
-        Row row;
+        LinearFunctional row;
         for (unsigned int i = 3 * k + 1; i < n_nodes; i += 311)
           row.add(i, std::cos(1. + i));
         rows.push_back(row.reduced(constraints));

@@ -76,15 +76,15 @@ namespace
     for (unsigned int k = 0; k <= along; ++k)
       for (const double x : {0., 0.5, 1.})
         {
-          const double y = std::min(k * length / along, length);
-          GapRow       row =
+          const double  y = std::min(k * length / along, length);
+          GapConstraint row =
             above_floor(bodies,
                         {x * width, y, height + gap},
                         gap,
                         method.enforcement,
                         1000. * E * width / 3. * length / along / height,
                         1);
-          const GapRow below =
+          const GapConstraint below =
             above_floor(bodies, {x * width, y, height}, 0., {}, 0., 0);
           row.parts.push_back({0, {}});
           row.parts.back().row.add(below.parts[0].row, -1.);

@@ -4,7 +4,7 @@
 // say what they want.
 
 #include <lamella/base/patterns.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/linear/linear_solver.h>
 #include <lamella/recover/results.h>
 #include <lamella/solve/parameters.h>

@@ -130,12 +130,12 @@ BOOST_AUTO_TEST_CASE(solve)
 namespace
 {
   /// A functional with entries in every @p step-th DoF from @p first on.
-  Row
+  LinearFunctional
   functional(const unsigned int n,
              const unsigned int first,
              const unsigned int step)
   {
-    Row row;
+    LinearFunctional row;
     for (unsigned int i = first; i < n; i += step)
       row.add(i, std::cos(1. + first + 2. * i));
     return row;
@@ -145,7 +145,9 @@ namespace
 
   /// b_a A^-1 b_c.
   double
-  compliance(const Case &c, const Row &a, const Row &b)
+  compliance(const Case             &c,
+             const LinearFunctional &a,
+             const LinearFunctional &b)
   {
     double sum = 0.;
     for (const auto &[i, weight_i] : a.entries())
@@ -160,17 +162,18 @@ BOOST_AUTO_TEST_CASE(halves_make_the_whole)
   // P^T L^-T (Y lambda) = A^-1 B^T lambda.
   for (const Case &c : cases())
     {
-      const Sparse A(c.n, c.entry);
-      const auto   factor = factorize(A.matrix, "the matrix");
-      const auto   rows   = factor->solved_rows();
-      const Row    a = functional(c.n, 0, 1), b = functional(c.n, c.n / 2, 3);
+      const Sparse           A(c.n, c.entry);
+      const auto             factor = factorize(A.matrix, "the matrix");
+      const auto             rows   = factor->solved_rows();
+      const LinearFunctional a      = functional(c.n, 0, 1),
+                             b      = functional(c.n, c.n / 2, 3);
       rows->append({a});
       rows->append({b});
       BOOST_TEST(rows->size() == 2);
       const Vector x = rows->displacement({2., -3.});
       for (unsigned int i = 0; i < c.n; ++i)
         {
-          Row unit;
+          LinearFunctional unit;
           unit.add(i, 1.);
           const double due =
             2. * compliance(c, unit, a) - 3. * compliance(c, unit, b);
@@ -187,14 +190,14 @@ BOOST_AUTO_TEST_CASE(compliance_of_rows)
   // entries and with many; the chain has a deep elimination tree.
   for (const Case &c : cases())
     {
-      const Sparse           A(c.n, c.entry);
-      const auto             factor = factorize(A.matrix, "the matrix");
-      const std::vector<Row> all{functional(c.n, 0, c.n),
-                                 functional(c.n, c.n / 3, 2),
-                                 functional(c.n, c.n - 1, 1),
-                                 functional(c.n, 0, 1),
-                                 functional(c.n, c.n / 2, c.n)};
-      const auto             rows = factor->solved_rows();
+      const Sparse A(c.n, c.entry);
+      const auto   factor = factorize(A.matrix, "the matrix");
+      const std::vector<LinearFunctional> all{functional(c.n, 0, c.n),
+                                              functional(c.n, c.n / 3, 2),
+                                              functional(c.n, c.n - 1, 1),
+                                              functional(c.n, 0, 1),
+                                              functional(c.n, c.n / 2, c.n)};
+      const auto                          rows = factor->solved_rows();
       rows->append({all[0], all[1]});
       const std::vector<double> before = rows->products(0);
       rows->append({all[2], all[3], all[4]});

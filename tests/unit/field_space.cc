@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(dense_lists_that_differ)
       check_same(answer, load, 1e-9);
     }
   // A spring that pushes: the place is said.
-  Row end;
+  LinearFunctional end;
   end.add(beam.dofs().first(axis->n_nodes() - 1), 1.);
   BOOST_CHECK_EXCEPTION(
     beam.make_solver(clamp, {{end, -1e9}}),

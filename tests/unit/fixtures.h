@@ -99,10 +99,10 @@ namespace lamella
   using Field = std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)>;
 
   /// Rows that prescribe @p field at all nodes of the surface of @p body.
-  inline std::vector<PrescribedRow>
+  inline std::vector<PrescribedFunctional>
   prescribe_on_surface(const Body &body, const Field &field)
   {
-    std::vector<PrescribedRow> rows;
+    std::vector<PrescribedFunctional> rows;
     for (const std::string &surface : body.surfaces())
       if (surface != "ends" && surface != "all")
         {
@@ -147,9 +147,9 @@ namespace lamella
 
   /// The displacements of @p body under @p rows alone.
   inline Vector
-  solve_prescribed(Body                             &body,
-                   const std::vector<PrescribedRow> &rows,
-                   const unsigned int                refinements = 2)
+  solve_prescribed(Body                                    &body,
+                   const std::vector<PrescribedFunctional> &rows,
+                   const unsigned int                       refinements = 2)
   {
     const RowReduction reduction(body, 0, rows, {"surface"});
     return solve_factorized(body,
@@ -192,8 +192,8 @@ namespace lamella
     Solved solved;
     solved.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
-    const std::vector<GapRow> none;
-    SolverParameters          parameters;
+    const std::vector<GapConstraint> none;
+    SolverParameters                 parameters;
     parameters.max_refinements = refinements;
     ContactSolver solver(linearized(*solved.structure), none, parameters);
     solved.state     = solver.solve_free(1.);

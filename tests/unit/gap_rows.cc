@@ -8,7 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-BOOST_AUTO_TEST_SUITE(gap_rows)
+BOOST_AUTO_TEST_SUITE(gap_constraints)
 
 using namespace lamella;
 
@@ -43,15 +43,17 @@ namespace
 
   /// The rows of @p side on the body @p index: sum_k w_rk . u(X_k), the places
   /// located anew.
-  std::vector<BodyRow>
-  rows_of(const RowGeometry &side, const unsigned int index, const Body &body)
+  std::vector<BodyFunctional>
+  rows_of(const ConstraintGeometry &side,
+          const unsigned int        index,
+          const Body               &body)
   {
     std::vector<Location> places;
     for (const Location &place : side.places)
       places.push_back(body.locate({place.position}).at(0).at(0));
-    const auto           u = body.rows(places, Quantity::displacement);
-    std::vector<BodyRow> rows;
-    for (const RowGeometry::Weights &weights : side.weights)
+    const auto                  u = body.rows(places, Quantity::displacement);
+    std::vector<BodyFunctional> rows;
+    for (const ConstraintGeometry::Weights &weights : side.weights)
       {
         rows.push_back({index, {}});
         for (const auto &[k, w] : weights)
@@ -66,7 +68,7 @@ namespace
 
   /// Those of a contact of two bodies on @p bodies, the same bodies in another
   /// discretization: the same places, weights and gaps.
-  std::vector<GapRow>
+  std::vector<GapConstraint>
   rows_on(const ContactInterface &contact, const Bodies &bodies)
   {
     const auto first  = rows_of(contact.first,
@@ -75,7 +77,7 @@ namespace
                second = rows_of(contact.second,
                                 *contact.second_body,
                                 *bodies[*contact.second_body]);
-    std::vector<GapRow> rows;
+    std::vector<GapConstraint> rows;
     for (unsigned int r = 0; r < contact.rows.size(); ++r)
       {
         rows.push_back(contact.rows[r]);
@@ -90,7 +92,7 @@ BOOST_AUTO_TEST_CASE(numbered_through)
   std::vector<ContactInterface> contacts(3);
   contacts[0].rows.resize(2);
   contacts[2].rows.resize(3);
-  const GapRows rows(contacts);
+  const GapConstraints rows(contacts);
   BOOST_REQUIRE(rows.size() == 5);
   // A contact without rows lies between.
   const std::vector<std::pair<unsigned int, unsigned int>> place{

@@ -73,9 +73,9 @@ namespace
   Vector
   interpolated(Body &body)
   {
-    const auto                 places = body.body_points();
-    const auto                 all = body.rows(places, Quantity::displacement);
-    std::vector<PrescribedRow> rows;
+    const auto places = body.body_points();
+    const auto all    = body.rows(places, Quantity::displacement);
+    std::vector<PrescribedFunctional> rows;
     for (unsigned int i = 0; i < all.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         rows.push_back({{0, all[i][c]},
@@ -317,12 +317,12 @@ namespace
       return points;
     };
     // Roots along x, straight lines along y.
-    const dealii::QGauss<1>           fine(200), coarse(2);
-    std::vector<ContactTraction::Row> rows;
+    const dealii::QGauss<1>                        fine(200), coarse(2);
+    std::vector<ContactTraction::LinearFunctional> rows;
     for (unsigned int i = 0; i < x.size(); ++i)
       for (unsigned int j = 0; j < y.size(); ++j)
         {
-          ContactTraction::Row row;
+          ContactTraction::LinearFunctional row;
           row.place  = Point<3>(x[i], y[j], 0.);
           row.normal = Point<3>(0., 0., -1.);
           for (const auto &[s, in_x] : hat(x, i, fine))
@@ -412,7 +412,7 @@ BOOST_AUTO_TEST_CASE(strips_of_a_contact)
     }
   // Where nothing presses there is nothing.
   auto open = traction.rows();
-  for (ContactTraction::Row &row : open)
+  for (ContactTraction::LinearFunctional &row : open)
     row.force = 0.;
   const ContactTraction nothing(traction.surface(), open);
   BOOST_TEST(PressedPatch(nothing).width() == 0.);

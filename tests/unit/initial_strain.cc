@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(fields_of_a_strain)
 BOOST_AUTO_TEST_CASE(rows)
 {
   // r(u) = 3 + 2 u_0 - u_2; its load is that of the linear part.
-  Row row;
+  LinearFunctional row;
   row.add(0, 2.);
   row.add(2, -1.);
   row.add_constant(3.);
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(rows)
   BOOST_TEST(f[0] == 20.);
   BOOST_TEST(f[2] == -10.);
 
-  Row twice;
+  LinearFunctional twice;
   twice.add(row, 2.);
   BOOST_TEST(twice(u) == 12.);
 

@@ -271,7 +271,7 @@ BOOST_AUTO_TEST_CASE(geometric_stiffness_is_objective)
     {
       const Vector w     = random_vector(body->n_dofs(), 0.2, 7);
       const auto   state = body->second_order(Vector(w.size()));
-      state->settle(w);
+      state->solve(w);
       const Vector f = forces(*body, w);
       for (unsigned int a = 0; a < 3; ++a)
         for (unsigned int b = a; b < 3; ++b)
@@ -556,14 +556,14 @@ BOOST_AUTO_TEST_CASE(it_comes_back_unloaded)
 
 BOOST_AUTO_TEST_CASE(small_loads_are_the_linear_answer)
 {
-  const Structure           large = sze("large", 8), linear = sze("linear", 8);
-  Newton                    newton(large);
-  const double              factor = 1e-7;
-  const Equilibrium         state  = newton.advance(newton.at_rest(), factor);
-  const std::vector<GapRow> no_rows;
-  const GapRows             none(no_rows);
-  ContactSolver             solver(linearized(linear), none);
-  const State               exact = solver.solve_free(factor);
+  const Structure   large = sze("large", 8), linear = sze("linear", 8);
+  Newton            newton(large);
+  const double      factor = 1e-7;
+  const Equilibrium state  = newton.advance(newton.at_rest(), factor);
+  const std::vector<GapConstraint> no_rows;
+  const GapConstraints             none(no_rows);
+  ContactSolver                    solver(linearized(linear), none);
+  const State                      exact = solver.solve_free(factor);
   BOOST_TEST(std::abs(tip(large, state.state.u)[2] / tip(linear, exact.u)[2] -
                       1.) < 1e-8);
 }
@@ -663,12 +663,12 @@ BOOST_AUTO_TEST_CASE(the_stiffening_number_is_what_large_deflections_do)
     {
       const Structure large = pressed_strip(true, way),
                       small = pressed_strip(false, way);
-      Newton                    newton(large);
-      const std::vector<GapRow> no_rows;
-      const GapRows             none(no_rows);
-      ContactSolver             solver(linearized(small), none);
-      const State               state = solver.solve_free(1.);
-      const double              energy =
+      Newton                           newton(large);
+      const std::vector<GapConstraint> no_rows;
+      const GapConstraints             none(no_rows);
+      ContactSolver                    solver(linearized(small), none);
+      const State                      state = solver.solve_free(1.);
+      const double                     energy =
         small.bodies()[0]->deformation(state.u.block(0)).energy;
       const double r = beyond_linear(small, solver, state, {energy}).stiffening;
       const double more =

@@ -161,9 +161,9 @@ BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
   // On the way down it is not where it was on the way up.
   BOOST_TEST(difference(states[3], states[0]) > 1e-4);
 
-  const GapRows      &rows   = blocks.built->rows();
-  double              before = 0.;
-  std::array<bool, 2> seen{};
+  const GapConstraints &rows   = blocks.built->rows();
+  double                before = 0.;
+  std::array<bool, 2>   seen{};
   for (unsigned int k = 0; k < states.size(); ++k)
     {
       const FrictionState &friction = states[k].friction;

@@ -80,9 +80,9 @@ namespace lamella
   inline Vector
   solution(Structure &structure)
   {
-    const std::vector<GapRow> no_rows;
-    ContactSolver             newton(linearized(structure), no_rows);
-    const State               state = newton.solve_free(1.);
+    const std::vector<GapConstraint> no_rows;
+    ContactSolver                    newton(linearized(structure), no_rows);
+    const State                      state = newton.solve_free(1.);
     require_sound(state, check_state(newton.tangent(), {}, 3, state, 1.), 1e9);
     return state.u.block(0);
   }

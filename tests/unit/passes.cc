@@ -54,12 +54,12 @@ namespace
 
 BOOST_AUTO_TEST_CASE(sources_are_wanted_until_the_rest_is_half_of_the_tolerance)
 {
-  struct Row
+  struct LinearFunctional
   {
     Shares              shares;
     std::vector<Source> wanted;
   };
-  const std::vector<Row> table{
+  const std::vector<LinearFunctional> table{
     {{{"axis", 0.02}, {"section", -0.0045}}, {Source::axis}},
     {{{"axis", 0.02}, {"section", -0.0055}}, {Source::axis, Source::section}},
     // Two that are small alone are not together.
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(sources_are_wanted_until_the_rest_is_half_of_the_tolerance)
     {{{"axis", 1e-3}, {"fields", 0.1}, {"section", 1e-3}}, {Source::fields}},
     {{{"axis and section", 0.1}, {"contact", 1e-3}},
      {Source::axis, Source::section}}};
-  for (const Row &row : table)
+  for (const LinearFunctional &row : table)
     BOOST_TEST_CONTEXT("row " << &row - table.data())
     {
       Passes passes;

@@ -29,7 +29,7 @@ namespace lamella
   check_patch(Body &body, const ElasticTensor &C_scene)
   {
     // All states prescribe the same rows, with other values.
-    std::vector<PrescribedRow> rows =
+    std::vector<PrescribedFunctional> rows =
       prescribe_on_surface(body, [](const dealii::Point<3> &) {
         return dealii::Tensor<1, 3>();
       });
@@ -40,7 +40,7 @@ namespace lamella
         const Field                field = [&E](const dealii::Point<3> &x) {
           return E * dealii::Tensor<1, 3>(x);
         };
-        for (PrescribedRow &row : rows)
+        for (PrescribedFunctional &row : rows)
           row.value = field(row.position) * row.direction;
         const RowReduction reduction(body, 0, rows, {"surface"});
         if (place == 0)
@@ -77,7 +77,8 @@ namespace lamella
     const FieldSample s = body.sample(where, u);
     const auto        check =
       [&](const Quantity quantity, const Frame frame, const auto &expected) {
-        const std::vector<Row> rows = body.rows({where}, quantity, frame)[0];
+        const std::vector<LinearFunctional> rows =
+          body.rows({where}, quantity, frame)[0];
         for (unsigned int c = 0; c < rows.size(); ++c)
           BOOST_TEST(std::abs(rows[c](u) - expected[c]) <
                      1e-10 * expected.norm());

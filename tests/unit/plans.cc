@@ -29,7 +29,7 @@ namespace
     return facts;
   }
 
-  struct Row
+  struct LinearFunctional
   {
     std::function<void(PlanFacts &)> but;
     const char                      *theory;
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
   const auto assumed = [](PlanFacts &f) {
     f.is_assumed = f.has_contacts = true;
   };
-  const std::vector<Row> table{
+  const std::vector<LinearFunctional> table{
     {[](PlanFacts &) {}, "SV-6 (of LE-3)", 0, false, "", ""},
     // What was asked for stays what it is.
     {[](PlanFacts &f) { f.size.touched = 0.9; },
@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      false,
      "",
      ""}};
-  for (const Row &row : table)
+  for (const LinearFunctional &row : table)
     BOOST_TEST_CONTEXT("row " << &row - table.data())
     {
       PlanFacts facts = slender();

@@ -205,11 +205,11 @@ BOOST_AUTO_TEST_CASE(rows_that_a_surplus_opens_answer_with_its_energy)
   BlockVector       v = run.model().structure().zero(), w = v;
   for (unsigned int b = 0; b < beams.size(); ++b)
     v.block(b) = BeamSurplus(*beams[b]).in_section(state.u.block(b), 2);
-  Vector opened(active.size()), forces(active.size());
+  Vector jump(active.size()), forces(active.size());
   for (unsigned int k = 0; k < active.size(); ++k)
-    opened[k] = -run.model().rows()[active[k]].opening(v);
+    jump[k] = -run.model().rows()[active[k]].jump(v);
   run.contact_solver().solve_linear(
-    active, run.model().structure().zero(), opened, w, forces);
+    active, run.model().structure().zero(), jump, w, forces);
   const Linearization &tangent = run.contact_solver().tangent();
   const double of_bodies = tangent.apply(v) * v, of_rows = tangent.apply(w) * w;
   // A hundred times what is told apart below.

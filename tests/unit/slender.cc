@@ -51,13 +51,13 @@ namespace
     // A line across the mid-plane, 1 N in all.
     const Point<3> a(0., 0.5 * length, 0.5 * height),
       b(width, 0.5 * length, 0.5 * height);
-    const Load                load{"center",
+    const Load load{"center",
                     {{0, Region::Kind::line, "", {a, b}}},
                     {{"0", "0", "-100"}},
                     ""};
-    Structure                 structure(std::move(bodies), {clamp}, {load});
-    const std::vector<GapRow> none;
-    SolverParameters          parameters;
+    Structure  structure(std::move(bodies), {clamp}, {load});
+    const std::vector<GapConstraint> none;
+    SolverParameters                 parameters;
     parameters.max_refinements = refine ? 6 : 0;
     ContactSolver newton(linearized(structure), none, parameters);
 

@@ -5,7 +5,7 @@
 #include "contact_scene.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/parameters.h>
 #include <lamella/solve/soundness.h>
@@ -152,15 +152,18 @@ BOOST_AUTO_TEST_CASE(a_penalty_beyond_rounding_is_told)
   for (const double factor : {1., 1e12})
     {
       TwoCubes scene(press);
-      for (GapRow &row : scene.contacts[0].rows)
+      for (GapConstraint &row : scene.contacts[0].rows)
         row.penalty *= factor;
       const auto  solver = contact_solver(Strategy::full,
                                          *scene.structure,
                                          scene.contacts[0].rows);
       BlockVector u;
       Vector      lambda;
-      solver->solve_linear(
-        ClosedRows({0, 1, 2}), scene.structure->zero(), Vector(3), u, lambda);
+      solver->solve_linear(ActiveConstraints({0, 1, 2}),
+                           scene.structure->zero(),
+                           Vector(3),
+                           u,
+                           lambda);
       BOOST_TEST(solver->warnings().size() == (factor == 1. ? 0u : 1u));
     }
 }
@@ -174,7 +177,7 @@ BOOST_AUTO_TEST_CASE(an_open_gap_carries_nothing)
   BOOST_TEST(state.active.empty());
   BOOST_TEST(state.iterations == 0);
   // The upper cube moves as a whole, so the gap is a tenth everywhere.
-  for (const GapRow &row : scene.contacts[0].rows)
+  for (const GapConstraint &row : scene.contacts[0].rows)
     BOOST_TEST(std::abs(row.gap(state.u, 1.) - 0.1 * gap) < 1e-12);
   const Checks checks =
     check_state(scene.tangent(state), scene.contacts, 2, state, 1.);
@@ -284,8 +287,8 @@ BOOST_AUTO_TEST_CASE(a_line_is_prescribed_exactly)
               {{0, Region::Kind::line, "", {a, b}}},
               {{std::nullopt, std::nullopt, -1.}}};
       Structure structure(std::move(bodies), {clamp, press}, {});
-      const std::vector<GapRow> none;
-      const State               state =
+      const std::vector<GapConstraint> none;
+      const State                      state =
         ContactSolver(linearized(structure), none).solve_free(1.);
       double worst = 0.;
       for (unsigned int i = 0; i <= 100; ++i)
@@ -328,12 +331,12 @@ BOOST_AUTO_TEST_CASE(a_turned_scene_gives_turned_results)
       Load           load{"tip", {{0, Region::Kind::point, "", {tip}}}, {}, ""};
       for (unsigned int c = 0; c < 3; ++c)
         load.force[c] = std::to_string(f[c]);
-      const Support             clamp{"clamp",
+      const Support clamp{"clamp",
                           {{0, Region::Kind::surface, "start", {}}},
                           {{0., 0., 0.}}};
-      Structure                 structure(std::move(bodies), {clamp}, {load});
-      const std::vector<GapRow> none;
-      const State               state =
+      Structure     structure(std::move(bodies), {clamp}, {load});
+      const std::vector<GapConstraint> none;
+      const State                      state =
         ContactSolver(linearized(structure), none).solve_free(1.);
       results.push_back(structure.load(1.) * state.u);
     }

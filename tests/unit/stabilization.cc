@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(what_is_held_gets_no_spring)
   const Support half{"half",
                      {{0, Region::Kind::body, "", {}}},
                      {{0., std::nullopt, 0.}}};
-  const auto    rows = prescribed_rows({half}, bodies);
+  const auto    rows = prescribed_functionals({half}, bodies);
   const auto    springs =
     stabilizing_springs(*bodies[0], 0, rows, Stabilization{1e-3});
   BOOST_REQUIRE(springs.size() == 1);
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_free_bar_on_springs)
   Bodies         bodies;
   bodies.push_back(bar("LE-2"));
   Structure structure(std::move(bodies), {half}, {push}, {{1e-5}});
-  const std::vector<GapRow> none;
+  const std::vector<GapConstraint> none;
   const State state = ContactSolver(linearized(structure), none).solve_free(1.);
   const double k    = 1e-5 * 0.6;
   const auto   where = structure.bodies()[0]->locate({center}).at(0).at(0);

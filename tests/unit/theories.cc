@@ -990,8 +990,8 @@ BOOST_AUTO_TEST_CASE(classical_theories_do_not_turn_about_their_axis)
       make_axis(L, 2),
       Placement()));
     std::vector<std::string> words;
-    for (const FreeMotion &motion :
-         free_rigid_motions(*bodies[0], 0, prescribed_rows(supports, bodies)))
+    for (const FreeMotion &motion : free_rigid_motions(
+           *bodies[0], 0, prescribed_functionals(supports, bodies)))
       words.push_back(motion.words);
     return words;
   };

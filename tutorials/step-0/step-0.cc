@@ -20,7 +20,7 @@
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/contact/enforcement.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/linear/factorization.h>
 #include <lamella/material/library.h>
 #include <lamella/shape/laminate.h>
@@ -40,7 +40,7 @@ public:
 
 private:
   void
-  make_gap_rows();
+  make_gap_constraints();
   UpperTriangle
   stiffness_with_penalty(const std::vector<unsigned int> &active) const;
   void
@@ -62,7 +62,7 @@ private:
   Bodies                        bodies;
   std::unique_ptr<RowReduction> supports;
   BlockVector                   load;
-  std::vector<GapRow>           gaps;
+  std::vector<GapConstraint>    gaps;
 
   std::unique_ptr<StiffnessMatrix> stiffness;
 };
@@ -88,10 +88,11 @@ StoppedCantilever::StoppedCantilever()
   const Support clamp{"clamp",
                       {{0, Region::Kind::surface, "start", {}}},
                       {{0., 0., 0.}}};
-  supports = std::make_unique<RowReduction>(*bodies[0],
-                                            0,
-                                            prescribed_rows({clamp}, bodies),
-                                            std::vector<std::string>{"clamp"});
+  supports =
+    std::make_unique<RowReduction>(*bodies[0],
+                                   0,
+                                   prescribed_functionals({clamp}, bodies),
+                                   std::vector<std::string>{"clamp"});
 
   // A load is rows, too, on the right-hand side: here a force per length along
   // the upper edge of the tip.
@@ -111,14 +112,14 @@ StoppedCantilever::StoppedCantilever()
 // move, so it has no part in the row. With n = (0, 0, -1) the row is u_z
 // of the corner, plus the initial gap.
 void
-StoppedCantilever::make_gap_rows()
+StoppedCantilever::make_gap_constraints()
 {
   const std::vector<Location> corners =
     locate_all(*bodies[0], {{0., length, 0.}, {width, length, 0.}}, "stops");
-  for (const std::vector<Row> &u :
+  for (const std::vector<LinearFunctional> &u :
        bodies[0]->rows(corners, Quantity::displacement))
     {
-      GapRow row;
+      GapConstraint row;
       row.parts       = {{0, u[2]}};
       row.initial_gap = stop_gap;
       row.penalty     = penalty;
@@ -141,7 +142,8 @@ StoppedCantilever::stiffness_with_penalty(
                                       const double k) { matrix.add(i, j, k); });
   for (const unsigned int r : active)
     {
-      const Row n = gaps[r].parts[0].row.reduced(supports->constraints());
+      const LinearFunctional n =
+        gaps[r].parts[0].row.reduced(supports->constraints());
       for (const auto &[i, n_i] : n.entries())
         for (const auto &[j, n_j] : n.entries())
           matrix.add(i, j, gaps[r].penalty * n_i * n_j);
@@ -157,7 +159,7 @@ StoppedCantilever::stiffness_with_penalty(
 void
 StoppedCantilever::run()
 {
-  make_gap_rows();
+  make_gap_constraints();
   stiffness = bodies[0]->assembled_stiffness(supports->constraints());
 
   BlockVector               u(1, bodies[0]->n_dofs());
@@ -196,7 +198,7 @@ void
 StoppedCantilever::report(const BlockVector &u) const
 {
   double carried = 0.;
-  for (const GapRow &row : gaps)
+  for (const GapConstraint &row : gaps)
     carried += contact_force(row.penalty, row.gap(u, 1.));
   const double EI     = laminate_stiffness(laminate.plies(materials), width).EI;
   const double theory = force - 3. * EI * stop_gap / std::pow(length, 3);

@@ -169,7 +169,7 @@ FiveTheories::compute(const std::string                 &name,
 void
 FiveTheories::solve()
 {
-  const std::vector<GapRow> no_rows;
+  const std::vector<GapConstraint> no_rows;
   u = ContactSolver(linearized(*structure), no_rows).solve_free(1.).u.block(0);
 }
 

@@ -13,7 +13,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/body/beam.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/section/theory.h>
 #include <lamella/shape/laminate.h>
 #include <lamella/solve/checks.h>
@@ -38,15 +38,16 @@ public:
   run();
 
 private:
-  std::vector<GapRow>
-  gap_rows(const double penalty) const;
+  std::vector<GapConstraint>
+  gap_constraints(const double penalty) const;
   double
-  relative_error(const std::vector<GapRow> &rows,
-                 const std::vector<double> &force) const;
+  relative_error(const std::vector<GapConstraint> &rows,
+                 const std::vector<double>        &force) const;
   double
-  solved_once(const std::vector<GapRow> &rows, ContactSolver &solver) const;
+  solved_once(const std::vector<GapConstraint> &rows,
+              ContactSolver                    &solver) const;
   double
-  refined(const std::vector<GapRow> &rows, ContactSolver &solver) const;
+  refined(const std::vector<GapConstraint> &rows, ContactSolver &solver) const;
   void
   measure(const int decade);
 
@@ -114,10 +115,10 @@ TwoCubes::TwoCubes()
 
 // The same rows with another penalty: per area, so that all rows together are
 // one spring @p penalty * side^2.
-std::vector<GapRow>
-TwoCubes::gap_rows(const double penalty) const
+std::vector<GapConstraint>
+TwoCubes::gap_constraints(const double penalty) const
 {
-  std::vector<GapRow> rows = interface.rows;
+  std::vector<GapConstraint> rows = interface.rows;
   for (unsigned int k = 0; k < rows.size(); ++k)
     rows[k].penalty = penalty * interface.points[k].area;
   return rows;
@@ -126,8 +127,8 @@ TwoCubes::gap_rows(const double penalty) const
 
 
 double
-TwoCubes::relative_error(const std::vector<GapRow> &rows,
-                         const std::vector<double> &forces) const
+TwoCubes::relative_error(const std::vector<GapConstraint> &rows,
+                         const std::vector<double>        &forces) const
 {
   double sum = 0.;
   for (unsigned int k = 0; k < rows.size(); ++k)
@@ -143,8 +144,8 @@ TwoCubes::relative_error(const std::vector<GapRow> &rows,
 // definiteness, too; whether it has depends on the rounding of the processor's
 // own BLAS, and so says nothing but that the sum cannot be used there.
 double
-TwoCubes::solved_once(const std::vector<GapRow> &rows,
-                      ContactSolver             &solver) const
+TwoCubes::solved_once(const std::vector<GapConstraint> &rows,
+                      ContactSolver                    &solver) const
 {
   try
     {
@@ -174,7 +175,8 @@ TwoCubes::solved_once(const std::vector<GapRow> &rows,
 // against the equilibrium of the strains and the contact law, and checks that
 // both hold in the end.
 double
-TwoCubes::refined(const std::vector<GapRow> &rows, ContactSolver &solver) const
+TwoCubes::refined(const std::vector<GapConstraint> &rows,
+                  ContactSolver                    &solver) const
 {
   try
     {
@@ -198,13 +200,13 @@ TwoCubes::refined(const std::vector<GapRow> &rows, ContactSolver &solver) const
 void
 TwoCubes::measure(const int decade)
 {
-  const double              ratio = std::pow(10., decade);
-  const std::vector<GapRow> rows  = gap_rows(ratio * stiffness);
-  ContactSolver             full(linearized_without_solvers(*structure),
+  const double                     ratio = std::pow(10., decade);
+  const std::vector<GapConstraint> rows  = gap_constraints(ratio * stiffness);
+  ContactSolver                    full(linearized_without_solvers(*structure),
                      rows,
                      {},
                      Strategy::full);
-  ContactSolver             condensed(linearized(*structure), rows);
+  ContactSolver                    condensed(linearized(*structure), rows);
 
   // Springs in series: a penalty of its own gives F (1 / (1 + k / eps)).
   const double by_design = -1. / (1. + ratio), once = solved_once(rows, full),

@@ -164,9 +164,9 @@ FieldsOfASection::bend(const std::string &name, std::unique_ptr<Beam> beam)
     {{0, Region::Kind::line, "", {{0., nose, top}, {width, nose, top}}}},
     {{0., 0., -force}},
     ""};
-  Structure                 structure(std::move(bodies), {clamp}, {line});
-  const std::vector<GapRow> no_rows;
-  const Vector              u =
+  Structure structure(std::move(bodies), {clamp}, {line});
+  const std::vector<GapConstraint> no_rows;
+  const Vector                     u =
     ContactSolver(linearized(structure), no_rows).solve_free(1.).u.block(0);
 
   const Body &body   = *structure.bodies()[0];

@@ -48,7 +48,7 @@ public:
   run();
 
 private:
-  Row
+  LinearFunctional
   functional(const Goal &goal, const Structure &structure) const;
   Vector
   dual(const Goal &goal, const Model &model) const;
@@ -81,8 +81,8 @@ DualsOfGoals::DualsOfGoals()
 
 
 // The goal as a functional J of the beam's DoFs. Whatever can be said of a body
-// is a Row, a list of DoFs with weights: J(u) = sum j_k u_k.
-Row
+// is a LinearFunctional, a list of DoFs with weights: J(u) = sum j_k u_k.
+LinearFunctional
 DualsOfGoals::functional(const Goal &goal, const Structure &structure) const
 {
   const Body &body  = *structure.bodies()[0];
@@ -158,13 +158,13 @@ DualsOfGoals::add_error(const std::string &name,
                         const Model       &poor,
                         const Goal        &goal)
 {
-  BlockVector u       = rich.structure->zero();
-  u.block(0)          = beam.embedded(poor.u, poor.list);
-  const Vector  r     = rich.structure->residual(u, 1.).block(0);
-  const Vector &z     = duals.at(goal.name);
-  const Vector  z_H   = beam.embedded(dual(goal, poor), poor.list);
-  const Row     J     = functional(goal, *rich.structure);
-  const double  truth = J(rich.u), error = truth - J(u.block(0));
+  BlockVector u                = rich.structure->zero();
+  u.block(0)                   = beam.embedded(poor.u, poor.list);
+  const Vector           r     = rich.structure->residual(u, 1.).block(0);
+  const Vector          &z     = duals.at(goal.name);
+  const Vector           z_H   = beam.embedded(dual(goal, poor), poor.list);
+  const LinearFunctional J     = functional(goal, *rich.structure);
+  const double           truth = J(rich.u), error = truth - J(u.block(0));
 
   errors.add_value("goal, theory", goal.name + ", " + name);
   errors.add_value("DoFs", poor.u.size());

@@ -48,7 +48,7 @@ namespace lamella
   struct HeldSection
   {
     /// Rows r(u) = 0 in the fields of the section.
-    std::vector<Row> rows;
+    std::vector<LinearFunctional> rows;
     /// True if the body continues in the direction of +y.
     bool goes_forward = true;
     /// Length of the axis element beside the section [length].

@@ -13,7 +13,8 @@ namespace lamella
 {
   /// Returns the rigid motions of @p piece that @p rows leave free.
   std::vector<Vector>
-  free_motions(const Beam &piece, const std::vector<PrescribedRow> &rows);
+  free_motions(const Beam                              &piece,
+               const std::vector<PrescribedFunctional> &rows);
 
   /// Returns the section loads of end_fields() at the far end of @p piece, node
   /// @p far_node at the distance @p arm from the held one: tractions of the six

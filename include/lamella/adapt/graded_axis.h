@@ -7,7 +7,7 @@
 #include <lamella/body/parameters.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <vector>
 

@@ -37,8 +37,8 @@ namespace lamella
   {
     /// Vector in the fields of the section, stored as a row: a support of a
     /// whole body has as many as nodes, with few entries each.
-    Row      f;
-    AxisPart place;
+    LinearFunctional f;
+    AxisPart         place;
     /// Position in the section [length], and the area represented.
     dealii::Point<2> in_section;
     double           area = 1.;
@@ -52,7 +52,7 @@ namespace lamella
   /// part along the axis, unless that is most of it.
   SectionLoad
   load_of_row(const Beam             &beam,
-              const Row              &row,
+              const LinearFunctional &row,
               const dealii::Point<3> &position,
               const double            area,
               const bool              normal,

@@ -5,7 +5,7 @@
 
 #include <lamella/body/beam.h>
 #include <lamella/body/parameters.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <memory>
 #include <string>

@@ -6,7 +6,7 @@
 #include <lamella/adapt/section_load.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <string>
 #include <vector>
@@ -41,7 +41,7 @@ namespace lamella
     /// True if it is only an end that is free to deform.
     bool is_free = false;
     /// Rows r(u) = 0 of a clamp, in the fields of the section.
-    std::vector<Row> held;
+    std::vector<LinearFunctional> held;
     /// True if it is a side of a contact, a support, or heat.
     bool presses = false, holds = false, heats = false;
   };

@@ -159,7 +159,7 @@ namespace lamella
     /// Returns the locations within nearness(), along the axis and across.
     std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const override;
-    std::vector<std::vector<Row>>
+    std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const override;
@@ -420,11 +420,11 @@ namespace lamella
 
     /// Adds @p share of the rows at @p place to @p rows, one per component.
     void
-    add_to_rows(const Location::Place &place,
-                const Quantity         quantity,
-                const FromStrain      &to_frame,
-                const double           share,
-                std::vector<Row>      &rows) const;
+    add_to_rows(const Location::Place         &place,
+                const Quantity                 quantity,
+                const FromStrain              &to_frame,
+                const double                   share,
+                std::vector<LinearFunctional> &rows) const;
 
     /// Returns the location at @p eta of @p axis_cell, @p unit of
     /// @p section_cell, with its scene position @p position.

@@ -5,15 +5,15 @@
 // placement in the scene, and the fields at their points. A body never knows
 // its supports or its contacts.
 //
-// Start with Body, Location and Row (base/row.h). Body::locate() finds the
-// elements that contain a point, and Body::rows() returns the displacement
-// there as a linear functional of the DoFs of the body. Point forces, supports
-// and gaps are made of these two.
+// Start with Body, Location and LinearFunctional (base/linear_functional.h).
+// Body::locate() finds the elements that contain a point, and Body::rows()
+// returns the displacement there as a linear functional of the DoFs of the
+// body. Point forces, supports and gaps are made of these two.
 
 #ifndef lamella_body_body_h
 #define lamella_body_body_h
 
-#include <lamella/base/row.h>
+#include <lamella/base/linear_functional.h>
 #include <lamella/body/placement.h>
 #include <lamella/linear/stiffness_matrix.h>
 #include <lamella/material/elasticity.h>
@@ -228,8 +228,8 @@ namespace lamella
    * where epsilon = B u at a point is rows(.., Quantity::strain). Others form
    * the right-hand side from rows: a force P at X is
    *   f_k += sum_c P_c r_c,k   with   u_c(X) = sum_k r_c,k u_k
-   * (Row::add_to()), a prescribed displacement is r_c(u) = value, a gap of two
-   * bodies the difference of their rows along a normal (Eq. 16).
+   * (LinearFunctional::add_to()), a prescribed displacement is r_c(u) = value,
+   * a gap of two bodies the difference of their rows along a normal (Eq. 16).
    *
    * A new kind of body implements the pure functions; the others have default
    * implementations based on these, and may be overridden by faster ones.
@@ -318,7 +318,8 @@ namespace lamella
 
     /// Returns the homogeneous constraints of the theory itself, closed:
     /// Kirchhoff's of EBBT, the hanging nodes of a solid, else none. Stiffness
-    /// and rows do not contain them; solvers apply them first (Row::reduced()).
+    /// and rows do not contain them; solvers apply them first
+    /// (LinearFunctional::reduced()).
     virtual const Constraints &
     kinematic_constraints() const;
 
@@ -478,13 +479,14 @@ namespace lamella
     locate(const std::vector<dealii::Point<3>> &points) const = 0;
 
     /// Returns for each location the rows of @p quantity, functionals of the
-    /// DoFs (base/row.h): three for displacements, scene axes; six for strains
-    /// and stresses, order of Eq. 4, in the axes @p frame; the means if there
-    /// are several places. The rows of a stress have the constant -C epsilon_0
-    /// of a heated ply (those of a strain the part that the theory completes),
-    /// others have none. Entries are sorted by DoF. Weights that vanish up to
-    /// rounding, as those of other nodes at a node, are dropped.
-    virtual std::vector<std::vector<Row>>
+    /// DoFs (base/linear_functional.h): three for displacements, scene axes;
+    /// six for strains and stresses, order of Eq. 4, in the axes @p frame; the
+    /// means if there are several places. The rows of a stress have the
+    /// constant -C epsilon_0 of a heated ply (those of a strain the part that
+    /// the theory completes), others have none. Entries are sorted by DoF.
+    /// Weights that vanish up to rounding, as those of other nodes at a node,
+    /// are dropped.
+    virtual std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const = 0;
@@ -499,7 +501,7 @@ namespace lamella
     virtual std::vector<dealii::Tensor<1, 3>>
     displacements(const std::vector<Location> &locations,
                   const Vector                &u) const;
-    virtual std::vector<std::vector<Row>>
+    virtual std::vector<std::vector<LinearFunctional>>
     rows_at(const std::vector<Location> &locations, const Vector &u) const;
 
     /// Calls @p use with blocks that sum to the derivative of @p forces at
@@ -793,7 +795,7 @@ namespace lamella
   };
 
   /// The bodies of a scene in the order of its list. The index is the number of
-  /// a body in BodyRow::body and in block vectors.
+  /// a body in BodyFunctional::body and in block vectors.
   using Bodies = std::vector<std::unique_ptr<Body>>;
 } // namespace lamella
 

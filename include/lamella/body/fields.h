@@ -19,7 +19,8 @@ namespace lamella
   /// the order of Eq. 4,
   ///   q = matrix epsilon + constant.
   /// The constant comes from initial strains: stress is C (epsilon -
-  /// epsilon_0). Both parts go into the weights and the constant of a Row.
+  /// epsilon_0). Both parts go into the weights and the constant of a
+  /// LinearFunctional.
   struct FromStrain
   {
     ElasticTensor matrix;

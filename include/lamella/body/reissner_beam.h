@@ -99,7 +99,7 @@ namespace lamella
     std::vector<dealii::Tensor<1, 3>>
     displacements(const std::vector<Location> &locations,
                   const Vector                &u) const override;
-    std::vector<std::vector<Row>>
+    std::vector<std::vector<LinearFunctional>>
     rows_at(const std::vector<Location> &locations,
             const Vector                &u) const override;
     void
@@ -373,10 +373,10 @@ namespace lamella
     by_local(const PointFields &at, const Element &element);
     /// Adds @p share of the rows of the displacement at @p place to @p rows.
     void
-    add_rows(const Location::Place &place,
-             const double           share,
-             const Vector          &u,
-             std::vector<Row>      &rows) const;
+    add_rows(const Location::Place         &place,
+             const double                   share,
+             const Vector                  &u,
+             std::vector<LinearFunctional> &rows) const;
     /// Adds to @p K the derivative of the work of @p force, in body axes, at
     /// @p at on the local unknowns.
     static void

@@ -50,14 +50,14 @@ namespace lamella
     /// Stores the stress s for the solution @p v of add_load(). Returns the
     /// energy of s_m, int s_m . (B v + e_2) dV / 2.
     virtual double
-    settle(const Vector &v) = 0;
+    solve(const Vector &v) = 0;
 
-    /// Adds K_G @p w to @p f. Call settle() first.
+    /// Adds K_G @p w to @p f. Call solve() first.
     virtual void
     add_geometric_forces(const Vector &w, Vector &f) const = 0;
 
     /// Returns the largest short_wave_ratio() of the sampled points. Call
-    /// settle() first.
+    /// solve() first.
     virtual double
     short_waves() const = 0;
   };

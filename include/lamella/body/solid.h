@@ -96,7 +96,7 @@ namespace lamella
 
     std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const override;
-    std::vector<std::vector<Row>>
+    std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const override;
@@ -217,11 +217,11 @@ namespace lamella
 
     /// Adds @p share of the rows at @p place.
     void
-    add_to_rows(const Location::Place &place,
-                const Quantity         quantity,
-                const FromStrain      &to_frame,
-                const double           share,
-                std::vector<Row>      &rows) const;
+    add_to_rows(const Location::Place         &place,
+                const Quantity                 quantity,
+                const FromStrain              &to_frame,
+                const double                   share,
+                std::vector<LinearFunctional> &rows) const;
 
     /// Returns the cells whose boxes are within @p tolerance of @p around (body
     /// axes).

@@ -35,7 +35,7 @@ namespace lamella
   };
 
   /// Returns n . u at @p place, or nothing if it is outside of its body.
-  std::optional<BodyRow>
+  std::optional<BodyFunctional>
   row_of(const ContactPlace &place, const Bodies &bodies);
 
   /// Returns the name, among the supports, of the hold of the body @p name.
@@ -54,7 +54,7 @@ namespace lamella
   clear_held_motions(std::vector<Support> &supports);
 
   /// Returns the rows of @p hold, number @p support of the supports.
-  std::vector<PrescribedRow>
+  std::vector<PrescribedFunctional>
   rows_of_isostatic_support(const IsostaticSupport &hold,
                             const unsigned int      support,
                             const Bodies           &bodies);

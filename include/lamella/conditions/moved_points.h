@@ -19,7 +19,7 @@ namespace lamella
     MovedPoints(const Body &body, std::vector<Location> locations);
 
     /// Returns R_k(u), three rows per point.
-    std::vector<std::vector<Row>>
+    std::vector<std::vector<LinearFunctional>>
     rows(const Vector &u) const;
 
     /// Returns the displacements of the points, scene axes [length].
@@ -54,9 +54,9 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const;
 
   private:
-    const Body                   &body;
-    std::vector<Location>         locations;
-    std::vector<std::vector<Row>> fixed;
+    const Body                                &body;
+    std::vector<Location>                      locations;
+    std::vector<std::vector<LinearFunctional>> fixed;
   };
 } // namespace lamella
 

@@ -15,23 +15,23 @@
 namespace lamella
 {
   /// The prescribed rows of a body, as RowReduction uses them.
-  struct BodyRows
+  struct BodyConstraints
   {
     /// Selects the @p rows that belong to @p body, number @p index. Keeps
     /// references to @p body and @p rows.
-    BodyRows(const Body                       &body,
-             const unsigned int                index,
-             const std::vector<PrescribedRow> &rows);
+    BodyConstraints(const Body                              &body,
+                    const unsigned int                       index,
+                    const std::vector<PrescribedFunctional> &rows);
 
     /// Returns the nonempty rows in groups that share DoFs.
     std::vector<std::vector<unsigned int>>
     groups() const;
 
-    const Body                       &body;
-    const std::vector<PrescribedRow> &prescribed;
+    const Body                              &body;
+    const std::vector<PrescribedFunctional> &prescribed;
     /// Functionals of the rows in the DoFs that the theory leaves independent;
     /// empty for rows of other bodies.
-    std::vector<Row> functionals;
+    std::vector<LinearFunctional> functionals;
     /// Body::dof_sizes().
     std::vector<double> sizes;
   };
@@ -51,7 +51,7 @@ namespace lamella
 
   /// A row during elimination: the remaining entries and right-hand side.
   /// Entries belong to displacements, DoFs times their sizes.
-  struct RowEquation
+  struct FunctionalEquation
   {
     unsigned int               number;
     std::map<DofIndex, double> entries;
@@ -79,9 +79,9 @@ namespace lamella
     /// Subtracts @p factor times @p other, and removes @p eliminated. Returns
     /// the DoFs that are new in the row.
     std::vector<DofIndex>
-    subtract(const RowEquation &other,
-             const DofIndex     eliminated,
-             const double       factor);
+    subtract(const FunctionalEquation &other,
+             const DofIndex            eliminated,
+             const double              factor);
   };
 
   /// Gauss-Jordan elimination of the rows of a group (RowReduction). The
@@ -91,21 +91,21 @@ namespace lamella
   public:
     /// Eliminates @p group, numbers in the list of @p held.
     RowElimination(const std::vector<unsigned int> &group,
-                   const BodyRows                  &held);
+                   const BodyConstraints           &held);
 
     /// Returns the shift of all DoFs that makes the rows @p group equal to
     /// these, if there is one. Supports along a body's axis are such, node by
     /// node.
     std::optional<DofIndex>
     shift_to(const std::vector<unsigned int> &group,
-             const BodyRows                  &held) const;
+             const BodyConstraints           &held) const;
 
     /// Makes this the elimination of @p group, shifted by @p shift.
     void
     move_to(const std::vector<unsigned int> &group, const DofIndex shift);
 
-    std::vector<unsigned int> rows;
-    std::vector<RowEquation>  equations;
+    std::vector<unsigned int>       rows;
+    std::vector<FunctionalEquation> equations;
     /// Largest prescribed value.
     double          largest_value = 0.;
     IndependentRows independent;
@@ -113,7 +113,7 @@ namespace lamella
   private:
     /// Factorizes the independent rows of @p functionals.
     void
-    factorize(const std::vector<Row> &functionals);
+    factorize(const std::vector<LinearFunctional> &functionals);
   };
 } // namespace lamella
 

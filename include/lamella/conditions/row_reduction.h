@@ -39,13 +39,13 @@ namespace lamella
   {
   public:
     /// Reduces the @p rows (which may include other bodies') of @p body, number
-    /// @p index. Each row must name a DoF once (Row::compress()). Throws
-    /// InputError if rows contradict each other, with names from
-    /// @p support_names (by PrescribedRow::support).
-    RowReduction(const Body                       &body,
-                 const unsigned int                index,
-                 const std::vector<PrescribedRow> &rows,
-                 const std::vector<std::string>   &support_names);
+    /// @p index. Each row must name a DoF once (LinearFunctional::compress()).
+    /// Throws InputError if rows contradict each other, with names from
+    /// @p support_names (by PrescribedFunctional::support).
+    RowReduction(const Body                              &body,
+                 const unsigned int                       index,
+                 const std::vector<PrescribedFunctional> &rows,
+                 const std::vector<std::string>          &support_names);
 
     /// Returns u = G v, for load factor 0: supports and kinematic constraints,
     /// closed and homogeneous, which condense the stiffness and distribute
@@ -90,10 +90,10 @@ namespace lamella
     /// Stores the rest of a group as constraints. Throws InputError if only a
     /// value is left of a row.
     void
-    keep(const RowElimination             &elimination,
-         const Body                       &body,
-         const std::vector<PrescribedRow> &rows,
-         const std::vector<std::string>   &support_names);
+    keep(const RowElimination                    &elimination,
+         const Body                              &body,
+         const std::vector<PrescribedFunctional> &rows,
+         const std::vector<std::string>          &support_names);
 
     /// Constraints of the body; those with supports; u_p for all its DoFs.
     const Constraints           &kinematic;

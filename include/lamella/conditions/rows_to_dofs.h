@@ -17,11 +17,11 @@ namespace lamella
   class RowsToDofs
   {
   public:
-    explicit RowsToDofs(std::vector<std::vector<Row>> of_places)
+    explicit RowsToDofs(std::vector<std::vector<LinearFunctional>> of_places)
       : rows(std::move(of_places))
     {
       for (const auto &of_place : rows)
-        for (const Row &row : of_place)
+        for (const LinearFunctional &row : of_place)
           for (const auto &[dof, weight] : row.entries())
             places.emplace(dof, 0);
       for (auto &[dof, place] : places)
@@ -73,9 +73,9 @@ namespace lamella
     }
 
   private:
-    const std::vector<std::vector<Row>> rows;
-    std::map<DofIndex, unsigned int>    places;
-    StiffnessBlock                      block;
+    const std::vector<std::vector<LinearFunctional>> rows;
+    std::map<DofIndex, unsigned int>                 places;
+    StiffnessBlock                                   block;
   };
 } // namespace lamella
 

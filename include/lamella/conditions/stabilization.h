@@ -16,7 +16,7 @@ namespace lamella
   struct Spring
   {
     /// Row r of the DoFs of one body [length]; compressed.
-    Row row;
+    LinearFunctional row;
     /// Stiffness k [force / length].
     double stiffness = 0.;
     /// Stabilization::share of the spring, dimensionless.
@@ -62,10 +62,10 @@ namespace lamella
    * @p rows of other bodies are ignored.
    */
   std::vector<Spring>
-  stabilizing_springs(const Body                       &body,
-                      const unsigned int                index,
-                      const std::vector<PrescribedRow> &rows,
-                      const Stabilization              &stabilization);
+  stabilizing_springs(const Body                              &body,
+                      const unsigned int                       index,
+                      const std::vector<PrescribedFunctional> &rows,
+                      const Stabilization                     &stabilization);
 } // namespace lamella
 
 #endif

@@ -88,10 +88,10 @@ namespace lamella
   /// The displacement of one point along a direction, row(u) = value; for a
   /// hold, a mean of several points. Its multiplier is the reaction on the body
   /// along the direction, work-conjugate to the value.
-  struct PrescribedRow
+  struct PrescribedFunctional
   {
     /// Compressed row, without constant part or rounding errors.
-    BodyRow row;
+    BodyFunctional row;
     /// Value at load factor 1, for small rotations [length].
     double value = 0.;
     /// Number of the support in the list.
@@ -145,15 +145,16 @@ namespace lamella
    * InputError for regions outside of their body, and for a normal displacement
    * on a surface with corners.
    */
-  std::vector<PrescribedRow>
-  prescribed_rows(const std::vector<Support> &supports, const Bodies &bodies);
+  std::vector<PrescribedFunctional>
+  prescribed_functionals(const std::vector<Support> &supports,
+                         const Bodies               &bodies);
 
   /// Returns the row @p prescribed of @p body linearized at @p u
   /// (Body::rows_at()), and its value there. A row without a location is
   /// unchanged. The direction of a row with a rigid motion rotates with the
   /// section, which keeps independent rows independent.
-  std::pair<PrescribedRow, double>
-  row_at(PrescribedRow prescribed, const Body &body, const Vector &u);
+  std::pair<PrescribedFunctional, double>
+  row_at(PrescribedFunctional prescribed, const Body &body, const Vector &u);
 
   /**
    * Returns the rigid motions of @p body, number @p index, that @p rows leave
@@ -168,9 +169,9 @@ namespace lamella
    * the cost is linear, and the condition number is not squared.
    */
   std::vector<FreeMotion>
-  free_rigid_motions(const Body                       &body,
-                     const unsigned int                index,
-                     const std::vector<PrescribedRow> &rows);
+  free_rigid_motions(const Body                              &body,
+                     const unsigned int                       index,
+                     const std::vector<PrescribedFunctional> &rows);
 } // namespace lamella
 
 #endif

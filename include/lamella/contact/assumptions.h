@@ -3,7 +3,7 @@
 #ifndef lamella_contact_assumptions_h
 #define lamella_contact_assumptions_h
 
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <string>
 #include <vector>

@@ -4,8 +4,8 @@
 #define lamella_contact_contact_h
 
 #include <lamella/contact/contact_sides.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/gap_integrals.h>
-#include <lamella/contact/gap_rows.h>
 #include <lamella/contact/roller_lines.h>
 #include <lamella/contact/search_check.h>
 #include <lamella/contact/sunk_end.h>
@@ -65,9 +65,10 @@ namespace lamella
    * A row is the tangent plane of the gap at the state of the last move(),
    *   g(v, s) = g_0 + b . v + s g_rate,  b = dg/du,
    *   g_0 = g(u, t) - b . u - ...,
-   * so that GapRow::gap() is the gap there. Initially, the undeformed bodies
-   * are paired with the rows of linear kinematics (make_interface()). For small
-   * rotations and small sliding, pair() is called once and move() never.
+   * so that GapConstraint::gap() is the gap there. Initially, the undeformed
+   * bodies are paired with the rows of linear kinematics (make_interface()).
+   * For small rotations and small sliding, pair() is called once and move()
+   * never.
    *
    * Modifies its interface in a list of the scene. Row numbers change in pair()
    * only, so views of rows remain valid after move(). The points are undeformed
@@ -132,7 +133,7 @@ namespace lamella
            const BlockVector   &u,
            const LoadFactor    &factor);
 
-    const std::vector<GapRow> &
+    const std::vector<GapConstraint> &
     rows() const
     {
       return interface.rows;
@@ -156,10 +157,10 @@ namespace lamella
      *   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
      * along the tangents tangents_of() its normal: the mortar integrals of the
      * gap with the tangential projection in place of n. Each is a list of
-     * parts, as GapRow::parts.
+     * parts, as GapConstraint::parts.
      */
-    std::vector<std::array<std::vector<BodyRow>, 2>>
-    slip_rows();
+    std::vector<std::array<std::vector<BodyFunctional>, 2>>
+    slip_constraints();
 
     /**
      * Checks the pairing in the state @p u at @p factor and returns the
@@ -314,17 +315,17 @@ namespace lamella
     tangents_at(const ContactSides         &sides,
                 const GapPoint             &point,
                 const dealii::Tensor<1, 3> &n) const;
-    /// Returns the slip_rows() along these @p tangents, with the traces of the
-    /// bodies on @p sides.
-    std::vector<std::array<std::vector<BodyRow>, 2>>
-    slip_rows(const ContactSides          &sides,
-              const std::vector<Tangents> &tangents) const;
+    /// Returns the slip_constraints() along these @p tangents, with the traces
+    /// of the bodies on @p sides.
+    std::vector<std::array<std::vector<BodyFunctional>, 2>>
+    slip_constraints(const ContactSides          &sides,
+                     const std::vector<Tangents> &tangents) const;
     /// Returns the parts on one body of all slips along tangent number @p a.
-    std::vector<BodyRow>
-    slip_rows_on(const ContactSides          &sides,
-                 const bool                   second,
-                 const std::vector<Tangents> &tangents,
-                 const unsigned int           a) const;
+    std::vector<BodyFunctional>
+    slip_constraints_on(const ContactSides          &sides,
+                        const bool                   second,
+                        const std::vector<Tangents> &tangents,
+                        const unsigned int           a) const;
     /// Stores the reference points of the slips at the beginning of the step.
     void
     hold();
@@ -337,7 +338,7 @@ namespace lamella
     unsigned int
     count_unseen(const ContactSides &sides, const double touching) const;
     /// Returns the weights of a side, by the numbers of its trace nodes.
-    RowGeometry
+    ConstraintGeometry
     geometry(const bool second) const;
 
     ContactSides      undeformed;

@@ -4,7 +4,7 @@
 #define lamella_contact_contact_sides_h
 
 #include <lamella/base/linear_algebra.h>
-#include <lamella/base/row.h>
+#include <lamella/base/linear_functional.h>
 #include <lamella/contact/contact_pair.h>
 #include <lamella/contact/mesh_surface.h>
 
@@ -96,10 +96,10 @@ namespace lamella
     /// at the state for bodies with rotating rows.
     const std::vector<Location> &
     trace_places(const bool second) const;
-    const std::vector<std::vector<Row>> &
+    const std::vector<std::vector<LinearFunctional>> &
     trace_rows(const bool second) const;
     /// Returns the displacement rows of the nodes @p numbers only.
-    std::vector<std::vector<Row>>
+    std::vector<std::vector<LinearFunctional>>
     trace_rows(const bool                       second,
                const std::vector<unsigned int> &numbers) const;
 
@@ -124,9 +124,9 @@ namespace lamella
     const BlockVector              *u          = nullptr;
     std::shared_ptr<const Obstacle> standing;
 
-    mutable std::array<std::unique_ptr<const MeshSurface>, 2> surfaces;
-    mutable std::array<std::vector<Location>, 2>              places;
-    mutable std::array<std::vector<std::vector<Row>>, 2>      rows;
+    mutable std::array<std::unique_ptr<const MeshSurface>, 2>         surfaces;
+    mutable std::array<std::vector<Location>, 2>                      places;
+    mutable std::array<std::vector<std::vector<LinearFunctional>>, 2> rows;
   };
 } // namespace lamella
 

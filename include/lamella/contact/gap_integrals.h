@@ -4,7 +4,7 @@
 #define lamella_contact_gap_integrals_h
 
 #include <lamella/contact/contact_sides.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/slide.h>
 
 #include <deal.II/base/symmetric_tensor.h>

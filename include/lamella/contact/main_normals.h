@@ -3,7 +3,7 @@
 #ifndef lamella_contact_main_normals_h
 #define lamella_contact_main_normals_h
 
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #define lamella_contact_node_pairs_h
 
 #include <lamella/contact/contact_sides.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 namespace lamella
 {

@@ -4,9 +4,9 @@
 #define lamella_contact_pairing_h
 
 #include <lamella/contact/carrying_surface.h>
+#include <lamella/contact/constraint_geometry.h>
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/mesh_surface.h>
-#include <lamella/contact/row_geometry.h>
 
 #include <limits>
 #include <utility>
@@ -65,7 +65,7 @@ namespace lamella
    *   g(u) = sum_k v_k . u_2(X_k) - sum_j w_j . u_1(X_j) + gap,
    * with the slave side 1. For a pair of points v = w = n; for a weighted gap
    * both sum to the mean normal. Common to all discretizations;
-   * make_interface() converts it to a GapRow with the signs of First and
+   * make_interface() converts it to a GapConstraint with the signs of First and
    * Second.
    */
   struct WeightedGap
@@ -89,7 +89,7 @@ namespace lamella
     LocalStiffness carrying, opposing;
     /// Weights w_j and v_k by numbers of locations in Gaps, both along n. The
     /// opposing ones are empty for an obstacle.
-    RowGeometry::Weights carrying_weights, opposing_weights;
+    ConstraintGeometry::Weights carrying_weights, opposing_weights;
   };
 
   /// A point farther behind the other surface than the depth of the cells

@@ -4,7 +4,7 @@
 #define lamella_contact_parameters_h
 
 #include <lamella/base/entry.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <memory>
 #include <string>

@@ -4,7 +4,7 @@
 #define lamella_contact_pressed_patch_h
 
 #include <lamella/contact/contact_traction.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <optional>
 #include <vector>

@@ -4,7 +4,7 @@
 #define lamella_contact_roller_lines_h
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/obstacle.h>
 

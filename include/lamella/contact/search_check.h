@@ -3,7 +3,7 @@
 #ifndef lamella_contact_search_check_h
 #define lamella_contact_search_check_h
 
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <optional>
 #include <vector>
@@ -71,7 +71,7 @@ namespace lamella
     struct Unseen
     {
       /// Row with its whole area, within the larger radius.
-      GapRow           row;
+      GapConstraint    row;
       dealii::Point<3> position;
       /// Number of the row of the contact with less of its area, if any.
       std::optional<unsigned int> seen;

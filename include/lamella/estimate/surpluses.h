@@ -106,7 +106,7 @@ namespace lamella
               LocalErrors       &result) const;
     /// Returns the jump of @p v in the active rows.
     Vector
-    openings(const BlockVector &v) const;
+    jumps(const BlockVector &v) const;
 
     const Simulation &run;
     /// Surplus of each body, and the halves and quarters of its elements.

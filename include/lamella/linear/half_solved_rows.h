@@ -60,7 +60,7 @@ namespace lamella
     /// Half-solves @p rows together, which is faster per row. Repeated weights
     /// of one DoF are summed; constants are ignored.
     void
-    append(const std::vector<Row> &rows);
+    append(const std::vector<LinearFunctional> &rows);
 
     /// Returns the number m of columns of Y.
     unsigned int
@@ -106,7 +106,8 @@ namespace lamella
     /// Allocates blocks for @p rows, the first of them column @p first of Y,
     /// and fills in P B^T.
     void
-    scatter(const std::vector<Row> &rows, const unsigned int first);
+    scatter(const std::vector<LinearFunctional> &rows,
+            const unsigned int                   first);
 
     /// Solves L_11 X = B for the last block of @p supernode, and subtracts L_21
     /// X above.

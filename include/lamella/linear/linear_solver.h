@@ -8,8 +8,8 @@
 #ifndef lamella_linear_linear_solver_h
 #define lamella_linear_linear_solver_h
 
+#include <lamella/base/linear_functional.h>
 #include <lamella/base/names.h>
-#include <lamella/base/row.h>
 
 #include <functional>
 #include <memory>
@@ -110,8 +110,9 @@ namespace lamella
    * a dense system of the size of the contact. Entry (i, j) is the gap of row i
    * due to a unit force in row j: length/force where rows are gaps.
    *
-   * Rows must come from Row::reduced(), without constants and eliminated DoFs.
-   * They are numbered in the order of appending and never removed.
+   * Rows must come from LinearFunctional::reduced(), without constants and
+   * eliminated DoFs. They are numbered in the order of appending and never
+   * removed.
    */
   class SolvedRows
   {
@@ -122,7 +123,7 @@ namespace lamella
     /// their products are unchanged. Throws NumericsError if an iteration does
     /// not converge.
     virtual void
-    append(const std::vector<Row> &rows) = 0;
+    append(const std::vector<LinearFunctional> &rows) = 0;
 
     /// Returns the number m of all rows appended so far.
     virtual unsigned int

@@ -23,9 +23,9 @@ namespace lamella
     /// Returns b_j A^-1 b_i of all given rows j with the rows i from @p first
     /// on, at [(i - first) * number of rows + j]. Collective if the solver is,
     /// with the same result on all processes.
-    using Solve =
-      std::function<std::vector<double>(const std::vector<Row> &rows,
-                                        const unsigned int      first)>;
+    using Solve = std::function<
+      std::vector<double>(const std::vector<LinearFunctional> &rows,
+                          const unsigned int                   first)>;
 
     /// Refers to @p solver, of @p n_dofs unknowns, which @p solve usually
     /// captures.
@@ -33,7 +33,7 @@ namespace lamella
 
     /// Calls Solve once, for @p rows together with all earlier ones.
     void
-    append(const std::vector<Row> &rows) override;
+    append(const std::vector<LinearFunctional> &rows) override;
 
     /// Returns the number of rows appended so far.
     unsigned int
@@ -55,7 +55,7 @@ namespace lamella
     DofIndex            n_dofs;
     Solve               solve;
     /// Rows in the order of appending.
-    std::vector<Row> rows;
+    std::vector<LinearFunctional> rows;
     /// Products of each row with those up to the end of its batch: kept[i][j] =
     /// b_j A^-1 b_i, the lower triangle and a little more within a batch.
     std::vector<std::vector<double>> kept;

@@ -42,7 +42,7 @@ namespace lamella
 
   /// A stiffness term k r^T r: a spring to the ground along row r, with k in
   /// force/length if r is a length. The constant part of r has no effect.
-  using SpringTerm = std::pair<Row, double>;
+  using SpringTerm = std::pair<LinearFunctional, double>;
 
   /// Terms of the stiffness of a body: the sum of all blocks and of k r^T r
   /// over the springs, before condensation.

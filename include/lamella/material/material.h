@@ -94,8 +94,8 @@ namespace lamella
    *   sigma = C (epsilon - epsilon_0) = dW/depsilon
    *   W     = 1/2 (epsilon - epsilon_0) . C (epsilon - epsilon_0)
    * with engineering shear strains (Eq. 4) and symmetric positive definite C.
-   * The part -C epsilon_0 makes stress rows affine (Row::constant()) and loads
-   * a body without external forces.
+   * The part -C epsilon_0 makes stress rows affine
+   * (LinearFunctional::constant()) and loads a body without external forces.
    */
   class ElasticLaw
   {

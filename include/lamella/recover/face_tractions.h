@@ -7,7 +7,7 @@
 #include <lamella/conditions/support.h>
 #include <lamella/conditions/traction.h>
 #include <lamella/contact/contact_traction.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <memory>
 #include <string>

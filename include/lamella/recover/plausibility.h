@@ -4,7 +4,7 @@
 #define lamella_recover_plausibility_h
 
 #include <lamella/base/units.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/solve/checks.h>
 
 #include <optional>

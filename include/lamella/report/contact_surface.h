@@ -3,7 +3,7 @@
 #ifndef lamella_report_contact_surface_h
 #define lamella_report_contact_surface_h
 
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/recover/results.h>
 #include <lamella/report/vtu_file.h>
 #include <lamella/solve/structure.h>

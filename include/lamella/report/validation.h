@@ -4,7 +4,7 @@
 #define lamella_report_validation_h
 
 #include <lamella/base/units.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/material/material.h>
 #include <lamella/report/section_stiffness.h>
 #include <lamella/shape/laminate.h>

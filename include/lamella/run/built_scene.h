@@ -90,17 +90,17 @@ namespace lamella
     }
 
     /// Returns a view of these rows with consecutive numbers.
-    const GapRows &
+    const GapConstraints &
     rows() const
     {
-      return gap_rows;
+      return gap_constraints;
     }
 
     /// Renews rows() after contacts were paired anew, which changes their rows.
     void
     number_rows()
     {
-      gap_rows = GapRows(contacts);
+      gap_constraints = GapConstraints(contacts);
     }
 
     /// Updates the pairing in @p found: numbers of rows and of unpaired points,
@@ -196,7 +196,7 @@ namespace lamella
     SectionMeshes                 section_meshes;
     std::unique_ptr<Structure>    whole;
     std::vector<ContactInterface> contacts;
-    GapRows                       gap_rows;
+    GapConstraints                gap_constraints;
     Contacts                      lives;
     /// Notes from the choice of fields.
     std::vector<std::string> field_notes;

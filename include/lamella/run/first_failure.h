@@ -3,7 +3,7 @@
 #ifndef lamella_run_first_failure_h
 #define lamella_run_first_failure_h
 
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/recover/results.h>
 #include <lamella/solve/structure.h>
 

@@ -3,7 +3,7 @@
 #ifndef lamella_section_hierarchical_surplus_h
 #define lamella_section_hierarchical_surplus_h
 
-#include <lamella/base/row.h>
+#include <lamella/base/linear_functional.h>
 #include <lamella/section/section.h>
 
 #include <deal.II/lac/sparse_direct.h>
@@ -46,10 +46,10 @@ namespace lamella
   private:
     /// Returns the displacement at a place of @p cell, one row per component,
     /// in terms of coefficients of the fields.
-    std::array<Row, 3>
+    std::array<LinearFunctional, 3>
     displacement(const unsigned int cell, const dealii::Point<2> &unit) const;
     /// Returns the displacement interpolated in degree @p q.
-    std::array<Row, 3>
+    std::array<LinearFunctional, 3>
     interpolated(const unsigned int      cell,
                  const dealii::Point<2> &unit,
                  const unsigned int      q) const;
@@ -61,7 +61,7 @@ namespace lamella
     /// Factorization of E, from displacements at the nodes to coefficients.
     dealii::SparseDirectUMFPACK from_nodes;
     /// Rows of (1 - L_q) c at the nodes, three each, of q = 1 ... degree() - 1.
-    std::vector<std::vector<Row>> beyond;
+    std::vector<std::vector<LinearFunctional>> beyond;
   };
 } // namespace lamella
 

@@ -3,7 +3,7 @@
 #ifndef lamella_solve_compliance_h
 #define lamella_solve_compliance_h
 
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/solve/linearization.h>
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace lamella
    * in row j (length over force), with the condensed stiffness K of each body.
    * C is symmetric, and positive definite if the rows are independent. Each row
    * adds the compliances of its two bodies. Slips are rows like gaps, by their
-   * numbers (GapRows).
+   * numbers (GapConstraints).
    *
    * CHOLMOD computes only the nonzero part of the forward substitution: C = Y^T
    * Y, Y = L^-1 P B^T, K = P^T L L^T P.
@@ -30,7 +30,7 @@ namespace lamella
   {
   public:
     /// Refers to both arguments; @p linearization must have solvers.
-    Compliance(const Linearization &linearization, const GapRows &rows);
+    Compliance(const Linearization &linearization, const GapConstraints &rows);
 
     /// Includes the @p wanted rows in the compliance. Free of cost for rows
     /// already included. The others are solved for together, in each body they
@@ -73,15 +73,15 @@ namespace lamella
 
   private:
     /// The solved rows of one body, with their positions in the compliance.
-    struct BodyRows
+    struct BodyConstraints
     {
       std::unique_ptr<SolvedRows> solved;
       std::vector<unsigned int>   place;
     };
 
-    const Linearization  &linearization;
-    const GapRows         rows;
-    std::vector<BodyRows> bodies;
+    const Linearization         &linearization;
+    const GapConstraints         rows;
+    std::vector<BodyConstraints> bodies;
 
     /// Position of each row in the compliance, if included, and the lower
     /// triangle of C by rows.

@@ -42,19 +42,20 @@ namespace lamella
   {
   public:
     /// Refers to @p linearization, which must have solvers.
-    CondensedStrategy(const Linearization &linearization, const GapRows &rows);
+    CondensedStrategy(const Linearization  &linearization,
+                      const GapConstraints &rows);
 
     /// Solves @p problem. Also throws NumericsError as solve_complementarity()
     /// does.
     ContactSolution
-    settle(const ContactProblem &problem, const Monitor &monitor) override;
+    solve(const ContactProblem &problem, const Monitor &monitor) override;
 
     void
-    solve(const ClosedRows  &closed,
-          const BlockVector &r_u,
-          const Vector      &r_lambda,
-          BlockVector       &du,
-          Vector            &dlambda) override;
+    solve(const ActiveConstraints &closed,
+          const BlockVector       &r_u,
+          const Vector            &r_lambda,
+          BlockVector             &du,
+          Vector                  &dlambda) override;
 
     /// Returns the increase of the penalty and the groups of included rows.
     StrategyMemory
@@ -90,12 +91,12 @@ namespace lamella
 
     /// Returns R K^-1 C + d of @p closed, column by column.
     std::vector<double>
-    system_of(const ClosedRows &closed);
+    system_of(const ActiveConstraints &closed);
     /// Replaces @p lambda by (R K^-1 C + d)^-1 lambda. The matrix has a
     /// Cholesky factor, which is kept, if nothing slips. Throws NumericsError
     /// if it is singular.
     void
-    solve_closed(const ClosedRows &closed, std::vector<double> &lambda);
+    solve_closed(const ActiveConstraints &closed, std::vector<double> &lambda);
 
     /// Pairs of negative gap and row, the smallest gap first.
     using Violations = std::vector<std::pair<double, unsigned int>>;

@@ -3,7 +3,7 @@
 #ifndef lamella_solve_contact_problem_h
 #define lamella_solve_contact_problem_h
 
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/solve/friction_state.h>
 #include <lamella/solve/structure.h>
 
@@ -23,7 +23,7 @@ namespace lamella
    * compression).
    */
   double
-  law_softness(const GapRow &row);
+  law_softness(const GapConstraint &row);
 
   /**
    * A contact problem in increments about a state whose displacements u and
@@ -31,7 +31,7 @@ namespace lamella
    *   K u = t f + B^T lambda_state,
    * such as the linear solution without contact or a refined state. Vectors
    * have one entry per contact constraint of the scene, in the numbering of
-   * GapRows.
+   * GapConstraints.
    */
   struct ContactProblem
   {
@@ -74,16 +74,15 @@ namespace lamella
 
   /**
    * The constraint equations of a linear system with contact: each gap or slip
-   * listed by number (GapRows) has an equation for its zero velocity and a
-   * force lambda. In a slipping constraint the force acts along
-   *   B_n^T + sum_a c_a B_t,a^T,   c = mu e,
-   * with the direction e of its shear force.
+   * listed by number (GapConstraints) has an equation for its zero velocity and
+   * a force lambda. In a slipping constraint the force acts along B_n^T + sum_a
+   * c_a B_t,a^T,   c = mu e, with the direction e of its shear force.
    */
-  struct ClosedRows
+  struct ActiveConstraints
   {
-    ClosedRows() = default;
+    ActiveConstraints() = default;
     /// Creates the equations of the @p active gaps, without friction.
-    ClosedRows(std::vector<unsigned int> active)
+    ActiveConstraints(std::vector<unsigned int> active)
       : numbers(std::move(active))
     {}
 
@@ -138,7 +137,7 @@ namespace lamella
     /// penalty eps (force / length) of the row and the current factor s. (The
     /// condensed strategy takes less for `exact`.)
     double
-    operator()(const GapRow &row) const;
+    operator()(const GapConstraint &row) const;
 
     /// Raises the penalty tenfold, so that the multiplier estimates converge in
     /// fewer rounds. Returns false, without effect, once the factor is 1000.

@@ -79,7 +79,7 @@ namespace lamella
     /// @p which (make_strategy()). Refers to the structure and the rows; solves
     /// nothing.
     ContactSolver(std::shared_ptr<const Linearization> linearization,
-                  const GapRows                       &rows,
+                  const GapConstraints                &rows,
                   const SolverParameters &parameters = SolverParameters(),
                   const Strategy          which      = Strategy::condensed);
 
@@ -148,11 +148,11 @@ namespace lamella
 
     /// Solves the linear system of one correction (ContactStrategy::solve()).
     void
-    solve_linear(const ClosedRows  &closed,
-                 const BlockVector &r_u,
-                 const Vector      &r_lambda,
-                 BlockVector       &du,
-                 Vector            &dlambda)
+    solve_linear(const ActiveConstraints &closed,
+                 const BlockVector       &r_u,
+                 const Vector            &r_lambda,
+                 BlockVector             &du,
+                 Vector                  &dlambda)
     {
       strategy->solve(closed, r_u, r_lambda, du, dlambda);
     }
@@ -160,7 +160,7 @@ namespace lamella
     /// Returns the closed gaps of @p state with all their slips, which gives a
     /// symmetric matrix: the constraints against a small disturbance, as a
     /// sliding point resists until its slip is reversed.
-    ClosedRows
+    ActiveConstraints
     held_rows(const State &state) const;
 
     /// Returns the data of the strategy that a resumed run needs.
@@ -239,9 +239,9 @@ namespace lamella
     /// Returns r_lambda, the residual of the contact law for each number of
     /// @p closed.
     Vector
-    law_residual(const State      &state,
-                 const LoadFactor &factor,
-                 const ClosedRows &closed) const;
+    law_residual(const State             &state,
+                 const LoadFactor        &factor,
+                 const ActiveConstraints &closed) const;
     /// Returns the misses() of a refined state, allowing for the rounding of
     /// its last correction.
     Misses
@@ -348,7 +348,7 @@ namespace lamella
 
     const std::shared_ptr<const Linearization> linearization;
     const Structure                           &structure;
-    const GapRows                              rows;
+    const GapConstraints                       rows;
     const SolverParameters                     parameters;
     const std::unique_ptr<ContactStrategy>     strategy;
   };

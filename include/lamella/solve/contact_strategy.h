@@ -43,7 +43,8 @@ namespace lamella
   class ContactStrategy
   {
   public:
-    ContactStrategy(const Linearization &linearization, const GapRows &rows)
+    ContactStrategy(const Linearization  &linearization,
+                    const GapConstraints &rows)
       : linearization(linearization)
       , rows(rows)
     {}
@@ -65,7 +66,7 @@ namespace lamella
      * solved in doubles.
      */
     virtual ContactSolution
-    settle(const ContactProblem &problem, const Monitor &monitor) = 0;
+    solve(const ContactProblem &problem, const Monitor &monitor) = 0;
 
     /**
      * Solves the linear system of one correction,
@@ -81,11 +82,11 @@ namespace lamella
      * constraints, singular.
      */
     virtual void
-    solve(const ClosedRows  &closed,
-          const BlockVector &r_u,
-          const Vector      &r_lambda,
-          BlockVector       &du,
-          Vector            &dlambda) = 0;
+    solve(const ActiveConstraints &closed,
+          const BlockVector       &r_u,
+          const Vector            &r_lambda,
+          BlockVector             &du,
+          Vector                  &dlambda) = 0;
 
     /// Returns the data that a resumed run needs.
     virtual StrategyMemory
@@ -103,7 +104,7 @@ namespace lamella
       numerical_softness.stiffen();
     }
 
-    /// Returns true if the forces of settle() are as accurate as the
+    /// Returns true if the forces of solve() are as accurate as the
     /// compliance, so that a state may be computed from them alone. False with
     /// K + K^p, where penalties cost digits.
     virtual bool
@@ -123,16 +124,16 @@ namespace lamella
 
   protected:
     const Linearization &linearization;
-    const GapRows        rows;
+    const GapConstraints rows;
     NumericalSoftness    numerical_softness;
   };
 
   /// Returns the strategy @p which about the state of @p linearization, which
   /// needs solvers for `condensed` only.
   std::unique_ptr<ContactStrategy>
-  make_strategy(const Strategy       which,
-                const Linearization &linearization,
-                const GapRows       &rows);
+  make_strategy(const Strategy        which,
+                const Linearization  &linearization,
+                const GapConstraints &rows);
 } // namespace lamella
 
 #endif

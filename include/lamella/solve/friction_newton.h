@@ -38,7 +38,7 @@ namespace lamella
   {
   public:
     FrictionNewton(const Linearization     &linearization,
-                   const GapRows           &rows,
+                   const GapConstraints    &rows,
                    const NumericalSoftness &softness,
                    PenaltyMatrix           &matrix)
       : linearization(linearization)
@@ -47,11 +47,11 @@ namespace lamella
       , matrix(matrix)
     {}
 
-    /// Solves a problem with slips as ContactStrategy::settle() does. Throws
+    /// Solves a problem with slips as ContactStrategy::solve() does. Throws
     /// NumericsError if the final tangent has a negative determinant: no load
     /// path leads to that solution.
     ContactSolution
-    settle(const ContactProblem &problem, const Monitor &monitor);
+    solve(const ContactProblem &problem, const Monitor &monitor);
 
   private:
     /// An iterate, relative to the state of the problem.
@@ -136,7 +136,7 @@ namespace lamella
              const Trial          &trial) const;
 
     const Linearization     &linearization;
-    const GapRows            rows;
+    const GapConstraints     rows;
     const NumericalSoftness &softness;
     PenaltyMatrix           &matrix;
   };

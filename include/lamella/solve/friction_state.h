@@ -3,7 +3,7 @@
 #ifndef lamella_solve_friction_state_h
 #define lamella_solve_friction_state_h
 
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 
 #include <vector>
 
@@ -55,7 +55,7 @@ namespace lamella
     /// Returns the state of @p rows without force or slip, for undeformed
     /// bodies.
     static FrictionState
-    at_rest(const GapRows &rows);
+    at_rest(const GapConstraints &rows);
   };
 
   /// End of the message if a solution with friction is unstable or not found.
@@ -68,19 +68,21 @@ namespace lamella
 
   /// Converts a vector along the tangents into components, and back.
   dealii::Tensor<1, 2>
-  along_tangents(const GapRow &row, const dealii::Tensor<1, 3> &vector);
+  along_tangents(const GapConstraint &row, const dealii::Tensor<1, 3> &vector);
   dealii::Tensor<1, 3>
-  in_scene(const GapRow &row, const dealii::Tensor<1, 2> &components);
+  in_scene(const GapConstraint &row, const dealii::Tensor<1, 2> &components);
 
   /// Returns the slip s(u) of @p row at load factor @p factor, in components
   /// along its tangents.
   dealii::Tensor<1, 2>
-  slip_of(const GapRow &row, const BlockVector &u, const LoadFactor &factor);
+  slip_of(const GapConstraint &row,
+          const BlockVector   &u,
+          const LoadFactor    &factor);
 
   /// Adds B^T lambda of @p row to @p f: its force @p normal and, with friction,
   /// @p shear, a scene vector.
   void
-  add_force(const GapRow               &row,
+  add_force(const GapConstraint        &row,
             const double                normal,
             const dealii::Tensor<1, 3> &shear,
             BlockVector                &f);

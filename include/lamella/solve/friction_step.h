@@ -13,63 +13,65 @@ namespace lamella
   /// Returns the normal force and the shear force along the tangents of each
   /// row.
   std::vector<dealii::Tensor<1, 3>>
-  forces_by_rows(const GapRows &rows, const State &state);
+  forces_by_rows(const GapConstraints &rows, const State &state);
 
   /// Returns the slip v of row number @p r in the step, including the
   /// compliance of the law.
   dealii::Tensor<1, 2>
-  slip_in_step(const GapRow      &row,
-               const unsigned int r,
-               const State       &state,
-               const LoadFactor  &factor);
+  slip_in_step(const GapConstraint &row,
+               const unsigned int   r,
+               const State         &state,
+               const LoadFactor    &factor);
 
   /// Adds slips and shear forces to the @p problem about @p state, which has
   /// friction. The search starts from the forces of the state.
   void
-  add_friction(const GapRows    &rows,
-               const State      &state,
-               const LoadFactor &factor,
-               ContactProblem   &problem);
+  add_friction(const GapConstraints &rows,
+               const State          &state,
+               const LoadFactor     &factor,
+               ContactProblem       &problem);
 
   /// Stores the forces @p found by a strategy in @p state.
   void
-  take_forces(const GapRows &rows, const ContactSolution &found, State &state);
+  take_forces(const GapConstraints  &rows,
+              const ContactSolution &found,
+              State                 &state);
 
   /// Returns the closed constraints of @p state.
-  ClosedRows
-  closed_rows(const GapRows &rows, const State &state);
+  ActiveConstraints
+  closed_rows(const GapConstraints &rows, const State &state);
 
   /// Adds @p dlambda to the forces of @p state; the shear forces of slipping
   /// rows follow.
   void
-  add_forces(const GapRows    &rows,
-             const ClosedRows &closed,
-             const Vector     &dlambda,
-             State            &state);
+  add_forces(const GapConstraints    &rows,
+             const ActiveConstraints &closed,
+             const Vector            &dlambda,
+             State                   &state);
 
   /// Returns the friction error of row @p r in @p state [length]; the row has a
   /// force. |v| if it sticks, |v + |v| e| if it slips along -e.
   double
-  friction_error(const GapRow      &row,
-                 const unsigned int r,
-                 const State       &state,
-                 const LoadFactor  &factor);
+  friction_error(const GapConstraint &row,
+                 const unsigned int   r,
+                 const State         &state,
+                 const LoadFactor    &factor);
 
   /// Ends the load step from @p before to @p state at @p factor by updating the
   /// FrictionState. No effect without friction.
   void
-  end_step(const GapRows    &rows,
-           const State      &before,
-           const LoadFactor &factor,
-           State            &state);
+  end_step(const GapConstraints &rows,
+           const State          &before,
+           const LoadFactor     &factor,
+           State                &state);
 
   /// Ends the load step of moving contacts: the slips of the next step start at
   /// zero, and no work balance is kept.
   void
-  end_moved_step(const GapRows    &rows,
-                 const State      &before,
-                 const LoadFactor &factor,
-                 State            &state);
+  end_moved_step(const GapConstraints &rows,
+                 const State          &before,
+                 const LoadFactor     &factor,
+                 State                &state);
 } // namespace lamella
 
 #endif

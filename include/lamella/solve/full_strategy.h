@@ -30,18 +30,19 @@ namespace lamella
   {
   public:
     /// Assembles K of @p linearization, which needs no solvers.
-    FullStrategy(const Linearization &linearization, const GapRows &rows);
+    FullStrategy(const Linearization  &linearization,
+                 const GapConstraints &rows);
 
     ContactSolution
-    settle(const ContactProblem &problem, const Monitor &monitor) override;
+    solve(const ContactProblem &problem, const Monitor &monitor) override;
 
     /// Solves one system with K + K^p of the active rows.
     void
-    solve(const ClosedRows  &closed,
-          const BlockVector &r_u,
-          const Vector      &r_lambda,
-          BlockVector       &du,
-          Vector            &dlambda) override;
+    solve(const ActiveConstraints &closed,
+          const BlockVector       &r_u,
+          const Vector            &r_lambda,
+          BlockVector             &du,
+          Vector                  &dlambda) override;
 
     /// Returns the increase of the penalty, and the rows in the matrix pattern.
     StrategyMemory

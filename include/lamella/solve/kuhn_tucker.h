@@ -66,13 +66,13 @@ namespace lamella
   add_resultants(KuhnTucker &whole, const KuhnTucker &part);
 
   /// Views of the row forces of one contact in a state.
-  struct RowForces
+  struct ConstraintForces
   {
     /// Views contact number @p contact of @p rows in @p state, which must
     /// outlive this object.
-    RowForces(const GapRows     &rows,
-              const unsigned int contact,
-              const State       &state);
+    ConstraintForces(const GapConstraints &rows,
+                     const unsigned int    contact,
+                     const State          &state);
 
     /// Returns lambda_t of row @p k on the second side; zero without friction.
     dealii::Tensor<1, 3>
@@ -99,7 +99,7 @@ namespace lamella
   /// one, is the reference of the gaps.
   KuhnTucker
   check_contact(const ContactInterface  &contact,
-                const RowForces         &forces,
+                const ConstraintForces  &forces,
                 const BlockVector       &u,
                 const LoadFactor        &factor,
                 const double             displacement,

@@ -64,7 +64,7 @@ namespace lamella
     /// Returns the prescribed rows of all supports, and G of @p body, for
     /// increments of the state: those of the structure, except for bodies with
     /// finite-rotation rows.
-    const std::vector<PrescribedRow> &
+    const std::vector<PrescribedFunctional> &
     prescribed() const
     {
       return moved_rows.empty() ? structure.prescribed() : moved_rows;
@@ -160,7 +160,7 @@ namespace lamella
     std::vector<std::unique_ptr<LinearSolver>> solvers;
     /// Moved rows, and the value of each in the state; empty without
     /// finite-rotation rows.
-    std::vector<PrescribedRow>                 moved_rows;
+    std::vector<PrescribedFunctional>          moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;
     /// Cached largest_stiffness() without solvers.

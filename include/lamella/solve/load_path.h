@@ -117,7 +117,7 @@ namespace lamella
     const Structure                     &structure;
     const std::vector<ContactInterface> &contacts;
     const Contacts                      &lives;
-    const GapRows                        rows;
+    const GapConstraints                 rows;
     const unsigned int                   n_supports;
     const SolveParameters               &parameters;
     dealii::TimerOutput                 &timer;

@@ -97,7 +97,7 @@ namespace lamella
     {
       return all;
     }
-    const GapRows &
+    const GapConstraints &
     rows() const
     {
       return numbered;
@@ -193,7 +193,7 @@ namespace lamella
 
     const std::vector<ContactInterface> &all;
     const Contacts                      &lives;
-    GapRows                              numbered;
+    GapConstraints                       numbered;
     /// Contacts with a deactivated row, and why_lost(), since begin_step().
     std::set<unsigned int> let_go;
     std::string            lost;

@@ -4,8 +4,8 @@
 #define lamella_solve_newton_h
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/solve/active_constraint_shift.h>
 #include <lamella/solve/contact_solver.h>
-#include <lamella/solve/leaning_rows.h>
 #include <lamella/solve/linearization.h>
 #include <lamella/solve/moving_contacts.h>
 
@@ -90,7 +90,7 @@ namespace lamella
    *
    * Each iteration linearizes the forces with the tangent K and the gaps with
    * B, and solves the resulting contact problem by the strategy of linear
-   * bodies (ContactStrategy::settle()), with total contact forces. K omits the
+   * bodies (ContactStrategy::solve()), with total contact forces. K omits the
    * rotation of B under contact forces. The first iteration applies support
    * motion as forces K du_p, since a prescribed motion alone would tear the
    * elements at the support. Obstacles move along the initial normals.
@@ -108,8 +108,8 @@ namespace lamella
    * change, as dependent constraints are exchangeable.) The Cholesky factor of
    * K then proves a minimum of the energy. (Couples have no energy except in
    * their plane; a positive definite symmetric part of K is sufficient for
-   * stability.) For bodies held by an obstacle only, K with LeaningRows takes
-   * its place.
+   * stability.) For bodies held by an obstacle only, K with
+   * ActiveConstraintShift takes its place.
    *
    * Refers to the structure and the contacts. Collective.
    */
@@ -219,8 +219,8 @@ namespace lamella
     /// stabilizing springs scaled by `firmer`.
     struct Aid
     {
-      std::unique_ptr<const LeaningRows> leaning;
-      double                             firmer = 1.;
+      std::unique_ptr<const ActiveConstraintShift> leaning;
+      double                                       firmer = 1.;
     };
 
     /// Returns the tangent of @p state at @p to, after the last @p correction,
@@ -263,10 +263,10 @@ namespace lamella
     /// @p strategy for forces and active set, and returns it with the
     /// displacement increment.
     ContactSolution
-    press(ContactStrategy  &strategy,
-          const GapRows    &rows,
-          const LoadFactor &to,
-          State            &state) const;
+    press(ContactStrategy      &strategy,
+          const GapConstraints &rows,
+          const LoadFactor     &to,
+          State                &state) const;
 
     /// Returns the correction @p du of the state @p u with the rotation of rows
     /// included and no spring force. With H = sum lambda Hess g of the forces

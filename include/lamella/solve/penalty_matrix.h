@@ -21,7 +21,7 @@ namespace lamella
   /// with friction, a coupling within the same row.
   struct PenaltyTerm
   {
-    /// Numbers of gaps or slips (GapRows).
+    /// Numbers of gaps or slips (GapConstraints).
     unsigned int of, on;
     /// Weight [force / length].
     double weight;
@@ -54,7 +54,8 @@ namespace lamella
   {
   public:
     /// Assembles K of @p linearization, which needs no solvers.
-    PenaltyMatrix(const Linearization &linearization, const GapRows &rows);
+    PenaltyMatrix(const Linearization  &linearization,
+                  const GapConstraints &rows);
 
     /// Factorizes K + K^p of @p terms unless already done. Throws NumericsError
     /// if it is not positive definite in doubles or, with friction, singular.
@@ -118,9 +119,9 @@ namespace lamella
     void
     measure_hardness(const std::vector<PenaltyTerm> &terms);
 
-    const Structure &structure;
-    const GapRows    rows;
-    const Symmetry   symmetry;
+    const Structure     &structure;
+    const GapConstraints rows;
+    const Symmetry       symmetry;
     /// constraints_of_all().
     Constraints constraints;
     /// DoFs of this process, a contiguous part of those of all bodies.

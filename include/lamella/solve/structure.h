@@ -80,7 +80,7 @@ namespace lamella
 
     /// Returns the prescribed rows R u = t d of all supports on all bodies;
     /// RowReduction::multipliers() gives indices into them.
-    const std::vector<PrescribedRow> &
+    const std::vector<PrescribedFunctional> &
     prescribed() const
     {
       return rows;
@@ -224,7 +224,7 @@ namespace lamella
     /// Returns true if supports and theory constrain @p row to zero in all
     /// states, up to rounding.
     bool
-    holds(const BodyRow &row) const;
+    holds(const BodyFunctional &row) const;
 
     /// Returns the stabilizing springs of @p body as terms s_k r_k^T r_k of its
     /// stiffness: pairs of row and stiffness (force / length).
@@ -291,7 +291,7 @@ namespace lamella
 
     Bodies all_bodies;
     /// prescribed().
-    std::vector<PrescribedRow> rows;
+    std::vector<PrescribedFunctional> rows;
     /// Reduction and springs of each body.
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;

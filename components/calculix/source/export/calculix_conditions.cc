@@ -44,8 +44,8 @@ namespace lamella
                            to_text(body.stabilization),
                            "the springs that it makes are not exported",
                            "Hold the body by a Support and set it to 0.");
-      const std::vector<PrescribedRow> rows =
-        prescribed_rows(scene.supports, mesh.bodies());
+      const std::vector<PrescribedFunctional> rows =
+        prescribed_functionals(scene.supports, mesh.bodies());
       for (unsigned int body = 0; body < scene.bodies.size(); ++body)
         for (const FreeMotion &motion :
              free_rigid_motions(*mesh.bodies()[body], body, rows))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_contact_row_geometry_h
-#define lamella_contact_row_geometry_h
+#ifndef lamella_contact_constraint_geometry_h
+#define lamella_contact_constraint_geometry_h
 
-#include <lamella/base/row.h>
+#include <lamella/base/linear_functional.h>
 #include <lamella/body/body.h>
 
 #include <utility>
@@ -24,7 +24,7 @@ namespace lamella
    * around, with the weights 1/A_i int phi_i psi_k n dA and the trace functions
    * psi_k.
    */
-  struct RowGeometry
+  struct ConstraintGeometry
   {
     /// Pairs of k and w_rk of one row (no unit, scene axes).
     using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
@@ -43,11 +43,11 @@ namespace lamella
    * Body::rows() of the body that the contact was made from or another
    * discretization of it. As many as side.weights.
    */
-  std::vector<BodyRow>
-  body_rows(const unsigned int                   index,
-            const DofIndex                       n_dofs,
-            const std::vector<std::vector<Row>> &at,
-            const RowGeometry                   &side);
+  std::vector<BodyFunctional>
+  body_rows(const unsigned int                                index,
+            const DofIndex                                    n_dofs,
+            const std::vector<std::vector<LinearFunctional>> &at,
+            const ConstraintGeometry                         &side);
 } // namespace lamella
 
 #endif

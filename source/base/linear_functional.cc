@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/row.h>
+#include <lamella/base/linear_functional.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace lamella
 {
   void
-  Row::add(const DofIndex dof, const double weight)
+  LinearFunctional::add(const DofIndex dof, const double weight)
   {
     if (weight != 0.)
       row.emplace_back(dof, weight);
@@ -17,7 +17,7 @@ namespace lamella
 
 
   void
-  Row::add_constant(const double value)
+  LinearFunctional::add_constant(const double value)
   {
     constant_part += value;
   }
@@ -25,7 +25,7 @@ namespace lamella
 
 
   void
-  Row::add(const Row &other, const double factor)
+  LinearFunctional::add(const LinearFunctional &other, const double factor)
   {
     constant_part += factor * other.constant_part;
     for (const auto &[dof, weight] : other.row)
@@ -35,7 +35,7 @@ namespace lamella
 
 
   void
-  Row::compress()
+  LinearFunctional::compress()
   {
     std::sort(row.begin(), row.end(), [](const Entry &a, const Entry &b) {
       return a.first < b.first;
@@ -52,7 +52,7 @@ namespace lamella
 
 
   void
-  Row::drop_below(const double relative)
+  LinearFunctional::drop_below(const double relative)
   {
     double largest = 0.;
     for (const Entry &entry : row)
@@ -69,7 +69,7 @@ namespace lamella
 
 
   double
-  Row::operator()(const Vector &u) const
+  LinearFunctional::operator()(const Vector &u) const
   {
     double sum = constant_part;
     for (const auto &[dof, weight] : row)
@@ -80,7 +80,7 @@ namespace lamella
 
 
   void
-  Row::add_to(Vector &f, const double factor) const
+  LinearFunctional::add_to(Vector &f, const double factor) const
   {
     for (const auto &[dof, weight] : row)
       f[dof] += factor * weight;
@@ -88,10 +88,10 @@ namespace lamella
 
 
 
-  Row
-  Row::reduced(const Constraints &constraints) const
+  LinearFunctional
+  LinearFunctional::reduced(const Constraints &constraints) const
   {
-    Row result;
+    LinearFunctional result;
     result.add_constant(constant_part);
     for (const auto &[dof, weight] : row)
       if (!constraints.is_constrained(dof))

@@ -4,7 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/contact/contact_sides.h>
-#include <lamella/contact/gap_rows.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/node_pairs.h>
 #include <lamella/contact/pairing_checks.h>
 #include <lamella/contact/weighted_gaps.h>
@@ -23,13 +23,13 @@ namespace lamella
 
 
     /// One side of @p gaps, with @p sign, the sign of u there in the gap.
-    RowGeometry
+    ConstraintGeometry
     geometry(const std::vector<Location>    &places,
              const std::vector<WeightedGap> &gaps,
-             RowGeometry::Weights WeightedGap::*weights,
-             const double                       sign)
+             ConstraintGeometry::Weights WeightedGap::*weights,
+             const double                              sign)
     {
-      RowGeometry result;
+      ConstraintGeometry result;
       result.places = places;
       for (const WeightedGap &gap : gaps)
         {
@@ -43,8 +43,10 @@ namespace lamella
 
 
     /// The rows of @p side, whose places are in the cells of @p body.
-    std::vector<BodyRow>
-    rows_on(const unsigned int index, const Body &body, const RowGeometry &side)
+    std::vector<BodyFunctional>
+    rows_on(const unsigned int        index,
+            const Body               &body,
+            const ConstraintGeometry &side)
     {
       return body_rows(index,
                        body.n_dofs(),
@@ -126,10 +128,10 @@ namespace lamella
 
 
     /// The row of @p gap but for its parts.
-    GapRow
+    GapConstraint
     row_of(const WeightedGap &gap, const ContactPair &contact)
     {
-      GapRow row;
+      GapConstraint row;
       if (contact.obstacle != nullptr)
         {
           row.gap_rate = gap.normal * contact.obstacle->displacement;
@@ -169,8 +171,10 @@ namespace lamella
       const bool on_second = interface.points_on_second;
       interface.carrying_surface =
         (on_second ? contact.second : contact.first).surface;
-      RowGeometry &carrying = on_second ? interface.second : interface.first,
-                  &opposing = on_second ? interface.first : interface.second;
+      ConstraintGeometry &carrying =
+                           on_second ? interface.second : interface.first,
+                         &opposing =
+                           on_second ? interface.first : interface.second;
       carrying =
         geometry(gaps.carrying, gaps.gaps, &WeightedGap::carrying_weights, -1.);
       if (contact.obstacle == nullptr)
@@ -178,10 +182,10 @@ namespace lamella
                             gaps.gaps,
                             &WeightedGap::opposing_weights,
                             1.);
-      const auto           first = rows_on(contact.first.body,
+      const auto                  first = rows_on(contact.first.body,
                                  *bodies[contact.first.body],
                                  interface.first);
-      std::vector<BodyRow> second;
+      std::vector<BodyFunctional> second;
       if (contact.obstacle == nullptr)
         second = rows_on(contact.second.body,
                          *bodies[contact.second.body],
@@ -189,7 +193,7 @@ namespace lamella
       for (unsigned int k = 0; k < gaps.gaps.size(); ++k)
         {
           const WeightedGap &gap = gaps.gaps[k];
-          GapRow             row = row_of(gap, contact);
+          GapConstraint      row = row_of(gap, contact);
           row.parts              = {first[k]};
           if (contact.obstacle == nullptr)
             row.parts.push_back(second[k]);
@@ -239,19 +243,19 @@ namespace lamella
                            to_text(-gap) + ", at " +
                            to_text(interface.points[deepest].first),
                          "Move them apart, or choose resolve or adjust.");
-      for (GapRow &row : interface.rows)
+      for (GapConstraint &row : interface.rows)
         row.initial_gap = std::max(0., row.initial_gap);
     }
   } // namespace
 
 
 
-  GapRows::GapRows(const std::vector<ContactInterface> &contacts)
+  GapConstraints::GapConstraints(const std::vector<ContactInterface> &contacts)
   {
     firsts.push_back(0);
     for (const ContactInterface &contact : contacts)
       {
-        for (const GapRow &row : contact.rows)
+        for (const GapConstraint &row : contact.rows)
           rows.push_back(&row);
         firsts.push_back(rows.size());
       }
@@ -259,27 +263,29 @@ namespace lamella
 
 
 
-  GapRows::GapRows(const std::vector<GapRow> &all)
+  GapConstraints::GapConstraints(const std::vector<GapConstraint> &all)
     : firsts{0, static_cast<unsigned int>(all.size())}
   {
-    for (const GapRow &row : all)
+    for (const GapConstraint &row : all)
       rows.push_back(&row);
   }
 
 
 
   bool
-  GapRows::rub() const
+  GapConstraints::rub() const
   {
-    return std::any_of(rows.begin(), rows.end(), [](const GapRow *const row) {
-      return row->friction > 0.;
-    });
+    return std::any_of(rows.begin(),
+                       rows.end(),
+                       [](const GapConstraint *const row) {
+                         return row->friction > 0.;
+                       });
   }
 
 
 
   std::pair<unsigned int, unsigned int>
-  GapRows::in_contact(const unsigned int row) const
+  GapConstraints::in_contact(const unsigned int row) const
   {
     AssertIndexRange(row, size());
     const auto next = std::upper_bound(firsts.begin(), firsts.end(), row);
@@ -289,8 +295,8 @@ namespace lamella
 
 
   std::vector<unsigned int>
-  GapRows::among_contact(const unsigned int               contact,
-                         const std::vector<unsigned int> &some) const
+  GapConstraints::among_contact(const unsigned int               contact,
+                                const std::vector<unsigned int> &some) const
   {
     std::vector<unsigned int> result;
     for (const unsigned int row : some)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/row_geometry.h>
+#include <lamella/contact/constraint_geometry.h>
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ namespace lamella
       {}
 
       void
-      add(const Row &row, const double factor)
+      add(const LinearFunctional &row, const double factor)
       {
         for (const auto &[dof, weight] : row.entries())
           {
@@ -30,11 +30,11 @@ namespace lamella
       }
 
       /// The sum; it begins anew.
-      Row
+      LinearFunctional
       take()
       {
         std::sort(touched.begin(), touched.end());
-        Row row;
+        LinearFunctional row;
         for (const DofIndex dof : touched)
           {
             row.add(dof, weights[dof]);
@@ -54,15 +54,15 @@ namespace lamella
 
 
 
-  std::vector<BodyRow>
-  body_rows(const unsigned int                   index,
-            const DofIndex                       n_dofs,
-            const std::vector<std::vector<Row>> &at,
-            const RowGeometry                   &side)
+  std::vector<BodyFunctional>
+  body_rows(const unsigned int                                index,
+            const DofIndex                                    n_dofs,
+            const std::vector<std::vector<LinearFunctional>> &at,
+            const ConstraintGeometry                         &side)
   {
-    RowSum               sum(n_dofs);
-    std::vector<BodyRow> rows;
-    for (const RowGeometry::Weights &weights : side.weights)
+    RowSum                      sum(n_dofs);
+    std::vector<BodyFunctional> rows;
+    for (const ConstraintGeometry::Weights &weights : side.weights)
       {
         for (const auto &[k, w] : weights)
           for (unsigned int c = 0; c < 3; ++c)

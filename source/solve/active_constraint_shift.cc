@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/solve/leaning_rows.h>
+#include <lamella/solve/active_constraint_shift.h>
 
 #include <algorithm>
 
 namespace lamella
 {
-  LeaningRows::LeaningRows(const std::vector<ContactInterface> &contacts,
-                           const State                         &state,
-                           const unsigned int                   n_bodies,
-                           const double                         share)
+  ActiveConstraintShift::ActiveConstraintShift(
+    const std::vector<ContactInterface> &contacts,
+    const State                         &state,
+    const unsigned int                   n_bodies,
+    const double                         share)
     : of_bodies(n_bodies)
     , softened(contacts)
   {
-    const GapRows all(contacts);
+    const GapConstraints all(contacts);
     for (const unsigned int number : state.active)
       {
-        const auto [c, k] = all.in_contact(number);
-        GapRow &row       = softened[c].rows[k];
+        const auto [c, k]  = all.in_contact(number);
+        GapConstraint &row = softened[c].rows[k];
         if (state.force[number] <= 0. || row.parts.size() != 1)
           continue;
         const double spring = share * row.penalty;
@@ -31,11 +32,11 @@ namespace lamella
 
 
   void
-  LeaningRows::take_springs_off(const BlockVector &u,
-                                const LoadFactor  &factor,
-                                State             &state) const
+  ActiveConstraintShift::take_springs_off(const BlockVector &u,
+                                          const LoadFactor  &factor,
+                                          State             &state) const
   {
-    const GapRows all = rows();
+    const GapConstraints all = rows();
     for (const auto &[row, spring] : leaning)
       state.force[row] += spring * all[row].gap(u, factor);
   }
@@ -43,11 +44,11 @@ namespace lamella
 
 
   void
-  LeaningRows::put_springs_on(const BlockVector &u,
-                              const LoadFactor  &factor,
-                              State             &state) const
+  ActiveConstraintShift::put_springs_on(const BlockVector &u,
+                                        const LoadFactor  &factor,
+                                        State             &state) const
   {
-    const GapRows all = rows();
+    const GapConstraints all = rows();
     for (const auto &[row, spring] : leaning)
       if (state.force[row] > 0.)
         {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_solve_leaning_rows_h
-#define lamella_solve_leaning_rows_h
+#ifndef lamella_solve_active_constraint_shift_h
+#define lamella_solve_active_constraint_shift_h
 
 #include <lamella/linear/stiffness_matrix.h>
 #include <lamella/solve/contact_solver.h>
@@ -30,7 +30,7 @@ namespace lamella
    * A definite S implies that the state is stable as long as these constraints
    * have forces.
    */
-  class LeaningRows
+  class ActiveConstraintShift
   {
   public:
     /// Springs of each body.
@@ -39,10 +39,10 @@ namespace lamella
     /// Selects the constraints of @p state among the rows of @p contacts, with
     /// rho = @p share times eps. @p n_bodies is the number of bodies in the
     /// scene.
-    LeaningRows(const std::vector<ContactInterface> &contacts,
-                const State                         &state,
-                const unsigned int                   n_bodies,
-                const double                         share);
+    ActiveConstraintShift(const std::vector<ContactInterface> &contacts,
+                          const State                         &state,
+                          const unsigned int                   n_bodies,
+                          const double                         share);
 
     bool
     none() const
@@ -58,10 +58,10 @@ namespace lamella
 
     /// Returns all rows of the contacts; shifted ones have the remaining
     /// penalty.
-    GapRows
+    GapConstraints
     rows() const
     {
-      return GapRows(softened);
+      return GapConstraints(softened);
     }
 
     /// Replaces the forces of @p state, displaced to @p u at @p factor, by

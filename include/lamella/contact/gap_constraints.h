@@ -6,13 +6,13 @@
 // formulates the contact problem and never determines the active set, as
 // `solve` does.
 
-#ifndef lamella_contact_gap_rows_h
-#define lamella_contact_gap_rows_h
+#ifndef lamella_contact_gap_constraints_h
+#define lamella_contact_gap_constraints_h
 
 #include <lamella/contact/carrying_surface.h>
+#include <lamella/contact/constraint_geometry.h>
 #include <lamella/contact/contact_pair.h>
 #include <lamella/contact/pairing.h>
-#include <lamella/contact/row_geometry.h>
 
 #include <deal.II/base/array_view.h>
 
@@ -29,11 +29,11 @@ namespace lamella
 
   /// Relative displacement of a pair of points along one direction, or a
   /// weighted average over several pairs.
-  struct PairRow
+  struct ContactConstraint
   {
     /// Parts, one per deformable body: -sum w . u_1 of First, then +sum v . u_2
     /// of the second, if any.
-    std::vector<BodyRow> parts;
+    std::vector<BodyFunctional> parts;
     /// Load history that multiplies the motion of an obstacle.
     unsigned int history = 0;
 
@@ -41,10 +41,10 @@ namespace lamella
     /// along the direction [length]. @p u has a block for each body of the
     /// scene.
     double
-    opening(const BlockVector &u) const
+    jump(const BlockVector &u) const
     {
       double sum = 0.;
-      for (const BodyRow &part : parts)
+      for (const BodyFunctional &part : parts)
         sum += part(u);
       return sum;
     }
@@ -54,7 +54,7 @@ namespace lamella
     void
     add_to(BlockVector &f, const double factor) const
     {
-      for (const BodyRow &part : parts)
+      for (const BodyFunctional &part : parts)
         part.add_to(f, factor);
     }
   };
@@ -66,7 +66,7 @@ namespace lamella
    * (Contact) from the beginning of the step. Its force lambda_t loads the
    * second side along t.
    */
-  struct SlipRow : PairRow
+  struct SlipConstraint : ContactConstraint
   {
     /// Tangent t, a unit vector of the scene.
     dealii::Tensor<1, 3> tangent;
@@ -78,7 +78,7 @@ namespace lamella
     double
     slip(const BlockVector &u, const LoadFactor &factor) const
     {
-      return opening(u) + initial + factor.of(history) * rate;
+      return jump(u) + initial + factor.of(history) * rate;
     }
   };
 
@@ -96,7 +96,7 @@ namespace lamella
    * bodies with lambda b^T, lambda n on the second side and -lambda n on the
    * first, so action and reaction balance.
    */
-  struct GapRow : PairRow
+  struct GapConstraint : ContactConstraint
   {
     /// (X_2 - X_1) . n of the undeformed bodies (Eq. 17 with the averaged
     /// normal), or its average [length]; negative for overlap.
@@ -111,14 +111,14 @@ namespace lamella
 
     /// Friction coefficient mu, and with friction the slips along two tangents
     /// normal to n and to each other.
-    double               friction = 0.;
-    std::vector<SlipRow> slips    = {};
+    double                      friction = 0.;
+    std::vector<SlipConstraint> slips    = {};
 
     /// Returns g at load factor @p factor [length]; negative for penetration.
     double
     gap(const BlockVector &u, const LoadFactor &factor) const
     {
-      return opening(u) + initial_gap + factor.of(history) * gap_rate;
+      return jump(u) + initial_gap + factor.of(history) * gap_rate;
     }
   };
 
@@ -181,11 +181,11 @@ namespace lamella
     /// nodes; `node to node` only.
     unsigned int beside_nodes = 0, beside_nodes_second = 0;
     /// Rows, one per pair of nodes or per slave node that faces something.
-    std::vector<GapRow> rows;
-    std::vector<Point>  points;
+    std::vector<GapConstraint> rows;
+    std::vector<Point>         points;
     /// Geometry of the rows: on First with weights along -n, on Second along n;
     /// empty for an obstacle.
-    RowGeometry first, second;
+    ConstraintGeometry first, second;
     /// Slave surface with the functions of the rows, on which their forces are
     /// a pressure (ContactTraction). Never null from make_interface().
     std::shared_ptr<const CarryingSurface> surface = {};
@@ -208,20 +208,20 @@ namespace lamella
   /// numbered from 0 contact by contact, with a force vector of the same
   /// numbering. A view (one pointer per row): the rows must outlive it at fixed
   /// addresses.
-  class GapRows
+  class GapConstraints
   {
   public:
     /// Creates an empty view; only size(), empty() and the iterators may be
     /// called.
-    GapRows() = default;
+    GapConstraints() = default;
     /// Views the rows of @p contacts; contact k is @p contacts[k], also without
     /// rows.
-    GapRows(const std::vector<ContactInterface> &contacts);
+    GapConstraints(const std::vector<ContactInterface> &contacts);
     /// Views rows without a contact; they count as contact 0.
-    GapRows(const std::vector<GapRow> &rows);
+    GapConstraints(const std::vector<GapConstraint> &rows);
     /// Deleted for temporaries, which the view would outlive.
-    GapRows(std::vector<ContactInterface> &&contacts) = delete;
-    GapRows(std::vector<GapRow> &&rows)               = delete;
+    GapConstraints(std::vector<ContactInterface> &&contacts) = delete;
+    GapConstraints(std::vector<GapConstraint> &&rows)        = delete;
 
     /// Returns the number of gap rows of all contacts, the size of a force
     /// vector.
@@ -238,7 +238,7 @@ namespace lamella
     }
 
     /// Returns @p row, which must be below size(); not checked.
-    const GapRow &
+    const GapConstraint &
     operator[](const unsigned int row) const
     {
       return *rows[row];
@@ -267,8 +267,8 @@ namespace lamella
     }
 
     /// Returns the gap or slip @p number.
-    const PairRow &
-    pair_row(const unsigned int number) const
+    const ContactConstraint &
+    constraint(const unsigned int number) const
     {
       if (number < size())
         return *rows[number];
@@ -317,7 +317,7 @@ namespace lamella
                   const std::vector<unsigned int> &some) const;
 
   private:
-    std::vector<const GapRow *> rows;
+    std::vector<const GapConstraint *> rows;
     /// First row of each contact, and one past the last row; empty in a view of
     /// nothing.
     std::vector<unsigned int> firsts;

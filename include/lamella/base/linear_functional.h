@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_base_row_h
-#define lamella_base_row_h
+#ifndef lamella_base_linear_functional_h
+#define lamella_base_linear_functional_h
 
 #include <lamella/base/linear_algebra.h>
 
@@ -24,9 +24,9 @@ namespace lamella
    *
    * The unit of r is a length for displacements and gaps, 1 for strains,
    * force/length^2 for stresses; weights have it over the unit of the DoFs. An
-   * entry takes 16 bytes. A row does not know its body (see BodyRow).
+   * entry takes 16 bytes. A row does not know its body (see BodyFunctional).
    */
-  class Row
+  class LinearFunctional
   {
   public:
     /// Number k of a DoF and its weight w_k.
@@ -45,7 +45,7 @@ namespace lamella
     /// Adds @p factor times @p other, a functional of the same body, including
     /// its constant part. Does not compress.
     void
-    add(const Row &other, const double factor);
+    add(const LinearFunctional &other, const double factor);
 
     /// Sorts the entries by DoF and merges those of the same one, in n log n
     /// operations. Weights that cancel stay as zeros (see drop_below()).
@@ -74,7 +74,7 @@ namespace lamella
     /// with G the homogeneous part of @p constraints, which must be closed.
     /// Inhomogeneities are ignored: they belong to the particular solution. The
     /// constant part is kept, and the result is compressed.
-    Row
+    LinearFunctional
     reduced(const Constraints &constraints) const;
 
     /// Returns the entries in order of addition, or by DoF after compress().
@@ -98,11 +98,11 @@ namespace lamella
 
   /// A row with the number of its body. Vectors of the scene have one block per
   /// body, in the order of its Bodies.
-  struct BodyRow
+  struct BodyFunctional
   {
     /// Number of the body, and of its block in scene vectors.
-    unsigned int body = 0;
-    Row          row;
+    unsigned int     body = 0;
+    LinearFunctional row;
 
     /// Returns r(u_b) for the block b of this body.
     double
@@ -111,7 +111,7 @@ namespace lamella
       return row(u.block(body));
     }
 
-    /// Adds as Row::add_to() to that block.
+    /// Adds as LinearFunctional::add_to() to that block.
     void
     add_to(BlockVector &f, const double factor) const
     {
