@@ -214,16 +214,16 @@ namespace lamella
     /// How far from the end vectors of the strengths @p norms are more than the
     /// rest that is left out.
     double
-    reach_of(const std::vector<double> &norms,
+    influence_length_of(const std::vector<double> &norms,
              const std::vector<double> &distances,
              const EndFieldRules       &rules)
     {
       const double largest = *std::max_element(norms.begin(), norms.end());
-      double       reach   = 0.;
+      double       influence_length   = 0.;
       for (unsigned int k = 0; k < norms.size(); ++k)
         if (norms[k] > std::max(rules.rest * largest, rules.tolerance))
-          reach = std::max(reach, distances[k]);
-      return reach;
+          influence_length = std::max(influence_length, distances[k]);
+      return influence_length;
     }
 
 
@@ -239,7 +239,7 @@ namespace lamella
       std::vector<double> norms = warping.strengths(found.vectors, warpings);
       for (unsigned int k = 0; k < norms.size(); ++k)
         norms[k] /= found.weights[k];
-      const double reach = reach_of(norms, found.distances, rules);
+      const double influence_length = influence_length_of(norms, found.distances, rules);
 
       std::vector<EndZone> zones;
       FieldColumns         known = warpings;
@@ -248,17 +248,17 @@ namespace lamella
           const double        begin = rules.zones[z] * larger;
           std::vector<Vector> from_there;
           for (unsigned int k = 0; k < norms.size(); ++k)
-            if (found.distances[k] >= begin && found.distances[k] <= reach)
+            if (found.distances[k] >= begin && found.distances[k] <= influence_length)
               from_there.push_back(found.vectors[k]);
           EndZone zone;
           zone.fields = warping.weighted_basis(from_there,
                                                warpings,
                                                known,
                                                rules.tolerance);
-          zone.reach =
+          zone.influence_length =
             z + 1 < rules.zones.size() ?
-              std::min((rules.zones[z + 1] + rules.overlap) * larger, reach) :
-              reach;
+              std::min((rules.zones[z + 1] + rules.overlap) * larger, influence_length) :
+              influence_length;
           if (zone.fields.n() == 0)
             continue;
           known = beside(known, zone.fields);

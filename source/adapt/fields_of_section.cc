@@ -96,7 +96,7 @@ namespace lamella
   FieldsOfSection::Group::asks_as(const Group &other) const
   {
     bool same =
-      loads.size() == other.loads.size() && reach == 0. &&
+      loads.size() == other.loads.size() && influence_length == 0. &&
       std::abs(element - other.element) < arithmetic::alike * other.element;
     for (unsigned int k = 0; same && k < loads.size(); ++k)
       {
@@ -176,7 +176,7 @@ namespace lamella
       {
         Group group;
         group.element = held.element;
-        group.reach   = zone.reach;
+        group.influence_length   = zone.influence_length;
         group.holds   = true;
         for (unsigned int j = 0; j < zone.fields.n(); ++j)
           group.near.push_back(column_of(zone.fields, j));
@@ -207,12 +207,12 @@ namespace lamella
 
 
   double
-  FieldsOfSection::reach_of(const unsigned int g) const
+  FieldsOfSection::influence_length_of(const unsigned int g) const
   {
     const auto [smaller, larger] = section->extents();
-    return groups[g].reach > 0. ? groups[g].reach :
-           groups[g].holds      ? rules.reach_of_clamp * larger :
-                                  rules.reach * smaller;
+    return groups[g].influence_length > 0. ? groups[g].influence_length :
+           groups[g].holds      ? rules.influence_length_of_clamp * larger :
+                                  rules.influence_length * smaller;
   }
 
 

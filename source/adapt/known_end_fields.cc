@@ -72,7 +72,7 @@ namespace lamella
     for (const EndZone &zone : zones)
       {
         EndZone richer;
-        richer.reach       = zone.reach;
+        richer.influence_length       = zone.influence_length;
         richer.is_embedded = true;
         richer.fields =
           warping.weighted_basis(embedded(zone.fields, from, section),

@@ -62,9 +62,9 @@ namespace lamella
           result.emplace_back();
           for (unsigned int t = 0; t < touched.touches.size(); ++t)
             for (const unsigned int group : touched.groups[t])
-              if (const double reach = fields.reach_of(group);
-                  y > touched.touches[t].begin - reach &&
-                  y < touched.touches[t].end + reach)
+              if (const double influence_length = fields.influence_length_of(group);
+                  y > touched.touches[t].begin - influence_length &&
+                  y < touched.touches[t].end + influence_length)
                 result.back().insert(group);
         }
       return result;

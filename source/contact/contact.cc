@@ -38,7 +38,7 @@ namespace lamella
     /// side, @p surface where it is now: not that of what they faced last.
     void
     face_outwards(const MeshSurface               &surface,
-                  const CarryingSurface           *functions,
+                  const SlaveSurface           *functions,
                   const std::vector<GapPoint>     &points,
                   const std::vector<GapIntegrals> &integrals,
                   ContactInterface                &interface)
@@ -47,7 +47,7 @@ namespace lamella
         for (const auto &[row, weight] : shares_of(functions, q, points[q]))
           if (integrals[row].area == 0.)
             {
-              const auto &[facet, st] = points[q].carrying;
+              const auto &[facet, st] = points[q].slave;
               const FacetMap    &map  = surface.facets()[facet].map;
               const Tensor<1, 3> n    = map.outward(map(st));
               interface.points[row].normal =
@@ -63,12 +63,12 @@ namespace lamella
                    ContactInterface  &interface)
     : undeformed(contact, bodies)
     , interface(interface)
-    , reach(search_reach(contact, bodies))
+    , search_radius(search_radius_of(contact, bodies))
     , search(undeformed.contact(), bodies)
   {
     pair_undeformed();
     if (bodies[contact.first.body]->turns())
-      reach = std::max(reach, automatic_search_distance(contact, bodies));
+      search_radius = std::max(search_radius, automatic_search_distance(contact, bodies));
     undeformed.decide(interface.discretization,
                       interface.points_on_second ? SlaveSide::second :
                                                    SlaveSide::first);
@@ -77,7 +77,7 @@ namespace lamella
     if (contact.overclosure == Overclosure::adjust)
       {
         find_points();
-        const auto before = integrate(undeformed, feet_at_rest(), points);
+        const auto before = integrate(undeformed, master_points_at_rest(), points);
         for (unsigned int k = 0; k < before.size(); ++k)
           taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
       }
@@ -105,7 +105,7 @@ namespace lamella
   {
     interface =
       interface_within(undeformed,
-                       search_reach(undeformed.contact(), undeformed.bodies()));
+                       search_radius_of(undeformed.contact(), undeformed.bodies()));
     keep_lines();
     points.clear();
   }
@@ -133,8 +133,8 @@ namespace lamella
     if (interface.discretization == Discretization::surface_to_surface)
       return;
     const bool         on_second = interface.points_on_second;
-    const MeshSurface &carrying  = *undeformed.surface(on_second),
-                      *opposing  = undeformed.surface(!on_second);
+    const MeshSurface &slave  = *undeformed.surface(on_second),
+                      *master  = undeformed.surface(!on_second);
     const ConstraintGeometry &beyond =
       on_second ? interface.first : interface.second;
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
@@ -142,15 +142,15 @@ namespace lamella
         const ContactInterface::Point &at = interface.points[k];
         const Tensor<1, 3>             n  = on_second ? -at.normal : at.normal;
         GapPoint                       point;
-        const auto                     here = carrying.place_of(at.node, n);
+        const auto                     here = slave.place_of(at.node, n);
         AssertThrow(here, ExcInternalError());
-        point.carrying       = *here;
-        point.opposing.facet = numbers::invalid_unsigned_int;
-        if (opposing != nullptr)
+        point.slave       = *here;
+        point.master.facet = numbers::invalid_unsigned_int;
+        if (master != nullptr)
           {
-            const auto there = opposing->place_of(beyond.places[k], -n);
+            const auto there = master->place_of(beyond.places[k], -n);
             AssertThrow(there, ExcInternalError());
-            point.opposing = *there;
+            point.master = *there;
           }
         points.push_back(point);
       }
@@ -163,14 +163,14 @@ namespace lamella
   {
     find_points();
     if (integrals.empty())
-      integrals = integrate(undeformed, feet_at_rest(), points);
+      integrals = integrate(undeformed, master_points_at_rest(), points);
   }
 
 
 
   std::vector<GapIntegrals>
   Contact::integrate(const ContactSides    &sides,
-                     const Feet             feet,
+                     const MasterPoints             master_points,
                      std::vector<GapPoint> &on,
                      HeldPlaces *const      held) const
   {
@@ -178,15 +178,15 @@ namespace lamella
                           interface.points_on_second,
                           functions(),
                           interface.rows.size(),
-                          feet,
-                          reach,
+                          master_points,
+                          search_radius,
                           on,
                           held);
   }
 
 
 
-  const CarryingSurface *
+  const SlaveSurface *
   Contact::functions() const
   {
     return interface.discretization == Discretization::surface_to_surface ?
@@ -200,7 +200,7 @@ namespace lamella
   Contact::pair(const BlockVector &u, const LoadFactor &factor)
   {
     const ContactSides at(undeformed, u, factor);
-    interface     = interface_within(at, reach);
+    interface     = interface_within(at, search_radius);
     paired_at     = u;
     paired_factor = factor;
     keep_lines();
@@ -210,8 +210,8 @@ namespace lamella
     const MeshSurface &before = *undeformed.surface(interface.points_on_second),
                       &now    = *at.surface(interface.points_on_second);
     const auto density = [](const MeshSurface &on, const GapPoint &point) {
-      const FacetMap &map = on.facets()[point.carrying.facet].map;
-      return map.outward(map(point.carrying.st)).norm();
+      const FacetMap &map = on.facets()[point.slave.facet].map;
+      return map.outward(map(point.slave.st)).norm();
     };
     if (interface.discretization == Discretization::surface_to_surface)
       for (GapPoint &point : points)
@@ -230,7 +230,7 @@ namespace lamella
     const ContactSides at(undeformed, u, factor);
     if (lines != nullptr)
       lines->follow(*at.surface(false), *at.obstacle(), points);
-    integrals = integrate(at, feet(), points, held.empty() ? nullptr : &held);
+    integrals = integrate(at, master_points(), points, held.empty() ? nullptr : &held);
     write(at, u, factor);
   }
 
@@ -258,7 +258,7 @@ namespace lamella
     std::vector<GapPoint> on = points;
     if (lines != nullptr)
       lines->follow(*then.surface(false), *then.obstacle(), on);
-    held = held_places(then, interface.points_on_second, feet(), reach, on);
+    held = held_places(then, interface.points_on_second, master_points(), search_radius, on);
   }
 
 
@@ -287,7 +287,7 @@ namespace lamella
     paired_factor = known.factor;
     points        = known.points;
     move(u, factor);
-    // Feet that are found once more differ by rounding.
+    // MasterPoints that are found once more differ by rounding.
     points = known.points;
   }
 
@@ -315,7 +315,7 @@ namespace lamella
           }
     // Where a point is a row it has a number of its own here.
     const bool is_point = functions() == nullptr;
-    const auto there    = integrate(at, feet(), pressed);
+    const auto there    = integrate(at, master_points(), pressed);
     std::array<std::map<unsigned int, Tensor<1, 3>>, 2> forces;
     const unsigned int        n_rows = is_point ? numbers.size() : there.size();
     const double              sign   = interface.points_on_second ? -1. : 1.;
@@ -336,9 +336,9 @@ namespace lamella
               tangents_at(at, all[first[row]], sign * there[k].normal);
             along = sign * (shear[row][0] * t[0] + shear[row][1] * t[1]);
           }
-        for (const auto &[node, of] : there[k].carrying)
+        for (const auto &[node, of] : there[k].slave)
           forces[0][node] -= force * of.normal + of.tangential * along;
-        for (const auto &[node, of] : there[k].opposing)
+        for (const auto &[node, of] : there[k].master)
           forces[1][node] += force * of.normal + of.tangential * along;
       }
     add_forces_of_nodes(at, forces, f);
@@ -382,16 +382,16 @@ namespace lamella
       for (const auto &[row, weight] : shares_of(functions(), q, points[q]))
         {
           ContactInterface::Point &at = interface.points[row];
-          const auto &[own, place]    = points[q].carrying;
+          const auto &[own, place]    = points[q].slave;
           (on_second ? at.second : at.first) =
             lines == nullptr ?
               place_of(at) :
               undeformed.surface(on_second)->facets()[own].map(place).position;
-          if (const auto &[facet, st] = points[q].opposing;
+          if (const auto &[facet, st] = points[q].master;
               other != nullptr && weight > most[row])
             {
               most[row] = weight;
-              // Feet may be a little beyond a side.
+              // MasterPoints may be a little beyond a side.
               (on_second ? at.first : at.second) =
                 other->facets()[facet]
                   .map({std::clamp(st[0], 0., 1.), std::clamp(st[1], 0., 1.)})
@@ -412,7 +412,7 @@ namespace lamella
     for (const GapIntegrals &row : integrals)
       {
         side.weights.emplace_back();
-        for (const auto &[number, node] : carries ? row.carrying : row.opposing)
+        for (const auto &[number, node] : carries ? row.slave : row.master)
           side.weights.back().emplace_back(number, sign * node.normal);
       }
     return side;
@@ -481,7 +481,7 @@ namespace lamella
   {
     if (!sides.have_moved())
       return tangents_of(n);
-    const auto &[facet, st] = point.carrying;
+    const auto &[facet, st] = point.slave;
     const bool second       = interface.points_on_second;
     return carried_tangents(undeformed.surface(second)->facets()[facet].map,
                             sides.surface(second)->facets()[facet].map,
@@ -506,7 +506,7 @@ namespace lamella
         GapConstraint &row = interface.rows[k];
         row.friction       = undeformed.contact().friction;
         SymmetricTensor<2, 3> across;
-        for (const auto &[number, node] : integrals[k].carrying)
+        for (const auto &[number, node] : integrals[k].slave)
           across += node.tangential;
         row.slips.clear();
         for (unsigned int a = 0; a < 2; ++a)
@@ -536,7 +536,7 @@ namespace lamella
     row.gap_rate                   = 0.;
     if (of.area == 0.)
       {
-        row.initial_gap = reach;
+        row.initial_gap = search_radius;
         return;
       }
     if (interface.obstacle != nullptr)
@@ -580,7 +580,7 @@ namespace lamella
         const Tensor<1, 3> t = (second ? 1. : -1.) * tangents[k][a];
         side.weights.emplace_back();
         for (const auto &[number, node] :
-             carries ? integrals[k].carrying : integrals[k].opposing)
+             carries ? integrals[k].slave : integrals[k].master)
           side.weights.back().emplace_back(number, node.tangential * t);
       }
     return body_rows(body,
@@ -628,7 +628,7 @@ namespace lamella
     std::vector<double> off(interface.rows.size(), 0.);
     const MeshSurface  *other = undeformed.surface(!interface.points_on_second);
     const auto          place = [other](const GapPoint &point) {
-      const auto &[facet, st] = point.opposing;
+      const auto &[facet, st] = point.master;
       return other->facets()[facet].map(st).position;
     };
     for (unsigned int q = 0; other != nullptr && q < points.size(); ++q)
@@ -648,7 +648,7 @@ namespace lamella
     unsigned int count = 0;
     try
       {
-        const ContactInterface fresh = interface_within(sides, reach);
+        const ContactInterface fresh = interface_within(sides, search_radius);
         for (const RowBeside &row : rows_beside(interface, fresh, most_of))
           count += fresh.rows[row.found].initial_gap < touching;
       }
@@ -674,7 +674,7 @@ namespace lamella
     const ContactSides    at(undeformed, u, factor);
     const double          touching = -arithmetic::negligible * u.linfty_norm();
     std::vector<GapPoint> on       = points;
-    const auto            now      = integrate(at, Feet::found, on);
+    const auto            now      = integrate(at, MasterPoints::projected, on);
     const std::vector<double> off  = wandering(on);
     StalePairing              stale;
     for (unsigned int k = 0; k < now.size(); ++k)
@@ -750,7 +750,7 @@ namespace lamella
     if (interface.obstacle != nullptr || !taken_out.empty())
       return {};
     const ContactSides now(undeformed, u, factor);
-    return deepest_node(paired_sides(now), now, reach, true);
+    return deepest_node(paired_sides(now), now, search_radius, true);
   }
 
 
@@ -774,7 +774,7 @@ namespace lamella
     const ContactSides now(undeformed, u, factor);
     if (obstacle == nullptr)
       {
-        const auto node = deepest_node(paired_sides(now), now, reach, false);
+        const auto node = deepest_node(paired_sides(now), now, search_radius, false);
         if (!node)
           return {};
         const auto &[facet, st]  = node->at;
@@ -803,7 +803,7 @@ namespace lamella
     // What `adjust` has taken out of gaps is no depth.
     if (!taken_out.empty() || !may_go_through(then, now))
       return false;
-    // What comes from beside has its first foot somewhere on the way.
+    // What comes from beside has its first projection somewhere on the way.
     constexpr unsigned int parts   = 4;
     BlockVector            reached = before;
     for (unsigned int k = 1; k <= parts; ++k)

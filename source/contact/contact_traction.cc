@@ -43,7 +43,7 @@ namespace lamella
 
 
   ContactTraction::ContactTraction(
-    std::shared_ptr<const CarryingSurface> surface,
+    std::shared_ptr<const SlaveSurface> surface,
     std::vector<Row>                       rows)
     : carrier(std::move(surface))
     , all(std::move(rows))
@@ -63,7 +63,7 @@ namespace lamella
 
 
   ContactTraction::Value
-  ContactTraction::at(const CarryingSurface::Place &place) const
+  ContactTraction::at(const SlaveSurface::Place &place) const
   {
     const std::vector<double> values = carrier->functions_at(place);
     const auto               &rows   = carrier->facets()[place.facet].rows;
@@ -84,20 +84,20 @@ namespace lamella
   ContactTraction::Value
   ContactTraction::on_line(const Point<3>     &x,
                            const Tensor<1, 3> &n,
-                           const double        reach) const
+                           const double        search_radius) const
   {
     if (carrier == nullptr)
       return {};
-    const auto place = carrier->on_line(x, n, reach);
+    const auto place = carrier->on_line(x, n, search_radius);
     return place ? at(*place) : Value();
   }
 
 
 
-  std::vector<CarryingSurface::Integrals>
+  std::vector<SlaveSurface::Integrals>
   ContactTraction::inside(const ContactStrip &strip) const
   {
-    std::vector<CarryingSurface::Integrals> sums(all.size());
+    std::vector<SlaveSurface::Integrals> sums(all.size());
     if (carrier != nullptr)
       sums = carrier->integrals(strip);
     for (unsigned int k = 0; k < all.size(); ++k)
@@ -107,7 +107,7 @@ namespace lamella
           sums[k].area = double(strip.from <= at && at < strip.to);
         else
           {
-            const CarryingSurface::Integrals &whole = carrier->integrals()[k];
+            const SlaveSurface::Integrals &whole = carrier->integrals()[k];
             const double                      share = sums[k].area / whole.area;
             sums[k]                                 = {share,
                                                        (sums[k].moment - share * whole.moment) / whole.area};
@@ -136,7 +136,7 @@ namespace lamella
   ContactTraction::Resultant
   ContactTraction::resultant(const std::optional<ContactStrip> &strip) const
   {
-    std::vector<CarryingSurface::Integrals> parts;
+    std::vector<SlaveSurface::Integrals> parts;
     if (strip)
       parts = inside(*strip);
     Resultant sum;

@@ -60,12 +60,12 @@ namespace lamella
     /// other. Equal grids: the body that comes first, so that it does not
     /// matter which side is called First.
     bool
-    second_is_finer(const ContactSides &sides, const double reach)
+    second_is_finer(const ContactSides &sides, const double search_radius)
     {
       const MeshSurface &a = *sides.surface(false), &b = *sides.surface(true);
       const ContactPair &contact = sides.contact();
-      const double       first   = cells_facing(a, b, reach),
-                   second        = cells_facing(b, a, reach);
+      const double       first   = cells_facing(a, b, search_radius),
+                   second        = cells_facing(b, a, search_radius);
       if (std::abs(first - second) > same_grid * (first + second))
         return second > first;
       return contact.second.body < contact.first.body;
@@ -74,7 +74,7 @@ namespace lamella
 
 
     bool
-    points_on_second(const ContactSides &sides, const double reach)
+    points_on_second(const ContactSides &sides, const double search_radius)
     {
       const ContactPair &contact = sides.contact();
       Assert(contact.slave_side != SlaveSide::undefined,
@@ -84,40 +84,40 @@ namespace lamella
           contact.slave_side == SlaveSide::first)
         return false;
       return contact.slave_side == SlaveSide::second ||
-             (!sides.are_of_edges() && second_is_finer(sides, reach));
+             (!sides.are_of_edges() && second_is_finer(sides, search_radius));
     }
 
 
 
     Gaps
     find_gaps(const ContactSides &at,
-              const double        reach,
+              const double        search_radius,
               ContactInterface   &interface)
     {
       if (interface.discretization == Discretization::node_to_node)
         {
           Assert(at.contact().obstacle == nullptr,
                  ExcMessage("An obstacle has no nodes."));
-          return node_to_node(at, reach, interface);
+          return node_to_node(at, search_radius, interface);
         }
-      const bool on_second       = points_on_second(at, reach);
+      const bool on_second       = points_on_second(at, search_radius);
       interface.points_on_second = on_second;
       Sides sides;
-      sides.reach         = reach;
-      sides.carrying      = at.surface(on_second);
-      sides.opposing_mesh = at.surface(!on_second);
-      sides.opposing      = sides.opposing_mesh;
+      sides.search_radius         = search_radius;
+      sides.slave      = at.surface(on_second);
+      sides.master_mesh = at.surface(!on_second);
+      sides.master      = sides.master_mesh;
       sides.of_edges      = at.are_of_edges();
       std::optional<ObstacleSurface> obstacle;
       if (at.obstacle() != nullptr)
         {
-          sides.opposing = &obstacle.emplace(at.obstacle());
+          sides.master = &obstacle.emplace(at.obstacle());
           if (at.have_moved())
             sides.inside_obstacle = at.obstacle()->depth();
         }
       else if (!sides.of_edges)
         (on_second ? interface.unpaired : interface.unpaired_second) =
-          nodes_facing_nothing(*sides.opposing_mesh, *sides.carrying, reach);
+          nodes_facing_nothing(*sides.master_mesh, *sides.slave, search_radius);
       Assert(interface.discretization != Discretization::undefined,
              ExcMessage("The discretization was never set."));
       return interface.discretization == Discretization::surface_to_surface ?
@@ -142,7 +142,7 @@ namespace lamella
         arithmetic::rounding * (gap.position.norm() + gap.opposite.norm());
       row.initial_gap = std::abs(gap.gap) < rounding ? 0. : gap.gap;
       row.enforcement = contact.enforcement;
-      row.penalty = row_penalty(contact.penalty, gap.carrying, gap.opposing);
+      row.penalty = row_penalty(contact.penalty, gap.slave, gap.master);
       return row;
     }
 
@@ -169,18 +169,18 @@ namespace lamella
              ContactInterface  &interface)
     {
       const bool on_second = interface.points_on_second;
-      interface.carrying_surface =
+      interface.slave_surface =
         (on_second ? contact.second : contact.first).surface;
-      ConstraintGeometry &carrying =
+      ConstraintGeometry &slave =
                            on_second ? interface.second : interface.first,
-                         &opposing =
+                         &master =
                            on_second ? interface.first : interface.second;
-      carrying =
-        geometry(gaps.carrying, gaps.gaps, &WeightedGap::carrying_weights, -1.);
+      slave =
+        geometry(gaps.slave, gaps.gaps, &WeightedGap::slave_weights, -1.);
       if (contact.obstacle == nullptr)
-        opposing = geometry(gaps.opposing,
+        master = geometry(gaps.master,
                             gaps.gaps,
-                            &WeightedGap::opposing_weights,
+                            &WeightedGap::master_weights,
                             1.);
       const auto                  first = rows_on(contact.first.body,
                                  *bodies[contact.first.body],
@@ -205,18 +205,18 @@ namespace lamella
 
 
     /// What carries the rows of pairs of nodes, or of nodes against a surface.
-    std::shared_ptr<const CarryingSurface>
+    std::shared_ptr<const SlaveSurface>
     surface_of(const ContactInterface &interface, const Bodies &bodies)
     {
-      std::vector<CarryingNode> nodes;
+      std::vector<SlaveNode> nodes;
       for (const ContactInterface::Point &point : interface.points)
         nodes.push_back({point.node, point.normal});
       const unsigned int body = interface.points_on_second ?
                                   *interface.second_body :
                                   interface.first_body;
-      return std::make_shared<const CarryingSurface>(
+      return std::make_shared<const SlaveSurface>(
         surface_of_nodes(*bodies[body],
-                         interface.carrying_surface,
+                         interface.slave_surface,
                          nodes,
                          interface.discretization ==
                            Discretization::node_to_node));
@@ -320,7 +320,7 @@ namespace lamella
 
 
   double
-  search_reach(const ContactPair &contact, const Bodies &bodies)
+  search_radius_of(const ContactPair &contact, const Bodies &bodies)
   {
     const std::string path = "Contact " + contact.name;
     check_surface(*bodies[contact.first.body],
@@ -339,7 +339,7 @@ namespace lamella
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies)
   {
-    return interface_within(contact, bodies, search_reach(contact, bodies));
+    return interface_within(contact, bodies, search_radius_of(contact, bodies));
   }
 
 
@@ -347,19 +347,19 @@ namespace lamella
   ContactInterface
   interface_within(const ContactPair &contact,
                    const Bodies      &bodies,
-                   const double       reach)
+                   const double       search_radius)
   {
-    return interface_within(ContactSides(contact, bodies), reach);
+    return interface_within(ContactSides(contact, bodies), search_radius);
   }
 
 
 
   ContactInterface
-  interface_within(const ContactSides &sides, const double reach)
+  interface_within(const ContactSides &sides, const double search_radius)
   {
     const Bodies &bodies   = sides.bodies();
     ContactPair   contact  = sides.contact();
-    contact.discretization = decided(sides, reach);
+    contact.discretization = decided(sides, search_radius);
     ContactInterface interface;
     interface.name           = contact.name;
     interface.discretization = contact.discretization;
@@ -371,11 +371,11 @@ namespace lamella
                               contact.obstacle->name :
                               bodies[contact.second.body]->name();
 
-    Gaps gaps = find_gaps(sides, reach, interface);
+    Gaps gaps = find_gaps(sides, search_radius, interface);
     if (!sides.have_moved())
       check_not_passed(contact, bodies, interface.points_on_second, gaps);
     if (gaps.gaps.empty())
-      fail_without_pairs(contact, bodies, reach);
+      fail_without_pairs(contact, bodies, search_radius);
     (interface.points_on_second ? interface.unpaired_second :
                                   interface.unpaired) = gaps.unpaired;
     add_rows(contact, bodies, gaps, interface);

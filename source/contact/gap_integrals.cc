@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/foot.h>
+#include <lamella/contact/projection.h>
 #include <lamella/contact/gap_integrals.h>
 
 namespace lamella
@@ -15,10 +15,10 @@ namespace lamella
     public:
       Sums(const ContactSides    &sides,
            const bool             on_second,
-           const CarryingSurface *functions,
+           const SlaveSurface *functions,
            const unsigned int     n_rows)
-        : carrying(*sides.surface(on_second))
-        , opposing(sides.surface(!on_second))
+        : slave(*sides.surface(on_second))
+        , master(sides.surface(!on_second))
         , functions(functions)
         , rows(n_rows)
       {}
@@ -26,15 +26,15 @@ namespace lamella
       void
       add(const unsigned int  number,
           const GapPoint     &point,
-          const Opposition   &at,
+          const MasterPoint   &at,
           const Tensor<1, 3> &slid);
 
       std::vector<GapIntegrals>
       take();
 
     private:
-      const MeshSurface        &carrying, *opposing;
-      const CarryingSurface    *functions;
+      const MeshSurface        &slave, *master;
+      const SlaveSurface    *functions;
       std::vector<GapIntegrals> rows;
       std::vector<double>       trace, trace_opposite;
     };
@@ -44,17 +44,17 @@ namespace lamella
     void
     Sums::add(const unsigned int  number,
               const GapPoint     &point,
-              const Opposition   &at,
+              const MasterPoint   &at,
               const Tensor<1, 3> &slid)
     {
       const Tensor<1, 3>       &n     = at.normal;
-      const MeshSurface::Facet &facet = carrying.facets()[point.carrying.facet];
-      carrying.evaluate_trace(facet, point.carrying.st, trace);
+      const MeshSurface::Facet &facet = slave.facets()[point.slave.facet];
+      slave.evaluate_trace(facet, point.slave.st, trace);
       const std::vector<unsigned int> *beyond = nullptr;
-      if (opposing != nullptr)
+      if (master != nullptr)
         {
-          const auto &other = opposing->facets()[point.opposing.facet];
-          opposing->evaluate_trace(other, point.opposing.st, trace_opposite);
+          const auto &other = master->facets()[point.master.facet];
+          master->evaluate_trace(other, point.master.st, trace_opposite);
           beyond = &other.trace_nodes;
         }
       const SymmetricTensor<2, 3> tangential =
@@ -78,9 +78,9 @@ namespace lamella
           sum.gap += weight * at.hit.distance;
           sum.normal += weight * n;
           sum.slid += weight * slid;
-          add_side(facet.trace_nodes, trace, weight, sum.carrying);
+          add_side(facet.trace_nodes, trace, weight, sum.slave);
           if (beyond != nullptr)
-            add_side(*beyond, trace_opposite, weight, sum.opposing);
+            add_side(*beyond, trace_opposite, weight, sum.master);
         }
     }
 
@@ -96,7 +96,7 @@ namespace lamella
             row.gap *= scale;
             row.normal *= scale;
             row.slid *= scale;
-            for (auto *side : {&row.carrying, &row.opposing})
+            for (auto *side : {&row.slave, &row.master})
               for (auto &[number, node] : *side)
                 {
                   node.normal *= scale;
@@ -109,53 +109,53 @@ namespace lamella
 
 
     /// The places that face each other where they are kept.
-    std::optional<Opposition>
+    std::optional<MasterPoint>
     kept(const ContactSides &sides,
-         const MeshSurface  *opposing,
+         const MeshSurface  *master,
          const GapPoint     &point,
          const Point<3>     &x,
          const Tensor<1, 3> &n1,
-         const double        reach)
+         const double        search_radius)
     {
-      if (opposing == nullptr)
-        return opposing_place(ObstacleSurface(sides.obstacle()), x, n1, reach);
+      if (master == nullptr)
+        return find_master_point(ObstacleSurface(sides.obstacle()), x, n1, search_radius);
       const MeshSurface::Facet &facet =
-        opposing->facets()[point.opposing.facet];
-      Opposition at;
-      at.hit.position = facet.map(point.opposing.st).position;
-      at.hit.normal   = opposing->smooth_normal(facet, point.opposing.st);
+        master->facets()[point.master.facet];
+      MasterPoint at;
+      at.hit.position = facet.map(point.master.st).position;
+      at.hit.normal   = master->smooth_normal(facet, point.master.st);
       at.normal       = n1 - at.hit.normal;
       at.normal /= at.normal.norm();
       at.hit.distance = at.normal * (at.hit.position - x);
-      at.hit.facet    = point.opposing.facet;
-      at.hit.st       = point.opposing.st;
+      at.hit.facet    = point.master.facet;
+      at.hit.st       = point.master.st;
       return at;
     }
 
 
 
-    /// The foot of @p x, from which @p point goes on.
-    std::optional<Opposition>
+    /// The projection of @p x, from which @p point goes on.
+    std::optional<MasterPoint>
     found(const ContactSides &sides,
-          const MeshSurface  *opposing,
+          const MeshSurface  *master,
           GapPoint           &point,
           const Point<3>     &x,
           const Tensor<1, 3> &n1,
-          const double        reach)
+          const double        search_radius)
     {
       const auto hit =
-        opposing == nullptr ?
-          find_foot(*sides.obstacle(), x, n1, reach) :
-          find_foot(*opposing,
+        master == nullptr ?
+          closest_point_projection(*sides.obstacle(), x, n1, search_radius) :
+          closest_point_projection(*master,
                     x,
                     n1,
-                    reach,
-                    point.opposing,
+                    search_radius,
+                    point.master,
                     sides.are_of_edges() ? edge_faces_from : faces_from_60);
       if (!hit)
         return {};
-      point.opposing = {hit->facet, hit->st};
-      Opposition at;
+      point.master = {hit->facet, hit->st};
+      MasterPoint at;
       at.hit    = *hit;
       at.normal = -hit->normal;
       return at;
@@ -165,14 +165,14 @@ namespace lamella
 
 
   std::vector<std::pair<unsigned int, double>>
-  shares_of(const CarryingSurface *functions,
+  shares_of(const SlaveSurface *functions,
             const unsigned int     number,
             const GapPoint        &point)
   {
     if (functions == nullptr)
       return {{number, point.area}};
     std::vector<std::pair<unsigned int, double>> result;
-    const auto  phi = functions->functions_at({point.part, point.carrying.st});
+    const auto  phi = functions->functions_at({point.part, point.slave.st});
     const auto &of_nodes = functions->facets()[point.part].rows;
     for (unsigned int i = 0; i < phi.size(); ++i)
       for (const auto &[row, share] : of_nodes[i])
@@ -185,22 +185,22 @@ namespace lamella
 
   namespace
   {
-    /// What @p point faces, of which it becomes the foot.
-    std::optional<Opposition>
-    opposition(const ContactSides &sides,
+    /// What @p point faces, of which it becomes the projection.
+    std::optional<MasterPoint>
+    master_point(const ContactSides &sides,
                const bool          on_second,
-               const Feet          feet,
-               const double        reach,
+               const MasterPoints          master_points,
+               const double        search_radius,
                GapPoint           &point)
     {
-      const MeshSurface &carrying    = *sides.surface(on_second),
-                        *opposing    = sides.surface(!on_second);
-      const auto &[facet, st]        = point.carrying;
-      const MeshSurface::Facet &from = carrying.facets()[facet];
+      const MeshSurface &slave    = *sides.surface(on_second),
+                        *master    = sides.surface(!on_second);
+      const auto &[facet, st]        = point.slave;
+      const MeshSurface::Facet &from = slave.facets()[facet];
       const Point<3>            x    = from.map(st).position;
-      const Tensor<1, 3>        n1   = carrying.smooth_normal(from, st);
-      return feet == Feet::kept ? kept(sides, opposing, point, x, n1, reach) :
-                                  found(sides, opposing, point, x, n1, reach);
+      const Tensor<1, 3>        n1   = slave.smooth_normal(from, st);
+      return master_points == MasterPoints::paired ? kept(sides, master, point, x, n1, search_radius) :
+                                  found(sides, master, point, x, n1, search_radius);
     }
   } // namespace
 
@@ -209,16 +209,16 @@ namespace lamella
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides    &sides,
                  const bool             on_second,
-                 const CarryingSurface *functions,
+                 const SlaveSurface *functions,
                  const unsigned int     n_rows,
-                 const Feet             feet,
-                 const double           reach,
+                 const MasterPoints             master_points,
+                 const double           search_radius,
                  std::vector<GapPoint> &points,
                  HeldPlaces *const      held)
   {
     Sums sums(sides, on_second, functions, n_rows);
     for (unsigned int q = 0; q < points.size(); ++q)
-      if (const auto at = opposition(sides, on_second, feet, reach, points[q]))
+      if (const auto at = master_point(sides, on_second, master_points, search_radius, points[q]))
         {
           Tensor<1, 3> slid;
           if (held != nullptr && (*held)[q])
@@ -235,13 +235,13 @@ namespace lamella
   HeldPlaces
   held_places(const ContactSides    &sides,
               const bool             on_second,
-              const Feet             feet,
-              const double           reach,
+              const MasterPoints             master_points,
+              const double           search_radius,
               std::vector<GapPoint> &points)
   {
     HeldPlaces held(points.size());
     for (unsigned int q = 0; q < points.size(); ++q)
-      if (const auto at = opposition(sides, on_second, feet, reach, points[q]))
+      if (const auto at = master_point(sides, on_second, master_points, search_radius, points[q]))
         held[q] = held_place(sides, points[q], *at);
     return held;
   }

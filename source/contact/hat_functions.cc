@@ -65,13 +65,13 @@ namespace lamella
 
   HatFunctions::HatFunctions(const Sides &sides)
     : sides(sides)
-    , carrying(*sides.carrying)
-    , nodes(carrying.grid_nodes().size())
-    , opposing_facet(numbers::invalid_unsigned_int)
+    , slave(*sides.slave)
+    , nodes(slave.grid_nodes().size())
+    , master_facet(numbers::invalid_unsigned_int)
   {
-    for (unsigned int f = 0; f < carrying.facets().size(); ++f)
+    for (unsigned int f = 0; f < slave.facets().size(); ++f)
       {
-        const MeshSurface::Facet &facet = carrying.facets()[f];
+        const MeshSurface::Facet &facet = slave.facets()[f];
         const GaussLobattoBasis  &s = *facet.grid_s, &t = *facet.grid_t;
         const auto               &numbers = facet.grid_nodes;
         for (unsigned int j = 0; j + 1 < t.size(); ++j)
@@ -124,7 +124,7 @@ namespace lamella
   HatFunctions::add(const Cell       &cell,
                     const Point<2>   &st,
                     const double      weight,
-                    const Opposition &opposite)
+                    const MasterPoint &opposite)
   {
     const auto            phi = values(cell, st);
     std::array<double, 4> shares;
@@ -142,14 +142,14 @@ namespace lamella
         sums.area += share;
         sums.gap += share * opposite.hit.distance;
         sums.normal += share * opposite.normal;
-        sums.carrying.normal_modulus += share * cell.facet->normal_modulus;
-        sums.carrying.depth += share * cell.facet->depth;
-        if (sides.opposing_mesh != nullptr)
+        sums.slave.normal_modulus += share * cell.facet->normal_modulus;
+        sums.slave.depth += share * cell.facet->depth;
+        if (sides.master_mesh != nullptr)
           {
             const MeshSurface::Facet &other =
-              sides.opposing_mesh->facets()[opposite.hit.facet];
-            sums.opposing.normal_modulus += share * other.normal_modulus;
-            sums.opposing.depth += share * other.depth;
+              sides.master_mesh->facets()[opposite.hit.facet];
+            sums.master.normal_modulus += share * other.normal_modulus;
+            sums.master.depth += share * other.depth;
           }
       }
     add_traces(cell, st, shares, opposite);
@@ -161,7 +161,7 @@ namespace lamella
   HatFunctions::add_traces(const Cell                  &cell,
                            const Point<2>              &st,
                            const std::array<double, 4> &share,
-                           const Opposition            &opposite)
+                           const MasterPoint            &opposite)
   {
     const auto add = [&](std::vector<Tensor<1, 3>> &sums) {
       const unsigned int n = trace.size();
@@ -170,32 +170,32 @@ namespace lamella
         for (unsigned int j = 0; j < n; ++j)
           sums[i * n + j] += (share[i] * trace[j]) * opposite.normal;
     };
-    carrying.evaluate_trace(*cell.facet, st, trace);
-    add(carrying_sums);
-    if (sides.opposing_mesh == nullptr)
+    slave.evaluate_trace(*cell.facet, st, trace);
+    add(slave_sums);
+    if (sides.master_mesh == nullptr)
       return;
-    if (opposite.hit.facet != opposing_facet)
-      close_opposing(cell);
-    opposing_facet = opposite.hit.facet;
-    sides.opposing_mesh->evaluate_trace(
-      sides.opposing_mesh->facets()[opposing_facet], opposite.hit.st, trace);
-    add(opposing_sums);
+    if (opposite.hit.facet != master_facet)
+      close_master(cell);
+    master_facet = opposite.hit.facet;
+    sides.master_mesh->evaluate_trace(
+      sides.master_mesh->facets()[master_facet], opposite.hit.st, trace);
+    add(master_sums);
   }
 
 
 
   void
-  HatFunctions::close_opposing(const Cell &cell)
+  HatFunctions::close_master(const Cell &cell)
   {
-    if (opposing_sums.empty())
+    if (master_sums.empty())
       return;
     const auto &numbers =
-      sides.opposing_mesh->facets()[opposing_facet].trace_nodes;
+      sides.master_mesh->facets()[master_facet].trace_nodes;
     for (unsigned int i = 0; i < 4; ++i)
       for (unsigned int j = 0; j < numbers.size(); ++j)
-        nodes[cell.nodes[i]].sums.opposing_weights.emplace_back(
-          numbers[j], opposing_sums[i * numbers.size() + j]);
-    opposing_sums.clear();
+        nodes[cell.nodes[i]].sums.master_weights.emplace_back(
+          numbers[j], master_sums[i * numbers.size() + j]);
+    master_sums.clear();
   }
 
 
@@ -203,15 +203,15 @@ namespace lamella
   void
   HatFunctions::close(const Cell &cell)
   {
-    close_opposing(cell);
-    if (carrying_sums.empty())
+    close_master(cell);
+    if (slave_sums.empty())
       return;
     const auto &numbers = cell.facet->trace_nodes;
     for (unsigned int i = 0; i < 4; ++i)
       for (unsigned int j = 0; j < numbers.size(); ++j)
-        nodes[cell.nodes[i]].sums.carrying_weights.emplace_back(
-          numbers[j], carrying_sums[i * numbers.size() + j]);
-    carrying_sums.clear();
+        nodes[cell.nodes[i]].sums.slave_weights.emplace_back(
+          numbers[j], slave_sums[i * numbers.size() + j]);
+    slave_sums.clear();
   }
 
 
@@ -230,14 +230,14 @@ namespace lamella
         sums.area += 0.5 * from.sums.area;
         sums.gap += 0.5 * from.sums.gap;
         sums.normal += 0.5 * from.sums.normal;
-        for (const auto side : {&WeightedGap::carrying, &WeightedGap::opposing})
+        for (const auto side : {&WeightedGap::slave, &WeightedGap::master})
           {
             (sums.*side).normal_modulus +=
               0.5 * (from.sums.*side).normal_modulus;
             (sums.*side).depth += 0.5 * (from.sums.*side).depth;
           }
         for (const auto weights :
-             {&WeightedGap::carrying_weights, &WeightedGap::opposing_weights})
+             {&WeightedGap::slave_weights, &WeightedGap::master_weights})
           for (const auto &[number, weight] : from.sums.*weights)
             (sums.*weights).emplace_back(number, 0.5 * weight);
       }
@@ -256,29 +256,29 @@ namespace lamella
         ++result.unpaired;
         return;
       }
-    gap.node     = carrying.grid_location(number);
-    gap.position = carrying.grid_nodes()[number].position;
+    gap.node     = slave.grid_location(number);
+    gap.position = slave.grid_nodes()[number].position;
     gap.spacing  = std::sqrt(node.full_area);
     gap.gap /= gap.area;
     gap.normal /= gap.area;
-    for (LocalStiffness *side : {&gap.carrying, &gap.opposing})
+    for (LocalStiffness *side : {&gap.slave, &gap.master})
       {
         side->area = gap.area;
         side->normal_modulus /= gap.area;
         side->depth /= gap.area;
       }
-    if (sides.opposing_mesh == nullptr)
-      gap.opposing = gap.carrying;
-    for (auto *weights : {&gap.carrying_weights, &gap.opposing_weights})
+    if (sides.master_mesh == nullptr)
+      gap.master = gap.slave;
+    for (auto *weights : {&gap.slave_weights, &gap.master_weights})
       {
         merge(*weights);
         for (auto &[number, weight] : *weights)
           weight /= gap.area;
       }
-    const auto facing = opposing_place(*sides.opposing,
+    const auto facing = find_master_point(*sides.master,
                                        gap.position,
-                                       carrying.grid_nodes()[number].normal,
-                                       sides.reach);
+                                       slave.grid_nodes()[number].normal,
+                                       sides.search_radius);
     if (facing)
       {
         gap.opposite = facing->hit.position;
@@ -290,24 +290,24 @@ namespace lamella
 
 
 
-  std::shared_ptr<const CarryingSurface>
-  HatFunctions::carrying_surface(const std::vector<std::vector<Polygon>> &parts,
+  std::shared_ptr<const SlaveSurface>
+  HatFunctions::slave_surface(const std::vector<std::vector<Polygon>> &parts,
                                  Gaps &result)
   {
     // Those that others hang on come later, and are known before.
-    const auto &hanging = carrying.hanging_nodes();
+    const auto &hanging = slave.hanging_nodes();
     for (auto node = hanging.rbegin(); node != hanging.rend(); ++node)
       for (const unsigned int end : node->ends)
         for (const auto &[row, share] : nodes[end].rows)
           nodes[node->node].rows.emplace_back(row, 0.5 * share);
-    std::vector<CarryingSurface::Facet> facets;
+    std::vector<SlaveSurface::Facet> facets;
     std::vector<unsigned int>           numbers(parts.size());
     for (unsigned int f = 0; f < parts.size(); ++f)
       {
         if (parts[f].empty())
           continue;
         numbers[f]                      = facets.size();
-        const MeshSurface::Facet &facet = carrying.facets()[f];
+        const MeshSurface::Facet &facet = slave.facets()[f];
         facets.push_back({facet.map,
                           facet.side.degree_s,
                           facet.side.degree_t,
@@ -318,9 +318,9 @@ namespace lamella
           facets.back().rows.push_back(nodes[node].rows);
       }
     for (GapPoint &point : result.points)
-      point.part = numbers[point.carrying.facet];
-    return std::make_shared<const CarryingSurface>(
-      CarryingSurface::Functions::hats, result.gaps.size(), std::move(facets));
+      point.part = numbers[point.slave.facet];
+    return std::make_shared<const SlaveSurface>(
+      SlaveSurface::Functions::hats, result.gaps.size(), std::move(facets));
   }
 
 
@@ -329,7 +329,7 @@ namespace lamella
   HatFunctions::finish(std::vector<std::vector<Polygon>> parts, Gaps &result)
   {
     std::vector<bool> hangs(nodes.size(), false);
-    for (const MeshSurface::HangingNode &hanging : carrying.hanging_nodes())
+    for (const MeshSurface::HangingNode &hanging : slave.hanging_nodes())
       {
         // Those that others hang on come later.
         Assert(!hangs[hanging.ends[0]] && !hangs[hanging.ends[1]],
@@ -340,12 +340,12 @@ namespace lamella
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (!hangs[k])
         add_row(k, result);
-    result.surface = carrying_surface(parts, result);
-    result.carrying =
-      renumber(result.gaps, &WeightedGap::carrying_weights, carrying);
-    if (sides.opposing_mesh != nullptr)
-      result.opposing = renumber(result.gaps,
-                                 &WeightedGap::opposing_weights,
-                                 *sides.opposing_mesh);
+    result.surface = slave_surface(parts, result);
+    result.slave =
+      renumber(result.gaps, &WeightedGap::slave_weights, slave);
+    if (sides.master_mesh != nullptr)
+      result.master = renumber(result.gaps,
+                                 &WeightedGap::master_weights,
+                                 *sides.master_mesh);
   }
 } // namespace lamella

@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_grid.h>
 #include <lamella/contact/body_ends.h>
-#include <lamella/contact/carrying_surface.h>
+#include <lamella/contact/slave_surface.h>
 #include <lamella/contact/mesh_surface.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -435,14 +435,14 @@ namespace lamella
   MeshSurface::meet_among(const std::vector<unsigned int> &facets,
                           const Point<3>                  &x,
                           const Tensor<1, 3>              &d,
-                          const double                     reach) const
+                          const double                     search_radius) const
   {
     std::optional<SurfaceHit> nearest;
     for (const unsigned int facet : facets)
       {
         const auto hit = meet_facet(facet, x, d);
         if (hit && std::abs(hit->distance) <=
-                     (nearest ? std::abs(nearest->distance) : reach))
+                     (nearest ? std::abs(nearest->distance) : search_radius))
           nearest = hit;
       }
     return nearest;
@@ -453,9 +453,9 @@ namespace lamella
   std::optional<SurfaceHit>
   MeshSurface::meet(const Point<3>     &x,
                     const Tensor<1, 3> &d,
-                    const double        reach) const
+                    const double        search_radius) const
   {
-    return meet_among(facets_near({x - reach * d, x + reach * d}), x, d, reach);
+    return meet_among(facets_near({x - search_radius * d, x + search_radius * d}), x, d, search_radius);
   }
 
 

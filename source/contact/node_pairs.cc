@@ -17,12 +17,12 @@ namespace lamella
     count_facing(const std::vector<SurfacePoint> &points,
                  const std::vector<bool>         &is_paired,
                  const MeshSurface               &other,
-                 const double                     reach)
+                 const double                     search_radius)
     {
       unsigned int count = 0;
       for (unsigned int k = 0; k < points.size(); ++k)
         if (!is_paired[k] &&
-            opposing_place(other, points[k].position, points[k].normal, reach))
+            find_master_point(other, points[k].position, points[k].normal, search_radius))
           ++count;
       return count;
     }
@@ -41,7 +41,7 @@ namespace lamella
 
 
     NodePairs
-    pair_nodes(const ContactSides &sides, const double reach)
+    pair_nodes(const ContactSides &sides, const double search_radius)
     {
       NodePairs nodes;
       nodes.first            = sides.points(false);
@@ -49,7 +49,7 @@ namespace lamella
       nodes.pairing          = pair_node_to_node(nodes.first,
                                         nodes.second,
                                         sides.contact().tolerance,
-                                        reach);
+                                        search_radius);
       const Pairing &pairing = nodes.pairing;
       if (pairing.pairs.empty() ||
           pairing.unpaired + pairing.unpaired_second == 0)
@@ -62,9 +62,9 @@ namespace lamella
           second_paired[pair.second] = true;
         }
       nodes.beside =
-        count_facing(nodes.first, first_paired, *sides.surface(true), reach);
+        count_facing(nodes.first, first_paired, *sides.surface(true), search_radius);
       nodes.beside_second =
-        count_facing(nodes.second, second_paired, *sides.surface(false), reach);
+        count_facing(nodes.second, second_paired, *sides.surface(false), search_radius);
       return nodes;
     }
 
@@ -89,10 +89,10 @@ namespace lamella
       gap.gap      = pair.initial_gap;
       gap.angle =
         2. * std::asin(std::min(1., 0.5 * (a.normal + b.normal).norm()));
-      gap.carrying         = {a.normal_modulus, area, a.depth};
-      gap.opposing         = {b.normal_modulus, area, b.depth};
-      gap.carrying_weights = {{k, pair.normal}};
-      gap.opposing_weights = {{k, pair.normal}};
+      gap.slave         = {a.normal_modulus, area, a.depth};
+      gap.master         = {b.normal_modulus, area, b.depth};
+      gap.slave_weights = {{k, pair.normal}};
+      gap.master_weights = {{k, pair.normal}};
       return gap;
     }
 
@@ -119,14 +119,14 @@ namespace lamella
 
 
   Discretization
-  decided(const ContactSides &sides, const double reach)
+  decided(const ContactSides &sides, const double search_radius)
   {
     const ContactPair &contact = sides.contact();
     if (contact.discretization != Discretization::automatic)
       return contact.discretization;
     if (contact.obstacle != nullptr)
       return Discretization::surface_to_surface;
-    const NodePairs nodes = pair_nodes(sides, reach);
+    const NodePairs nodes = pair_nodes(sides, search_radius);
     return !nodes.pairing.pairs.empty() &&
                nodes.beside + nodes.beside_second == 0 ?
              Discretization::node_to_node :
@@ -137,10 +137,10 @@ namespace lamella
 
   Gaps
   node_to_node(const ContactSides &sides,
-               const double        reach,
+               const double        search_radius,
                ContactInterface   &interface)
   {
-    const NodePairs nodes = pair_nodes(sides, reach);
+    const NodePairs nodes = pair_nodes(sides, search_radius);
     tell_of_nodes_beside(nodes, interface);
     const Pairing &pairing = nodes.pairing;
     Gaps           result;
@@ -156,8 +156,8 @@ namespace lamella
             continue;
           }
         result.gaps.push_back(gap_between(a, b, pair, result.gaps.size()));
-        result.carrying.push_back(a.location);
-        result.opposing.push_back(b.location);
+        result.slave.push_back(a.location);
+        result.master.push_back(b.location);
       }
     return result;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/foot.h>
+#include <lamella/contact/projection.h>
 #include <lamella/contact/pairing.h>
 #include <lamella/contact/search.h>
 #include <lamella/contact/segments.h>
@@ -39,7 +39,7 @@ namespace lamella
            const unsigned int               i,
            const unsigned int               j,
            const double                     tolerance,
-           const double                     reach)
+           const double                     search_radius)
     {
       const SurfacePoint &a = first[i], &b = second[j];
       const Tensor<1, 3>  sum = a.normal - b.normal;
@@ -53,7 +53,7 @@ namespace lamella
       const Tensor<1, 3>  d      = b.position - a.position;
       const double        offset = (d - (d * n) * n).norm();
       const double close = tolerance * std::sqrt(std::min(a.area, b.area));
-      if (offset > close || d.norm() > reach ||
+      if (offset > close || d.norm() > search_radius ||
           (d.norm() <= close && a.normal * b.normal >= -opposed))
         return {};
       candidate.pair.initial_gap = d * n;
@@ -70,18 +70,18 @@ namespace lamella
                    const unsigned int               i,
                    const std::vector<unsigned int> &nearest,
                    const double                     tolerance,
-                   const double                     reach,
+                   const double                     search_radius,
                    std::vector<Candidate>          &candidates)
     {
       bool found = false;
       for (const unsigned int j : nearest)
-        if (const auto one = facing(first, second, i, j, tolerance, reach))
+        if (const auto one = facing(first, second, i, j, tolerance, search_radius))
           {
             candidates.push_back(*one);
             found = true;
           }
       for (unsigned int j = 0; !found && j < second.size(); ++j)
-        if (const auto one = facing(first, second, i, j, tolerance, reach))
+        if (const auto one = facing(first, second, i, j, tolerance, search_radius))
           candidates.push_back(*one);
     }
 
@@ -110,7 +110,7 @@ namespace lamella
   pair_node_to_node(const std::vector<SurfacePoint> &first,
                     const std::vector<SurfacePoint> &second,
                     const double                     tolerance,
-                    const double                     reach)
+                    const double                     search_radius)
   {
     std::vector<Point<3>> positions;
     for (const SurfacePoint &point : second)
@@ -126,7 +126,7 @@ namespace lamella
         const auto nearest = search.nearest(first[i].position, twins);
         for (const unsigned int j : nearest)
           update_nearest(first[i], second[j], result);
-        add_candidates(first, second, i, nearest, tolerance, reach, candidates);
+        add_candidates(first, second, i, nearest, tolerance, search_radius, candidates);
       }
     std::stable_sort(candidates.begin(),
                      candidates.end(),
@@ -168,23 +168,23 @@ namespace lamella
   bool
   is_too_deep(const Sides &sides, const SurfaceHit &hit, const double depth)
   {
-    return sides.opposing_mesh == nullptr ?
+    return sides.master_mesh == nullptr ?
              -hit.distance > std::max(depth, sides.inside_obstacle) :
              is_too_deep(hit.distance,
                          depth,
-                         sides.opposing_mesh->facets()[hit.facet].depth);
+                         sides.master_mesh->facets()[hit.facet].depth);
   }
 
 
 
   namespace
   {
-    /// The gap of the carrying node @p point; its place has the next number in
+    /// The gap of the slave node @p point; its place has the next number in
     /// @p result, and that of the place opposite, if that is on a mesh.
     WeightedGap
     gap_at(const SurfacePoint &point,
-           const Opposition   &facing,
-           const MeshSurface  *opposing,
+           const MasterPoint   &facing,
+           const MeshSurface  *master,
            Gaps               &result)
     {
       const SurfaceHit &hit = facing.hit;
@@ -197,19 +197,19 @@ namespace lamella
       gap.spacing          = std::sqrt(point.area);
       gap.gap              = hit.distance;
       gap.angle            = facing.angle;
-      gap.carrying         = {point.normal_modulus, point.area, point.depth};
-      gap.opposing         = gap.carrying;
-      gap.carrying_weights = {
-        {static_cast<unsigned int>(result.carrying.size()), facing.normal}};
-      result.carrying.push_back(point.location);
-      if (opposing == nullptr)
+      gap.slave         = {point.normal_modulus, point.area, point.depth};
+      gap.master         = gap.slave;
+      gap.slave_weights = {
+        {static_cast<unsigned int>(result.slave.size()), facing.normal}};
+      result.slave.push_back(point.location);
+      if (master == nullptr)
         return gap;
-      const MeshSurface::Facet &facet = opposing->facets()[hit.facet];
-      gap.opposing         = {facet.normal_modulus, point.area, facet.depth};
-      gap.opposing_weights = {
-        {static_cast<unsigned int>(result.opposing.size()), facing.normal}};
-      result.opposing.push_back(
-        opposing->body().surface_point(facet.side, hit.st).location);
+      const MeshSurface::Facet &facet = master->facets()[hit.facet];
+      gap.master         = {facet.normal_modulus, point.area, facet.depth};
+      gap.master_weights = {
+        {static_cast<unsigned int>(result.master.size()), facing.normal}};
+      result.master.push_back(
+        master->body().surface_point(facet.side, hit.st).location);
       return gap;
     }
   } // namespace
@@ -218,30 +218,30 @@ namespace lamella
 
   namespace
   {
-    std::optional<Opposition>
+    std::optional<MasterPoint>
     place_opposite(const Sides &sides, const SurfacePoint &point)
     {
       if (!sides.of_edges)
-        return opposing_place(*sides.opposing,
+        return find_master_point(*sides.master,
                               point.position,
                               point.normal,
-                              sides.reach);
-      const auto foot = find_foot(*sides.opposing_mesh,
+                              sides.search_radius);
+      const auto projection = closest_point_projection(*sides.master_mesh,
                                   point.position,
                                   point.normal,
-                                  sides.reach,
+                                  sides.search_radius,
                                   {},
                                   edge_faces_from);
-      if (!foot)
+      if (!projection)
         return {};
-      Opposition at;
-      at.hit    = *foot;
-      at.normal = -foot->normal;
+      MasterPoint at;
+      at.hit    = *projection;
+      at.normal = -projection->normal;
       // It may be a little beyond the rim, where no place of the body is.
       for (unsigned int a = 0; a < 2; ++a)
-        at.hit.st[a] = std::clamp(foot->st[a], 0., 1.);
+        at.hit.st[a] = std::clamp(projection->st[a], 0., 1.);
       at.hit.position =
-        sides.opposing_mesh->facets()[foot->facet].map(at.hit.st).position;
+        sides.master_mesh->facets()[projection->facet].map(at.hit.st).position;
       return at;
     }
   } // namespace
@@ -269,7 +269,7 @@ namespace lamella
             continue;
           }
         result.gaps.push_back(
-          gap_at(point, *facing, sides.opposing_mesh, result));
+          gap_at(point, *facing, sides.master_mesh, result));
       }
     return result;
   }
@@ -278,29 +278,29 @@ namespace lamella
 
   unsigned int
   nodes_facing_nothing(const MeshSurface     &a,
-                       const OpposingSurface &b,
-                       const double           reach)
+                       const MasterSurface &b,
+                       const double           search_radius)
   {
     unsigned int count = 0;
     for (const MeshSurface::GridNode &node : a.grid_nodes())
-      count += !opposing_place(b, node.position, node.normal, reach);
+      count += !find_master_point(b, node.position, node.normal, search_radius);
     return count;
   }
 
 
 
   double
-  cells_facing(const MeshSurface &a, const MeshSurface &b, const double reach)
+  cells_facing(const MeshSurface &a, const MeshSurface &b, const double search_radius)
   {
     double cells = 0.;
     for (const MeshSurface::Facet &facet : a.facets())
       {
         const auto facing =
-          opposing_place(b, facet.center, facet.normal, reach);
+          find_master_point(b, facet.center, facet.normal, search_radius);
         const ChordPlane plane(facet.side.corners, facet.normal);
         double           covered = 0.;
         for (const Segment &segment :
-             cut(plane, facing ? facing->normal : facet.normal, b, reach))
+             cut(plane, facing ? facing->normal : facet.normal, b, search_radius))
           covered += segment.area;
         cells += std::min(1., covered / plane.area) * facet.side.degree_s *
                  facet.side.degree_t;

@@ -31,15 +31,15 @@ namespace lamella
       if (places.empty())
         return nullptr;
       const Body
-        &carrying = *bodies[(on_second ? contact.second : contact.first).body],
+        &slave = *bodies[(on_second ? contact.second : contact.first).body],
         &other =
           *bodies[(on_second || contact.obstacle != nullptr ? contact.first :
                                                               contact.second)
                     .body];
-      const BoundingBox<3> box          = carrying.bounding_box(),
+      const BoundingBox<3> box          = slave.bounding_box(),
                            box_of_other = other.bounding_box();
       for (const DeepPlace &place : places)
-        if (is_in(carrying, box, place.opposite) ||
+        if (is_in(slave, box, place.opposite) ||
             (contact.obstacle != nullptr ?
                contains(*contact.obstacle, place.position) :
                is_in(other, box_of_other, place.position)))
@@ -53,7 +53,7 @@ namespace lamella
   void
   fail_without_pairs(const ContactPair &contact,
                      const Bodies      &bodies,
-                     const double       reach)
+                     const double       search_radius)
   {
     const auto points = [&bodies](const Region &region) {
       return bodies[region.body]->surface_points(region.surface);
@@ -64,7 +64,7 @@ namespace lamella
                        "",
                        "nothing of First faces the obstacle '" +
                          contact.obstacle->name + "' within Search distance " +
-                         to_text(reach),
+                         to_text(search_radius),
                        "Check the surface's name and where the obstacle is.");
     const bool to_node = contact.discretization == Discretization::node_to_node;
     const Pairing pairing = pair_node_to_node(points(contact.first),
@@ -90,7 +90,7 @@ namespace lamella
       path,
       "",
       "nothing of First and Second faces each other within Search distance " +
-        to_text(reach),
+        to_text(search_radius),
       nearest + check + ".");
   }
 

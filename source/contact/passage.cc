@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/foot.h>
+#include <lamella/contact/projection.h>
 #include <lamella/contact/pairing.h>
 #include <lamella/contact/passage.h>
 
@@ -123,19 +123,19 @@ namespace lamella
 
 
     /// Whether @p point is behind @p surface, by more than cells are deep if it
-    /// is to be @p too_deep and by less otherwise; feet @p reach away at most.
+    /// is to be @p too_deep and by less otherwise; projections @p search_radius away at most.
     bool
     faces(const MeshSurface  &surface,
           const SurfacePoint &point,
-          const double        reach,
+          const double        search_radius,
           const bool          too_deep)
     {
-      const auto foot =
-        find_foot(surface, point.position, point.normal, reach, {});
-      return foot &&
-             is_too_deep(foot->distance,
+      const auto projection =
+        closest_point_projection(surface, point.position, point.normal, search_radius, {});
+      return projection &&
+             is_too_deep(projection->distance,
                          point.depth,
-                         surface.facets()[foot->facet].depth) == too_deep;
+                         surface.facets()[projection->facet].depth) == too_deep;
     }
   } // namespace
 
@@ -183,13 +183,13 @@ namespace lamella
   {
     const Passage passage(before, after);
     // Behind it may have been by that much, too.
-    const double reach = passage.way + passage.most;
+    const double search_radius = passage.way + passage.most;
     for (const bool second : {false, true})
       for (unsigned int k = 0; k < passage.were[second].size(); ++k)
         if (faces(
-              *after.surface(!second), passage.are[second][k], reach, true) &&
+              *after.surface(!second), passage.are[second][k], search_radius, true) &&
             faces(
-              *before.surface(!second), passage.were[second][k], reach, false))
+              *before.surface(!second), passage.were[second][k], search_radius, false))
           return true;
     return false;
   }

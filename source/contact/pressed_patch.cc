@@ -53,17 +53,17 @@ namespace lamella
 
 
   std::pair<double, double>
-  reach_along(const std::vector<ContactInterface::Point> &points,
+  search_radius_along(const std::vector<ContactInterface::Point> &points,
               const unsigned int                          axis)
   {
-    std::pair<double, double> reach{place_of(points.front())[axis],
+    std::pair<double, double> search_radius{place_of(points.front())[axis],
                                     place_of(points.front())[axis]};
     for (const ContactInterface::Point &point : points)
       {
-        reach.first  = std::min(reach.first, place_of(point)[axis]);
-        reach.second = std::max(reach.second, place_of(point)[axis]);
+        search_radius.first  = std::min(search_radius.first, place_of(point)[axis]);
+        search_radius.second = std::max(search_radius.second, place_of(point)[axis]);
       }
-    return reach;
+    return search_radius;
   }
 
 

@@ -17,7 +17,7 @@ namespace lamella
 
   namespace
   {
-    // Of a facet's length: how far a foot goes beyond a side with a neighbor.
+    // Of a facet's length: how far a projection goes beyond a side with a neighbor.
     constexpr double past_the_side = 0.05;
 
 
@@ -209,8 +209,8 @@ namespace lamella
                       std::vector<GapPoint> &points) const
   {
     for (unsigned int k = 0; k < points.size(); ++k)
-      points[k].carrying =
-        nearest_place(lines[k], now, roller, points[k].carrying);
+      points[k].slave =
+        nearest_place(lines[k], now, roller, points[k].slave);
   }
 
 

@@ -60,17 +60,17 @@ namespace lamella
 
 
   void
-  SearchCheck::look_within(const double            new_reach,
+  SearchCheck::look_within(const double            new_search_radius,
                            const ContactInterface &interface)
   {
-    reach            = new_reach;
+    search_radius            = new_search_radius;
     ContactPair same = contact;
     same.slave_side =
       interface.points_on_second ? SlaveSide::second : SlaveSide::first;
     ContactInterface all;
     try
       {
-        all = interface_within(same, bodies, reach);
+        all = interface_within(same, bodies, search_radius);
       }
     catch (const InputError &)
       {
@@ -101,7 +101,7 @@ namespace lamella
                           2. * std::sqrt(3.) * u.linfty_norm() + obstacle;
     const double most = std::max(*contact.search_distance,
                                  automatic_search_distance(contact, bodies));
-    if (std::min(needed, most) > reach)
+    if (std::min(needed, most) > search_radius)
       look_within(std::min(needed, most), interface);
 
     unsigned int  count   = 0;

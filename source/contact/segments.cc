@@ -64,12 +64,12 @@ namespace lamella
   cut(const ChordPlane   &plane,
       const Tensor<1, 3> &direction,
       const MeshSurface  &other,
-      const double        reach)
+      const double        search_radius)
   {
     // The prism in which the other surface may lie.
     std::vector<Point<3>> prism;
     for (const Point<2> &corner : plane.outline)
-      for (const double along : {-reach, reach})
+      for (const double along : {-search_radius, search_radius})
         prism.push_back(plane.origin + corner[0] * plane.e1 +
                         corner[1] * plane.e2 + along * direction);
 

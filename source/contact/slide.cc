@@ -95,7 +95,7 @@ namespace lamella
   HeldPlace
   held_place(const ContactSides &sides,
              const GapPoint     &point,
-             const Opposition   &at)
+             const MasterPoint   &at)
   {
     HeldPlace held;
     held.point = point;
@@ -114,14 +114,14 @@ namespace lamella
         const bool          on_second,
         const HeldPlace    &then,
         const GapPoint     &now,
-        const Opposition   &at)
+        const MasterPoint   &at)
   {
     Tensor<1, 3> way =
-      way_on(*sides.surface(on_second), then.point.carrying, now.carrying);
+      way_on(*sides.surface(on_second), then.point.slave, now.slave);
     way -=
       sides.obstacle() != nullptr ?
         way_on(*sides.obstacle(), then, at.hit) :
-        way_on(*sides.surface(!on_second), then.point.opposing, now.opposing);
+        way_on(*sides.surface(!on_second), then.point.master, now.master);
     return way - (way * at.normal) * at.normal;
   }
 } // namespace lamella

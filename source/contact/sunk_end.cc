@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/foot.h>
+#include <lamella/contact/projection.h>
 #include <lamella/contact/sunk_end.h>
 
 #include <algorithm>
@@ -19,22 +19,22 @@ namespace lamella
 
 
     /// Returns the closest-point projection of @p point onto @p other, at most
-    /// @p reach away. None if a place that @p point does not face is closer:
+    /// @p search_radius away. None if a place that @p point does not face is closer:
     /// the point is then beside the body and projects onto its far side.
     std::optional<SurfaceHit>
-    nearest_foot(const MeshSurface  &other,
+    nearest_projection(const MeshSurface  &other,
                  const SurfacePoint &point,
-                 const double        reach)
+                 const double        search_radius)
     {
-      const auto foot_of = [&](const double opposed) {
-        return find_foot(
-          other, point.position, point.normal, reach, {}, opposed);
+      const auto projection_of = [&](const double opposed) {
+        return closest_point_projection(
+          other, point.position, point.normal, search_radius, {}, opposed);
       };
-      const auto foot = foot_of(edge_faces_from);
-      if (!foot || std::abs(foot_of(whatever_it_faces)->distance) <
-                     std::abs(foot->distance))
+      const auto projection = projection_of(edge_faces_from);
+      if (!projection || std::abs(projection_of(whatever_it_faces)->distance) <
+                     std::abs(projection->distance))
         return {};
-      return foot;
+      return projection;
     }
 
 
@@ -65,7 +65,7 @@ namespace lamella
   std::optional<SunkEnd>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,
-               const double        reach,
+               const double        search_radius,
                const bool          of_ends)
   {
     std::optional<SunkEnd> deepest;
@@ -80,19 +80,19 @@ namespace lamella
                    other_ends = paired.end_points(!second);
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
-            const auto foot = nearest_foot(other, nodes[k], reach);
-            if (!foot || (of_ends && is_at_end(other, *foot, other_ends)))
+            const auto projection = nearest_projection(other, nodes[k], search_radius);
+            if (!projection || (of_ends && is_at_end(other, *projection, other_ends)))
               continue;
             const Tensor<1, 3> approach =
-              (moved.facets()[foot->facet].map(foot->st).position -
-               foot->position) -
+              (moved.facets()[projection->facet].map(projection->st).position -
+               projection->position) -
               (are[k].position - nodes[k].position);
-            const double depth = foot->normal * approach - foot->distance;
+            const double depth = projection->normal * approach - projection->distance;
             if (depth > (deepest ? deepest->depth : 0.))
               deepest = {second,
                          depth,
-                         other.facets()[foot->facet].depth,
-                         {foot->facet, foot->st}};
+                         other.facets()[projection->facet].depth,
+                         {projection->facet, projection->st}};
           }
       }
     return deepest;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/body/surface_topology.h>
-#include <lamella/contact/carrying_surface.h>
+#include <lamella/contact/slave_surface.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ namespace lamella
 
   namespace
   {
-    using Facet  = CarryingSurface::Facet;
+    using Facet  = SlaveSurface::Facet;
     using Shares = std::vector<std::pair<unsigned int, double>>;
 
     const Polygon unit_square{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
@@ -25,7 +25,7 @@ namespace lamella
     Shares
     row_on(const std::vector<unsigned int> &at_node,
            const Tensor<1, 3>              &normal,
-           const std::vector<CarryingNode> &nodes)
+           const std::vector<SlaveNode> &nodes)
     {
       // cos 60.
       constexpr double like_it = 0.5;
@@ -123,7 +123,7 @@ namespace lamella
     std::vector<Facet>
     all_facets(const Body                      &body,
                const SurfaceTopology           &topology,
-               const std::vector<CarryingNode> &nodes)
+               const std::vector<SlaveNode> &nodes)
     {
       std::vector<std::vector<unsigned int>> at_node(topology.n_grid);
       for (unsigned int k = 0; k < nodes.size(); ++k)
@@ -163,10 +163,10 @@ namespace lamella
 
 
 
-  CarryingSurface
+  SlaveSurface
   surface_of_nodes(const Body                      &body,
                    const std::string               &surface,
-                   const std::vector<CarryingNode> &nodes,
+                   const std::vector<SlaveNode> &nodes,
                    const bool                       whole)
   {
     std::vector<Facet> facets =
@@ -198,7 +198,7 @@ namespace lamella
                                   return has_no_row(facet.rows);
                                 }),
                  facets.end());
-    return CarryingSurface(CarryingSurface::Functions::trace,
+    return SlaveSurface(SlaveSurface::Functions::trace,
                            nodes.size(),
                            std::move(facets));
   }

@@ -33,16 +33,16 @@ namespace lamella
     /// Exact for a hat function times trace functions of both facets, where
     /// these are flat.
     const Quadrature<2> &
-    rule_of_segment(const MeshSurface::Facet &carrying,
-                    const MeshSurface::Facet &opposing)
+    rule_of_segment(const MeshSurface::Facet &slave,
+                    const MeshSurface::Facet &master)
     {
-      const SurfaceFacet &a = carrying.side, &b = opposing.side;
+      const SurfaceFacet &a = slave.side, &b = master.side;
       // A hat function is of degree 2 on triangles.
       const unsigned int degree =
         2 +
         std::max(a.trace_degree_s + a.trace_degree_t,
                  b.trace_degree_s + b.trace_degree_t) +
-        (carrying.map.is_affine() && opposing.map.is_affine() ?
+        (slave.map.is_affine() && master.map.is_affine() ?
            0 :
            degrees_for_curves);
       return triangle_rule(degree);
@@ -61,8 +61,8 @@ namespace lamella
     private:
       using Cell = HatFunctions::Cell;
 
-      /// A point of the carrying side.
-      struct CarryingPoint
+      /// A point of the slave side.
+      struct SlavePoint
       {
         Point<2> st;
         Point<3> position;
@@ -72,7 +72,7 @@ namespace lamella
         double density;
       };
 
-      CarryingPoint
+      SlavePoint
       evaluate(const Cell &cell, const Point<2> &st) const;
       void
       add_cell(const Cell &cell);
@@ -88,7 +88,7 @@ namespace lamella
       add_part(const Cell       &cell,
                const ChordPlane &plane,
                const Polygon    &corners);
-      CarryingPoint
+      SlavePoint
       point_above(const Cell       &cell,
                   const ChordPlane &plane,
                   const Point<2>   &p) const;
@@ -99,16 +99,16 @@ namespace lamella
         const std::vector<unsigned int> &candidates;
         bool                             layered;
       };
-      std::optional<Opposition>
-      opposition(const CarryingPoint &point,
+      std::optional<MasterPoint>
+      master_point(const SlavePoint &point,
                  const Search        &search,
-                 const double         reach,
+                 const double         search_radius,
                  const double         opposed) const;
       void
       add_point(const Cell          &cell,
-                const CarryingPoint &point,
+                const SlavePoint &point,
                 const double         weight,
-                const Opposition    &opposite);
+                const MasterPoint    &opposite);
 
       const Sides &sides;
       HatFunctions hats;
@@ -122,12 +122,12 @@ namespace lamella
     Integrator::Integrator(const Sides &sides)
       : sides(sides)
       , hats(sides)
-      , parts(sides.carrying->facets().size())
+      , parts(sides.slave->facets().size())
     {}
 
 
 
-    Integrator::CarryingPoint
+    Integrator::SlavePoint
     Integrator::evaluate(const Cell &cell, const Point<2> &st) const
     {
       const auto    place   = cell.facet->map(st);
@@ -135,7 +135,7 @@ namespace lamella
       const double  density = normal.norm();
       return {st,
               place.position,
-              sides.carrying->smooth_normal(*cell.facet, st),
+              sides.slave->smooth_normal(*cell.facet, st),
               normal / density,
               density};
     }
@@ -151,18 +151,18 @@ namespace lamella
                        ->map(Point<2>((k % 2 == 0 ? cell.low : cell.high)[0],
                                       (k / 2 == 0 ? cell.low : cell.high)[1]))
                        .position;
-      const CarryingPoint middle =
+      const SlavePoint middle =
         evaluate(cell, cell.low + 0.5 * (cell.high - cell.low));
       const ChordPlane plane(corners, middle.own_normal);
 
-      const auto facing   = opposing_place(*sides.opposing,
+      const auto facing   = find_master_point(*sides.master,
                                          middle.position,
                                          middle.normal,
-                                         sides.reach);
+                                         sides.search_radius);
       const auto segments = cut(plane,
                                 facing ? facing->normal : middle.normal,
-                                *sides.opposing_mesh,
-                                sides.reach);
+                                *sides.master_mesh,
+                                sides.search_radius);
 
       // Facets that overlap lie behind each other.
       std::vector<unsigned int> candidates;
@@ -189,11 +189,11 @@ namespace lamella
       bool               faces = false;
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const CarryingPoint point    = evaluate(cell, cell.at(rule.point(q)));
-          const auto          opposite = opposing_place(*sides.opposing,
+          const SlavePoint point    = evaluate(cell, cell.at(rule.point(q)));
+          const auto          opposite = find_master_point(*sides.master,
                                                point.position,
                                                point.normal,
-                                               sides.reach);
+                                               sides.search_radius);
           if (opposite)
             add_point(cell,
                       point,
@@ -219,15 +219,15 @@ namespace lamella
     {
       const Quadrature<2> &rule =
         rule_of_segment(*cell.facet,
-                        sides.opposing_mesh->facets()[segment.facet]);
+                        sides.master_mesh->facets()[segment.facet]);
       const Polygon &corners = segment.polygon;
       // A segment faces the other side as a whole or not at all, as its middle
       // does: were its points to decide one by one, the area of a row at the
       // end of the reach would be a matter of where the rule has its points.
       const Search search{segment.facet, candidates, layered};
-      if (!opposition(point_above(cell, plane, centroid(corners)),
+      if (!master_point(point_above(cell, plane, centroid(corners)),
                       search,
-                      sides.reach,
+                      sides.search_radius,
                       faces_from_60))
         return;
       add_part(cell, plane, corners);
@@ -238,13 +238,13 @@ namespace lamella
           const double twice_area = along[0] * across[1] - along[1] * across[0];
           for (unsigned int q = 0; q < rule.size() && twice_area > 0.; ++q)
             {
-              const CarryingPoint point =
+              const SlavePoint point =
                 point_above(cell,
                             plane,
                             corners[0] + rule.point(q)[0] * along +
                               rule.point(q)[1] * across);
               const auto opposite =
-                opposition(point, search, anywhere, nearly_faces);
+                master_point(point, search, anywhere, nearly_faces);
               if (opposite)
                 add_point(cell,
                           point,
@@ -274,7 +274,7 @@ namespace lamella
 
 
 
-    Integrator::CarryingPoint
+    Integrator::SlavePoint
     Integrator::point_above(const Cell       &cell,
                             const ChordPlane &plane,
                             const Point<2>   &p) const
@@ -299,32 +299,32 @@ namespace lamella
 
 
 
-    std::optional<Opposition>
-    Integrator::opposition(const CarryingPoint &point,
+    std::optional<MasterPoint>
+    Integrator::master_point(const SlavePoint &point,
                            const Search        &search,
-                           const double         reach,
+                           const double         search_radius,
                            const double         opposed) const
     {
-      const MeshSurface              &mesh = *sides.opposing_mesh;
+      const MeshSurface              &mesh = *sides.master_mesh;
       const std::vector<unsigned int> own{search.facet};
-      const auto                      on_own = opposing_place(
-        SurfacePart(mesh, own), point.position, point.normal, reach, opposed);
+      const auto                      on_own = find_master_point(
+        SurfacePart(mesh, own), point.position, point.normal, search_radius, opposed);
       // Next to the edge of a curved facet the neighbor's segment may begin a
       // little earlier or later than the facet, or be a sliver that was left
       // out.
       if (!on_own)
         {
           const auto beside =
-            opposing_place(SurfacePart(mesh, search.candidates),
+            find_master_point(SurfacePart(mesh, search.candidates),
                            point.position,
                            point.normal,
-                           reach,
+                           search_radius,
                            opposed);
           return beside ? beside :
-                          opposing_place(mesh,
+                          find_master_point(mesh,
                                          point.position,
                                          point.normal,
-                                         std::min(reach, 2. * sides.reach),
+                                         std::min(search_radius, 2. * sides.search_radius),
                                          opposed);
         }
       if (search.layered)
@@ -332,7 +332,7 @@ namespace lamella
           const auto   nearest  = mesh.meet_among(search.candidates,
                                                point.position,
                                                on_own->normal,
-                                               reach);
+                                               search_radius);
           const double rounding = arithmetic::same_place * mesh.body().size();
           if (nearest && std::abs(nearest->distance) + rounding <
                            std::abs(on_own->hit.distance))
@@ -345,9 +345,9 @@ namespace lamella
 
     void
     Integrator::add_point(const Cell          &cell,
-                          const CarryingPoint &point,
+                          const SlavePoint &point,
                           const double         weight,
-                          const Opposition    &opposite)
+                          const MasterPoint    &opposite)
     {
       if (is_too_deep(sides, opposite.hit, cell.facet->depth))
         {
@@ -370,7 +370,7 @@ namespace lamella
       for (const Cell &cell : hats.cells())
         {
           hats.add_full_areas(cell);
-          if (sides.opposing_mesh != nullptr)
+          if (sides.master_mesh != nullptr)
             add_cell(cell);
           else
             add_cell_against_obstacle(cell);

@@ -323,7 +323,7 @@ namespace lamella
       return;
     if (quantity.strip->axis == facing)
       refuse_axis("strips");
-    const auto [begin, end] = reach_along(points, quantity.strip->axis);
+    const auto [begin, end] = search_radius_along(points, quantity.strip->axis);
     if (quantity.strip->to <= begin || quantity.strip->from >= end)
       entry.refuse("the strip is outside of the contact, which reaches from " +
                      to_text(begin) + " to " + to_text(end) + " along " +

@@ -105,7 +105,7 @@ namespace lamella
 
 
     nlohmann::json
-    facet_json(const CarryingSurface::Facet &facet)
+    facet_json(const SlaveSurface::Facet &facet)
     {
       nlohmann::json points = nlohmann::json::array(),
                      parts  = nlohmann::json::array();
@@ -127,7 +127,7 @@ namespace lamella
 
 
 
-    CarryingSurface::Facet
+    SlaveSurface::Facet
     facet_of(const nlohmann::json &json)
     {
       const std::array<unsigned int, 2> degrees = json.at("degrees"),
@@ -168,7 +168,7 @@ namespace lamella
       if (traction.surface() != nullptr)
         {
           surface["hats"] =
-            traction.surface()->functions() == CarryingSurface::Functions::hats;
+            traction.surface()->functions() == SlaveSurface::Functions::hats;
           surface["facets"] = nlohmann::json::array();
           for (const auto &facet : traction.surface()->facets())
             surface["facets"].push_back(facet_json(facet));
@@ -191,15 +191,15 @@ namespace lamella
                         point_of(row.at("shear")),
                         row.at("dissipated")});
       const nlohmann::json                  &surface = json.at("surface");
-      std::shared_ptr<const CarryingSurface> carrier;
+      std::shared_ptr<const SlaveSurface> carrier;
       if (!surface.is_null())
         {
-          std::vector<CarryingSurface::Facet> facets;
+          std::vector<SlaveSurface::Facet> facets;
           for (const auto &facet : surface.at("facets"))
             facets.push_back(facet_of(facet));
-          carrier = std::make_shared<const CarryingSurface>(
-            surface.at("hats") ? CarryingSurface::Functions::hats :
-                                 CarryingSurface::Functions::trace,
+          carrier = std::make_shared<const SlaveSurface>(
+            surface.at("hats") ? SlaveSurface::Functions::hats :
+                                 SlaveSurface::Functions::trace,
             rows.size(),
             std::move(facets));
         }

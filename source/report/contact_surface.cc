@@ -19,10 +19,10 @@ namespace lamella
   {
     /// The cells of the grids of @p surface all of whose corners have points.
     std::vector<ContactSurface::Quadrilateral>
-    quadrilaterals_on(const CarryingSurface &surface)
+    quadrilaterals_on(const SlaveSurface &surface)
     {
       std::vector<ContactSurface::Quadrilateral> quads;
-      for (const CarryingSurface::Facet &facet : surface.facets())
+      for (const SlaveSurface::Facet &facet : surface.facets())
         {
           const unsigned int n = facet.degree_s + 1;
           for (unsigned int j = 0; j < facet.degree_t; ++j)

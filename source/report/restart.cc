@@ -77,8 +77,8 @@ namespace boost
     void
     serialize(Archive &archive, lamella::GapPoint &point, const unsigned int)
     {
-      archive &point.carrying.facet &point.carrying.st &point.opposing
-        .facet &point.opposing.st &point.area &point.part;
+      archive &point.slave.facet &point.slave.st &point.master
+        .facet &point.master.st &point.area &point.part;
     }
 
 

@@ -106,14 +106,14 @@ namespace lamella
   Tensor<1, 2>
   CurveNormals::at(const Point<2> &x) const
   {
-    // An end counts where it is nearer by far than any foot of a normal.
+    // An end counts where it is nearer by far than any projection of a normal.
     constexpr double by_far   = 0.9;
     double           smallest = std::numeric_limits<double>::max();
     Tensor<1, 2>     normal;
     const auto       consider =
       [&](const Side &side, const double s, const double factor) {
-        const Point<2> foot = side.ends[0] + s * (side.ends[1] - side.ends[0]);
-        if (const double distance = factor * x.distance(foot);
+        const Point<2> projection = side.ends[0] + s * (side.ends[1] - side.ends[0]);
+        if (const double distance = factor * x.distance(projection);
             distance < smallest)
           {
             smallest = distance;

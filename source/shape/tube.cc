@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/shape/ellipse_foot.h>
+#include <lamella/shape/ellipse_projection.h>
 #include <lamella/shape/shapes.h>
 
 #include <deal.II/grid/manifold_lib.h>
@@ -13,11 +13,11 @@ namespace lamella
 
   namespace
   {
-    /// The parameter of a point's foot on an ellipse, and its depth below it.
+    /// The parameter of a point's projection on an ellipse, and its depth below it.
     class WallManifold : public ChartManifold<2, 2, 2>
     {
     public:
-      explicit WallManifold(const EllipseFoot &outside)
+      explicit WallManifold(const EllipseProjection &outside)
         : ChartManifold<2, 2, 2>(Point<2>(2. * numbers::PI, 0.))
         , outside(outside)
       {}
@@ -43,7 +43,7 @@ namespace lamella
       }
 
     private:
-      EllipseFoot outside;
+      EllipseProjection outside;
     };
 
 
@@ -84,7 +84,7 @@ namespace lamella
     /// The vertex number @p k of the @p n at @p depth, from the top along t,
     /// towards +x.
     Point<2>
-    vertex_of(const EllipseFoot &outside,
+    vertex_of(const EllipseProjection &outside,
               const double       depth,
               const unsigned int k,
               const unsigned int n)
@@ -100,7 +100,7 @@ namespace lamella
   {
     /// The cells of @p rings, @p n in each, into @p mesh.
     void
-    make_cells(const EllipseFoot &outside,
+    make_cells(const EllipseProjection &outside,
                const Rings       &rings,
                const unsigned int n,
                Triangulation<2>  &mesh)
@@ -132,7 +132,7 @@ namespace lamella
   {
     auto              section = std::make_shared<SectionMesh>();
     const double      a = 0.5 * tube.width, b = 0.5 * tube.height;
-    const EllipseFoot outside(Point<2>(a, b), a, b);
+    const EllipseProjection outside(Point<2>(a, b), a, b);
     const Rings       rings = rings_of(tube);
     Triangulation<2> &mesh  = section->mesh;
     make_cells(outside, rings, tube.cells_around, mesh);

@@ -127,18 +127,18 @@ namespace lamella
   bool
   MovingContacts::ends_have_rows(const unsigned int c) const
   {
-    const auto carrying = [](const ContactInterface &contact) {
+    const auto slave = [](const ContactInterface &contact) {
       return contact.points_on_second ? contact.second_body :
                                         contact.first_body;
     };
-    const auto opposing = [](const ContactInterface &contact) {
+    const auto master = [](const ContactInterface &contact) {
       return contact.points_on_second ? contact.first_body :
                                         contact.second_body;
     };
     return std::any_of(all.begin(), all.end(), [&](const auto &other) {
       return other.discretization == Discretization::edge_to_surface &&
-             carrying(other) == opposing(all[c]) &&
-             opposing(other) == carrying(all[c]);
+             slave(other) == master(all[c]) &&
+             master(other) == slave(all[c]);
     });
   }
 

@@ -431,10 +431,10 @@ BOOST_AUTO_TEST_CASE(end_fields_are_new_and_nested)
   const auto zones = end.zones(held[0]);
   BOOST_REQUIRE(zones.size() > 1);
   for (unsigned int z = 1; z < zones.size(); ++z)
-    BOOST_TEST(zones[z].reach <= zones[z - 1].reach);
+    BOOST_TEST(zones[z].influence_length <= zones[z - 1].influence_length);
   const FieldColumns fields = fields_of(zones);
   BOOST_TEST_MESSAGE("end fields " << fields.n() << ", reach "
-                                   << zones[0].reach);
+                                   << zones[0].influence_length);
   BOOST_TEST(fields.n() > 6);
   BOOST_TEST(largest_product(end.warping, end.warpings, fields) < 1e-9);
   FieldColumns product(fields.n(), fields.n());
@@ -478,7 +478,7 @@ BOOST_AUTO_TEST_CASE(end_fields_are_made_once)
   for (unsigned int z = 0; z < fresh.size(); ++z)
     {
       BOOST_TEST(fresh[z].fields.n() == second[z].fields.n());
-      BOOST_TEST(fresh[z].reach == second[z].reach);
+      BOOST_TEST(fresh[z].influence_length == second[z].influence_length);
     }
 
   held.element = height;
@@ -529,7 +529,7 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
   BOOST_REQUIRE(reused.size() == zones.size());
   for (unsigned int z = 0; z < zones.size(); ++z)
     {
-      BOOST_TEST(reused[z].reach == zones[z].reach);
+      BOOST_TEST(reused[z].influence_length == zones[z].influence_length);
       BOOST_TEST(reused[z].fields.n() == zones[z].fields.n());
     }
   BOOST_TEST(

@@ -522,7 +522,7 @@ BOOST_AUTO_TEST_CASE(slips_are_those_since_the_step_began)
       for (const GapConstraint &row : contact.rows())
         gap.push_back(std::abs(row.gap(u, factor)));
       // Rows that touch are their gradients there, with the way of an obstacle;
-      // the foot of one that does not is moved by turns, too.
+      // the projection of one that does not is moved by turns, too.
       BlockVector near = u;
       near.add(h, d);
       auto predicted = slips(contact, near, factor + h);

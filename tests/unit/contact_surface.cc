@@ -36,14 +36,14 @@ namespace
 
 
   /// What carries the points of @p contact, which are nodes of @p body.
-  std::shared_ptr<const CarryingSurface>
+  std::shared_ptr<const SlaveSurface>
   surface_of(const ContactInterface &contact, const Body &body)
   {
-    std::vector<CarryingNode> nodes;
+    std::vector<SlaveNode> nodes;
     for (const auto &point : contact.points)
       nodes.push_back({point.node, point.normal});
-    return std::make_shared<const CarryingSurface>(
-      surface_of_nodes(body, contact.carrying_surface, nodes, false));
+    return std::make_shared<const SlaveSurface>(
+      surface_of_nodes(body, contact.slave_surface, nodes, false));
   }
 
 
@@ -58,7 +58,7 @@ namespace
     ContactInterface contact;
     contact.name             = "floor";
     contact.second_name      = "plane";
-    contact.carrying_surface = surface;
+    contact.slave_surface = surface;
     for (const SurfacePoint &point :
          structure.bodies()[0]->surface_points(surface))
       if (keep(point))
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(only_faces_of_the_surface)
   contact.points.insert(contact.points.end(),
                         below.points.begin(),
                         below.points.end());
-  contact.carrying_surface = "all";
+  contact.slave_surface = "all";
   contact.surface          = surface_of(contact, *structure->bodies()[0]);
   const ContactSurface surface(contact, *structure);
   BOOST_TEST(surface.quadrilaterals().size() == 48u);

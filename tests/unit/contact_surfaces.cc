@@ -129,25 +129,25 @@ BOOST_AUTO_TEST_CASE(rays_against_closed_forms)
       const MeshSurface top(*beam, "top");
       for (unsigned int k = 0; k < 50; ++k)
         {
-          const Point<3> foot(0.3 + 0.29 * number(random),
+          const Point<3> projection(0.3 + 0.29 * number(random),
                               1.5 + 1.49 * number(random),
                               0.2);
           Tensor<1, 3>   d(
             Point<3>(0.4 * number(random), 0.4 * number(random), -1.));
           d /= d.norm();
           const double t   = 0.1 * number(random);
-          const auto   hit = top.meet(placement.to_scene(foot - t * d),
+          const auto   hit = top.meet(placement.to_scene(projection - t * d),
                                     placement.vector_to_scene(Point<3>(d)),
                                     0.2);
           BOOST_REQUIRE(hit.has_value());
           BOOST_TEST(std::abs(hit->distance - t) < 1e-13);
-          BOOST_TEST(hit->position.distance(placement.to_scene(foot)) < 1e-13);
+          BOOST_TEST(hit->position.distance(placement.to_scene(projection)) < 1e-13);
           BOOST_TEST((hit->normal - placement.axes[2]).norm() < 1e-13);
           // Out of reach, and along the normal instead of against it.
-          BOOST_TEST(!top.meet(placement.to_scene(foot - t * d),
+          BOOST_TEST(!top.meet(placement.to_scene(projection - t * d),
                                placement.vector_to_scene(Point<3>(d)),
                                0.9 * std::abs(t)));
-          BOOST_TEST(!top.meet(placement.to_scene(foot - t * d),
+          BOOST_TEST(!top.meet(placement.to_scene(projection - t * d),
                                placement.vector_to_scene(Point<3>(-d)),
                                0.2));
         }
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(rays_against_closed_forms)
       for (unsigned int k = 0; k < 50; ++k)
         {
           const double   angle = 0.5 * PI * (1. + 0.8 * number(random));
-          const Point<3> foot(0.5 + 0.5 * std::cos(angle),
+          const Point<3> projection(0.5 + 0.5 * std::cos(angle),
                               0.5 + 0.49 * number(random),
                               0.5 * std::sin(angle));
           Tensor<1, 3>   n(Point<3>(std::cos(angle), 0., std::sin(angle)));
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(rays_against_closed_forms)
                                                             number(random)));
           d /= d.norm();
           const double t   = 0.2 * number(random);
-          const auto   hit = arc.meet(placement.to_scene(foot - t * d),
+          const auto   hit = arc.meet(placement.to_scene(projection - t * d),
                                     placement.vector_to_scene(Point<3>(d)),
                                     0.3);
           // Of a chord through the arc the nearer end counts, and only the
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(rays_against_closed_forms)
           // Exactly on the ray and on the body's own surface.
           BOOST_TEST(disc->surface_point(arc.facets()[hit->facet].side, hit->st)
                        .position.distance(
-                         placement.to_scene(foot - t * d) +
+                         placement.to_scene(projection - t * d) +
                          hit->distance *
                            placement.vector_to_scene(Point<3>(d))) < 1e-13);
         }
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(mirrored_bodies_face_each_other_along_the_mirrors_normal)
       for (const SurfacePoint &point : bodies[0]->surface_points("arc"))
         {
           const auto facing =
-            opposing_place(lower, point.position, point.normal, 16.);
+            find_master_point(lower, point.position, point.normal, 16.);
           const double cosine = -point.normal * placement.axes[2];
           BOOST_TEST((facing.has_value() == (cosine > std::sqrt(0.75))),
                      "cosine " << cosine);

@@ -100,7 +100,7 @@ namespace
     const double size  = whole.force.norm();
     for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        const auto [low, high] = reach_along(contact.points, axis);
+        const auto [low, high] = search_radius_along(contact.points, axis);
         ContactTraction::Resultant sum;
         double                     begin = low - 1.;
         for (const double share : {0.13, 0.2, 0.7, 3.})

@@ -264,16 +264,16 @@ namespace
 
   /// The grid of @p x times @p y as a surface with hat functions; nodes and
   /// their rows are numbered along y first.
-  std::shared_ptr<const CarryingSurface>
+  std::shared_ptr<const SlaveSurface>
   grid_surface(const std::vector<double> &x, const std::vector<double> &y)
   {
     const Polygon square{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
-    std::vector<CarryingSurface::Facet> facets;
+    std::vector<SlaveSurface::Facet> facets;
     for (unsigned int i = 0; i + 1 < x.size(); ++i)
       for (unsigned int j = 0; j + 1 < y.size(); ++j)
         {
           const unsigned int     n = y.size(), k = i * n + j;
-          CarryingSurface::Facet facet{FacetMap(1,
+          SlaveSurface::Facet facet{FacetMap(1,
                                                 1,
                                                 {{x[i], y[j], 0.},
                                                  {x[i + 1], y[j], 0.},
@@ -288,8 +288,8 @@ namespace
             facet.rows.push_back({{node, 1.}});
           facets.push_back(facet);
         }
-    return std::make_shared<const CarryingSurface>(
-      CarryingSurface::Functions::hats, x.size() * y.size(), facets);
+    return std::make_shared<const SlaveSurface>(
+      SlaveSurface::Functions::hats, x.size() * y.size(), facets);
   }
 
 

@@ -371,7 +371,7 @@ BOOST_AUTO_TEST_CASE(tractions_on_a_face)
   // k (1, -2, 0): linear between them, nothing beyond, and nothing on the other
   // face. The bodies press each other alike, and rub each other the other way.
   const Polygon square{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
-  std::vector<CarryingSurface::Facet> facets;
+  std::vector<SlaveSurface::Facet> facets;
   for (unsigned int j = 0; j < 2; ++j)
     {
       const double y = j;
@@ -392,7 +392,7 @@ BOOST_AUTO_TEST_CASE(tractions_on_a_face)
   contact.first_body  = 0;
   contact.second_body = 1;
   contact.surface =
-    std::make_shared<const CarryingSurface>(CarryingSurface::Functions::hats,
+    std::make_shared<const SlaveSurface>(SlaveSurface::Functions::hats,
                                             6,
                                             facets);
   std::vector<double>               forces;

@@ -97,7 +97,7 @@ namespace lamella
   {
     FieldColumns fields;
     /// Distance from the end [length].
-    double reach = 0.;
+    double influence_length = 0.;
     /// True if the fields are those of a poorer section.
     bool is_embedded = false;
   };

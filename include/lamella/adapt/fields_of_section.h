@@ -46,7 +46,7 @@ namespace lamella
     /// Returns the distance along the axis within which nodes carry the fields
     /// of group @p g.
     double
-    reach_of(const unsigned int g) const;
+    influence_length_of(const unsigned int g) const;
 
     /// Returns whether there are responses at wave numbers.
     bool
@@ -91,7 +91,7 @@ namespace lamella
       /// Responses to the loads, and to the smooth ones.
       std::vector<Vector> near, far;
       /// Extent of a zone of end fields, which are in `near`; else 0.
-      double reach = 0.;
+      double influence_length = 0.;
       /// True if the group holds a section as a whole.
       bool holds = false;
       /// Returns the sort key of groups near a node, the first added last:
@@ -100,7 +100,7 @@ namespace lamella
       std::pair<double, std::size_t>
       order() const
       {
-        return {reach > 0. ? reach : std::numeric_limits<double>::max(),
+        return {influence_length > 0. ? influence_length : std::numeric_limits<double>::max(),
                 loads.size()};
       }
 

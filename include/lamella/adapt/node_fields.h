@@ -49,7 +49,7 @@ namespace lamella
     TouchRules touches = {};
     /// Distance of responses beyond touched elements over H, and of tractions
     /// of a clamp over the larger extent.
-    double reach = 2., reach_of_clamp = 1.5;
+    double influence_length = 2., influence_length_of_clamp = 1.5;
     /// Cache of end fields for supports that hold a section as a whole, each up
     /// to the end of its zone (EndFieldRules). Without end fields, tractions
     /// S_10 w and S_11 w of the six warpings w are load vectors. Models of one

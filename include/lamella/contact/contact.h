@@ -103,7 +103,7 @@ namespace lamella
      * material points of pair().
      *
      * Nodes against a surface and weighted gaps use closest-point projections
-     * (find_foot()) onto the whole other surface, and b is the exact gradient
+     * (closest_point_projection()) onto the whole other surface, and b is the exact gradient
      * of the gap. Node pairs keep their partners, with the current averaged
      * normal; b then omits the rotation of the normal, multiplied by the
      * tangential offset of the two nodes (stays_paired() bounds it). A row
@@ -260,7 +260,7 @@ namespace lamella
     /// the slips of points @p held.
     std::vector<GapIntegrals>
     integrate(const ContactSides    &sides,
-              const Feet             feet,
+              const MasterPoints             master_points,
               std::vector<GapPoint> &on,
               HeldPlaces *const      held = nullptr) const;
     /// Adds to @p f the effect of @p forces on trace nodes of the slave and
@@ -271,21 +271,21 @@ namespace lamella
       const std::array<std::map<unsigned int, dealii::Tensor<1, 3>>, 2> &forces,
       BlockVector &f) const;
     /// Returns the projection mode without motion.
-    Feet
-    feet_at_rest() const
+    MasterPoints
+    master_points_at_rest() const
     {
-      return undeformed.are_of_edges() ? Feet::found : Feet::kept;
+      return undeformed.are_of_edges() ? MasterPoints::projected : MasterPoints::paired;
     }
     /// Returns the projection mode in a state.
-    Feet
-    feet() const
+    MasterPoints
+    master_points() const
     {
       return interface.discretization == Discretization::node_to_node ?
-               Feet::kept :
-               Feet::found;
+               MasterPoints::paired :
+               MasterPoints::projected;
     }
     /// Returns the surface functions of the rows; null for one-point rows.
-    const CarryingSurface *
+    const SlaveSurface *
     functions() const;
     /// Writes rows and points from the integrals at a state.
     void
@@ -345,7 +345,7 @@ namespace lamella
     ContactInterface &interface;
     /// Search radius. For bodies with finite rotations the given one applies to
     /// the first pairing only; later ones use the length of the longest body.
-    double      reach;
+    double      search_radius;
     SearchCheck search;
 
     /// Lines of a contact with a roller.

@@ -3,7 +3,7 @@
 #ifndef lamella_contact_contact_traction_h
 #define lamella_contact_contact_traction_h
 
-#include <lamella/contact/carrying_surface.h>
+#include <lamella/contact/slave_surface.h>
 
 #include <deal.II/base/array_view.h>
 
@@ -19,7 +19,7 @@ namespace lamella
    * The traction of a contact in a state: the pressure
    *   p(x) = sum_i lambda_i / A_i phi_i(x)
    * with the row forces lambda_i, their functions phi_i on the slave surface
-   * (CarryingSurface) and the tributary areas A_i = int phi_i dA. Hence int p
+   * (SlaveSurface) and the tributary areas A_i = int phi_i dA. Hence int p
    * dA = sum lambda_i, and the force on the second side,
    *   sum_i lambda_i / A_i n_i int phi_i dA = sum lambda_i n_i,
    * is the resultant of the rows to rounding for all surfaces and meshes, with
@@ -56,7 +56,7 @@ namespace lamella
 
     /// Creates the traction of @p rows, in order, on @p surface. If that is
     /// null all rows are point forces.
-    ContactTraction(std::shared_ptr<const CarryingSurface> surface,
+    ContactTraction(std::shared_ptr<const SlaveSurface> surface,
                     std::vector<Row>                       rows);
 
     /// Creates the traction of @p contact with the row @p forces and, with
@@ -76,15 +76,15 @@ namespace lamella
 
     /// Returns the traction at @p place of the surface.
     Value
-    at(const CarryingSurface::Place &place) const;
+    at(const SlaveSurface::Place &place) const;
 
     /// Returns the traction where the line through @p x along the unit vector
-    /// @p n meets the surface within @p reach [length], zero otherwise. Suits
+    /// @p n meets the surface within @p search_radius [length], zero otherwise. Suits
     /// points on both sides of the contact.
     Value
     on_line(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &n,
-            const double                reach) const;
+            const double                search_radius) const;
 
     /// Force and moment about the origin of the scene, on the second side.
     struct Resultant
@@ -118,7 +118,7 @@ namespace lamella
     }
 
     /// Returns the surface; null if unknown.
-    const std::shared_ptr<const CarryingSurface> &
+    const std::shared_ptr<const SlaveSurface> &
     surface() const
     {
       return carrier;
@@ -129,7 +129,7 @@ namespace lamella
     /// of its centroid from that of phi_i, times the share: int_strip x phi_i
     /// dA / A_i - share int x phi_i dA / A_i. A point force is inside or
     /// outside @p strip.
-    std::vector<CarryingSurface::Integrals>
+    std::vector<SlaveSurface::Integrals>
     inside(const ContactStrip &strip) const;
     /// Returns true if row @p k is on no facet.
     bool
@@ -138,7 +138,7 @@ namespace lamella
       return carrier == nullptr || carrier->integrals()[k].area == 0.;
     }
 
-    std::shared_ptr<const CarryingSurface> carrier;
+    std::shared_ptr<const SlaveSurface> carrier;
     std::vector<Row>                       all;
   };
 } // namespace lamella

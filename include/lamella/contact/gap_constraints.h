@@ -9,7 +9,7 @@
 #ifndef lamella_contact_gap_constraints_h
 #define lamella_contact_gap_constraints_h
 
-#include <lamella/contact/carrying_surface.h>
+#include <lamella/contact/slave_surface.h>
 #include <lamella/contact/constraint_geometry.h>
 #include <lamella/contact/contact_pair.h>
 #include <lamella/contact/pairing.h>
@@ -172,7 +172,7 @@ namespace lamella
     /// with an obstacle and for `node to node`.
     bool points_on_second = false;
     /// Name of the slave surface.
-    std::string carrying_surface;
+    std::string slave_surface;
     /// Number of nodes of either side that face nothing of the other (for `node
     /// to node` no node), and may pass through the other body. Zero on an
     /// obstacle.
@@ -188,7 +188,7 @@ namespace lamella
     ConstraintGeometry first, second;
     /// Slave surface with the functions of the rows, on which their forces are
     /// a pressure (ContactTraction). Never null from make_interface().
-    std::shared_ptr<const CarryingSurface> surface = {};
+    std::shared_ptr<const SlaveSurface> surface = {};
     /// Integration points of the gaps, for `surface to surface` only, from
     /// which Contact moves the gaps.
     std::vector<GapPoint> sampled;
@@ -333,7 +333,7 @@ namespace lamella
   /// Returns the search distance of @p contact, given or automatic [length].
   /// Throws InputError if a surface of the contact does not exist.
   double
-  search_reach(const ContactPair &contact, const Bodies &bodies);
+  search_radius_of(const ContactPair &contact, const Bodies &bodies);
 
   /**
    * Creates the gap rows of @p contact on the undeformed @p bodies:
@@ -361,17 +361,17 @@ namespace lamella
   make_interface(const ContactPair &contact, const Bodies &bodies);
 
   /// Creates the interface as make_interface() does, with the search radius
-  /// @p reach [length] in place of the search distance; the names of the
+  /// @p search_radius [length] in place of the search distance; the names of the
   /// surfaces must be valid. Throws InputError as make_interface() does.
   ContactInterface
   interface_within(const ContactPair &contact,
                    const Bodies      &bodies,
-                   const double       reach);
+                   const double       search_radius);
 
   /// Creates the interface on the surfaces @p sides. The overlap of displaced
   /// sides is not checked.
   ContactInterface
-  interface_within(const ContactSides &sides, const double reach);
+  interface_within(const ContactSides &sides, const double search_radius);
 } // namespace lamella
 
 #endif

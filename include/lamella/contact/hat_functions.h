@@ -57,7 +57,7 @@ namespace lamella
     add(const Cell             &cell,
         const dealii::Point<2> &st,
         const double            weight,
-        const Opposition       &opposite);
+        const MasterPoint       &opposite);
 
     /// Completes @p cell; no more points may be added.
     void
@@ -89,26 +89,26 @@ namespace lamella
     add_traces(const Cell                  &cell,
                const dealii::Point<2>      &st,
                const std::array<double, 4> &share,
-               const Opposition            &opposite);
+               const MasterPoint            &opposite);
     void
-    close_opposing(const Cell &cell);
+    close_master(const Cell &cell);
     void
     share_out(const MeshSurface::HangingNode &hanging);
     void
     add_row(const unsigned int node, Gaps &result);
-    std::shared_ptr<const CarryingSurface>
-    carrying_surface(const std::vector<std::vector<Polygon>> &parts,
+    std::shared_ptr<const SlaveSurface>
+    slave_surface(const std::vector<std::vector<Polygon>> &parts,
                      Gaps                                    &result);
 
     const Sides       &sides;
-    const MeshSurface &carrying;
+    const MeshSurface &slave;
     std::vector<Cell>  grid;
     std::vector<Node>  nodes;
 
     /// Integrals of hat times trace function times n on the current cell; on
-    /// the opposing side for one facet at a time.
-    std::vector<dealii::Tensor<1, 3>> carrying_sums, opposing_sums;
-    unsigned int                      opposing_facet;
+    /// the master side for one facet at a time.
+    std::vector<dealii::Tensor<1, 3>> slave_sums, master_sums;
+    unsigned int                      master_facet;
     std::vector<double>               trace;
   };
 } // namespace lamella

@@ -6,7 +6,7 @@
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/facet_map.h>
 #include <lamella/body/surface_topology.h>
-#include <lamella/contact/opposing_surface.h>
+#include <lamella/contact/master_surface.h>
 #include <lamella/contact/search.h>
 
 #include <deal.II/base/polynomial.h>
@@ -38,7 +38,7 @@ namespace lamella
    * locations are requested from the body, which must outlive this object.
    * Scene axes.
    */
-  class MeshSurface : public OpposingSurface
+  class MeshSurface : public MasterSurface
   {
   public:
     /// Creates the undeformed surface; @p surface is one of Body::surfaces()
@@ -196,19 +196,19 @@ namespace lamella
                const dealii::Tensor<1, 3> &d) const;
 
     /// Returns the nearest intersection with @p facets, numbers in facets(), at
-    /// most @p reach away in either direction.
+    /// most @p search_radius away in either direction.
     std::optional<SurfaceHit>
     meet_among(const std::vector<unsigned int> &facets,
                const dealii::Point<3>          &x,
                const dealii::Tensor<1, 3>      &d,
-               const double                     reach) const;
+               const double                     search_radius) const;
 
     /// Returns the nearest intersection, testing only facets whose boxes meet
-    /// that of the segment x +- reach d. @p reach must be finite.
+    /// that of the segment x +- reach d. @p search_radius must be finite.
     std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
-         const double                reach) const override;
+         const double                search_radius) const override;
 
     /// Returns the normal at the center of the facet whose box is nearest to
     /// @p x.
@@ -268,10 +268,10 @@ namespace lamella
     BoxSearch            boxes;
   };
 
-  /// A subset of the facets of a surface as an opposing surface. Refers to the
+  /// A subset of the facets of a surface as an master surface. Refers to the
   /// surface and the list, which must outlive it; normal_near() uses the whole
   /// surface.
-  class SurfacePart : public OpposingSurface
+  class SurfacePart : public MasterSurface
   {
   public:
     SurfacePart(const MeshSurface               &whole,
@@ -283,9 +283,9 @@ namespace lamella
     std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
-         const double                reach) const override
+         const double                search_radius) const override
     {
-      return whole.meet_among(facets, x, d, reach);
+      return whole.meet_among(facets, x, d, search_radius);
     }
 
     dealii::Tensor<1, 3>

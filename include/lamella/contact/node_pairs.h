@@ -9,17 +9,17 @@
 namespace lamella
 {
   /// Returns the discretization of a contact. `automatic`: node to node if
-  /// every node that faces the other surface within @p reach [length] faces one
+  /// every node that faces the other surface within @p search_radius [length] faces one
   /// of its nodes, else surface to surface.
   Discretization
-  decided(const ContactSides &sides, const double reach);
+  decided(const ContactSides &sides, const double search_radius);
 
   /// Returns node pairs (pair_node_to_node()) as weighted gaps: one place per
   /// side, w = v = n, and the smaller tributary area. Nodes without a partner
   /// are counted in @p interface, with a note if they face the other surface.
   Gaps
   node_to_node(const ContactSides &sides,
-               const double        reach,
+               const double        search_radius,
                ContactInterface   &interface);
 } // namespace lamella
 

@@ -3,7 +3,7 @@
 #ifndef lamella_contact_pairing_h
 #define lamella_contact_pairing_h
 
-#include <lamella/contact/carrying_surface.h>
+#include <lamella/contact/slave_surface.h>
 #include <lamella/contact/constraint_geometry.h>
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/mesh_surface.h>
@@ -40,7 +40,7 @@ namespace lamella
 
   /**
    * Returns node-to-node pairs: points aligned along the average of both
-   * normals and at most @p reach apart. Each point is in at most one pair,
+   * normals and at most @p search_radius apart. Each point is in at most one pair,
    * nearest first; swapping the two sets only swaps the pairs and reverses the
    * normals.
    *
@@ -58,7 +58,7 @@ namespace lamella
     const std::vector<SurfacePoint> &first,
     const std::vector<SurfacePoint> &second,
     const double                     tolerance,
-    const double reach = std::numeric_limits<double>::infinity());
+    const double search_radius = std::numeric_limits<double>::infinity());
 
   /**
    * Geometry of a gap row,
@@ -86,10 +86,10 @@ namespace lamella
     double angle = 0.;
     /// Stiffnesses for the automatic penalty; for an obstacle that of the slave
     /// side.
-    LocalStiffness carrying, opposing;
+    LocalStiffness slave, master;
     /// Weights w_j and v_k by numbers of locations in Gaps, both along n. The
-    /// opposing ones are empty for an obstacle.
-    ConstraintGeometry::Weights carrying_weights, opposing_weights;
+    /// master ones are empty for an obstacle.
+    ConstraintGeometry::Weights slave_weights, master_weights;
   };
 
   /// A point farther behind the other surface than the depth of the cells
@@ -109,12 +109,12 @@ namespace lamella
   struct GapPoint
   {
     /// Slave point; facet numbers of MeshSurface.
-    MeshSurface::FacetPlace carrying;
+    MeshSurface::FacetPlace slave;
     /// Opposite point; its facet is invalid_unsigned_int for an obstacle.
-    MeshSurface::FacetPlace opposing;
+    MeshSurface::FacetPlace master;
     /// Area a_q of the point [length^2]; 1 for one-point rows.
     double area = 1.;
-    /// Number of the facet in the CarryingSurface with the functions phi_i;
+    /// Number of the facet in the SlaveSurface with the functions phi_i;
     /// unused for one-point rows.
     unsigned int part = 0;
   };
@@ -124,30 +124,30 @@ namespace lamella
   {
     std::vector<WeightedGap> gaps;
     /// Locations, in the cells of either body, to which the weights refer; no
-    /// opposing ones for an obstacle.
-    std::vector<Location> carrying, opposing;
+    /// master ones for an obstacle.
+    std::vector<Location> slave, master;
     /// Number of slave points that face nothing, excluding those that are too
     /// deep.
     unsigned int           unpaired = 0;
     std::vector<DeepPlace> too_deep;
     /// Surface of the hat functions; null for nodal functions.
-    std::shared_ptr<const CarryingSurface> surface = {};
+    std::shared_ptr<const SlaveSurface> surface = {};
     /// Integration points of the gaps for hat functions.
     std::vector<GapPoint> points = {};
   };
 
   /// Slave and master side of a discretization. The master is a mesh, or an
-  /// obstacle if opposing_mesh is null. Refers to the surfaces, which must
+  /// obstacle if master_mesh is null. Refers to the surfaces, which must
   /// outlive it.
   struct Sides
   {
-    const MeshSurface     *carrying      = nullptr;
-    const OpposingSurface *opposing      = nullptr;
-    const MeshSurface     *opposing_mesh = nullptr;
+    const MeshSurface     *slave      = nullptr;
+    const MasterSurface *master      = nullptr;
+    const MeshSurface     *master_mesh = nullptr;
     /// Search radius along the averaged normal [length].
-    double reach = 0.;
+    double search_radius = 0.;
     /// Edge contact: points are projected onto the nearest places of
-    /// opposing_mesh, along the normals there (find_foot()).
+    /// master_mesh, along the normals there (closest_point_projection()).
     bool of_edges = false;
     /// Permitted depth in an obstacle for any cell depth [length], so that
     /// penetrating points can be pushed out.
@@ -177,18 +177,18 @@ namespace lamella
                        const std::vector<SurfacePoint> &points);
 
   /// Returns the number of grid nodes of @p a that face no place of @p b within
-  /// @p reach [length], searching for each.
+  /// @p search_radius [length], searching for each.
   unsigned int
   nodes_facing_nothing(const MeshSurface     &a,
-                       const OpposingSurface &b,
-                       const double           reach);
+                       const MasterSurface &b,
+                       const double           search_radius);
 
   /// Returns the number of grid cells (degree_s x degree_t per facet) of @p a
   /// that face @p b, parts of facets by area, for SlaveSide::automatic. Facets
   /// are cut as plane quadrilaterals with those opposite (cut()); the area of
   /// overlapping facets of @p b counts up to that of the facet.
   double
-  cells_facing(const MeshSurface &a, const MeshSurface &b, const double reach);
+  cells_facing(const MeshSurface &a, const MeshSurface &b, const double search_radius);
 } // namespace lamella
 
 #endif

@@ -8,13 +8,13 @@
 
 namespace lamella
 {
-  /// Throws InputError of a contact without any pair within @p reach [length];
+  /// Throws InputError of a contact without any pair within @p search_radius [length];
   /// the message gives the nearest distance of nodes, and for node pairs the
   /// smallest tangential offset.
   [[noreturn]] void
   fail_without_pairs(const ContactPair &contact,
                      const Bodies      &bodies,
-                     const double       reach);
+                     const double       search_radius);
 
   /// Throws InputError if a point of @p gaps that is too deep lies inside the
   /// other body, or if all points are too deep. Such points either face away

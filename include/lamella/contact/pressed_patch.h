@@ -19,7 +19,7 @@ namespace lamella
   /// Returns the range of @p points of a contact along the scene axis @p axis
   /// [length].
   std::pair<double, double>
-  reach_along(const std::vector<ContactInterface::Point> &points,
+  search_radius_along(const std::vector<ContactInterface::Point> &points,
               const unsigned int                          axis);
 
   /**
@@ -29,7 +29,7 @@ namespace lamella
    *
    * *Lines.* Normal to the facing axis, points are grouped into lines along one
    * of the other two axes: chains of neighbors on the grid of the slave surface
-   * (CarryingSurface::lines()). Runs of points with a force on a line are
+   * (SlaveSurface::lines()). Runs of points with a force on a line are
    * loaded, up to an edge on either side:
    *
    * - the last point, where the contact itself ends there;

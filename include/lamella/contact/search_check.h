@@ -77,15 +77,15 @@ namespace lamella
       std::optional<unsigned int> seen;
     };
 
-    /// Fills `unseen` from the rows within @p new_reach; the slave side is that
+    /// Fills `unseen` from the rows within @p new_search_radius; the slave side is that
     /// of @p interface.
     void
-    look_within(const double new_reach, const ContactInterface &interface);
+    look_within(const double new_search_radius, const ContactInterface &interface);
 
     const ContactPair &contact;
     const Bodies      &bodies;
     /// Search radius so far [length]; 0 initially, never decreasing.
-    double              reach = 0.;
+    double              search_radius = 0.;
     std::vector<Unseen> unseen;
   };
 } // namespace lamella

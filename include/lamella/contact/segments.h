@@ -51,7 +51,7 @@ namespace lamella
 
   /**
    * Returns the segments of the piece @p plane with the facets of @p other
-   * within @p reach, projected along @p direction (the averaged normal at the
+   * within @p search_radius, projected along @p direction (the averaged normal at the
    * center of the piece), by ascending facets. Omits segments below 1e-11 of
    * the area of the piece, and facets seen from the side (normal within a
    * cosine of 0.1 of perpendicular to @p direction) or from behind. Segments of
@@ -61,7 +61,7 @@ namespace lamella
   cut(const ChordPlane           &plane,
       const dealii::Tensor<1, 3> &direction,
       const MeshSurface          &other,
-      const double                reach);
+      const double                search_radius);
 } // namespace lamella
 
 #endif

@@ -4,7 +4,7 @@
 #define lamella_contact_slide_h
 
 #include <lamella/contact/contact_sides.h>
-#include <lamella/contact/opposing_surface.h>
+#include <lamella/contact/master_surface.h>
 #include <lamella/contact/pairing.h>
 
 #include <array>
@@ -50,7 +50,7 @@ namespace lamella
   HeldPlace
   held_place(const ContactSides &sides,
              const GapPoint     &point,
-             const Opposition   &at);
+             const MasterPoint   &at);
 
   /**
    * Returns the slip of the surface that @p now faces at @p at relative to that
@@ -68,7 +68,7 @@ namespace lamella
         const bool          on_second,
         const HeldPlace    &then,
         const GapPoint     &now,
-        const Opposition   &at);
+        const MasterPoint   &at);
 } // namespace lamella
 
 #endif

@@ -23,14 +23,14 @@ namespace lamella
 
   /// Returns the deepest node of either body, or of its ends alone, behind the
   /// surface of the other in the configuration @p now. Projections are at most
-  /// @p reach away [length] and the closest of all. They are made on the sides
+  /// @p search_radius away [length] and the closest of all. They are made on the sides
   /// as @p paired: current ones for finite rotations, else undeformed. Faces
   /// that slide over an end have no contact constraint for its nodes, unless
   /// these are contact points.
   std::optional<SunkEnd>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,
-               const double        reach,
+               const double        search_radius,
                const bool          of_ends);
 } // namespace lamella
 

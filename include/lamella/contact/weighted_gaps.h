@@ -17,7 +17,7 @@ namespace lamella
    *   g_i = 1/A_i int phi_i n . (u_2(X_2) - u_1(X_1)) dA,
    *   A_i = int phi_i dA,
    * over the part of the surface that faces the other side, with the place X_2
-   * opposite X_1 and the averaged normal n there (opposing_place()). The row
+   * opposite X_1 and the averaged normal n there (find_master_point()). The row
    * forces lambda_i are the continuous pressure
    *   p = sum_i (lambda_i / A_i) phi_i,
    * positive everywhere if the forces are.
@@ -42,7 +42,7 @@ namespace lamella
    * - The hat function of a hanging node is distributed in halves to the nodes
    *   between which it hangs; it has no row.
    * - Against an obstacle there are no kinks: Gauss points on the cells, two
-   *   degrees higher, and no opposing weights.
+   *   degrees higher, and no master weights.
    *
    * Rows are in the order of the slave grid nodes. The cost is that of the
    * Gauss points, each projected along n to the other side by a fixed-point

@@ -133,7 +133,7 @@ namespace lamella
     /// Friction coefficient of Coulomb's law.
     double friction = 0.;
     /// Surface that carries the rows; null if unknown.
-    std::shared_ptr<const CarryingSurface> surface = {};
+    std::shared_ptr<const SlaveSurface> surface = {};
   };
 
   /// Results of a run, without references to a scene, body or solver. Console,

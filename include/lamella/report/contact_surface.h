@@ -15,7 +15,7 @@
 namespace lamella
 {
   /// Mesh of the points of a contact, for pictures only: the grid cells of its
-  /// CarryingSurface whose four corners have points. Other points stand alone.
+  /// SlaveSurface whose four corners have points. Other points stand alone.
   /// The cells are found once and drawn in each load step.
   class ContactSurface
   {

@@ -64,7 +64,7 @@ namespace lamella
     facing_places(const ContactPair &contact, const Bodies &bodies)
     {
       const Body           &body  = *bodies[contact.first.body];
-      const double          reach = contact.search_distance ?
+      const double          search_radius = contact.search_distance ?
                                       *contact.search_distance :
                                       automatic_search_distance(contact, bodies);
       std::vector<Point<3>> places;
@@ -76,7 +76,7 @@ namespace lamella
               body.surface_point(facet, Point<2>(0.5 * (k % 3), 0.5 * (k / 3)));
             const auto hit =
               meet(*contact.obstacle, from.position, from.normal);
-            if (hit && std::abs(hit->distance) <= reach)
+            if (hit && std::abs(hit->distance) <= search_radius)
               places.push_back(hit->position);
           }
       if (places.empty())
@@ -84,7 +84,7 @@ namespace lamella
                          "",
                          "nothing of First faces the obstacle '" +
                            contact.obstacle->name +
-                           "' within Search distance " + to_text(reach),
+                           "' within Search distance " + to_text(search_radius),
                          "Check the surface's name and where the obstacle is.");
       return places;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_shape_ellipse_foot_h
-#define lamella_shape_ellipse_foot_h
+#ifndef lamella_shape_ellipse_projection_h
+#define lamella_shape_ellipse_projection_h
 
 #include <deal.II/base/point.h>
 
@@ -12,12 +12,12 @@ namespace lamella
   ///   E(phi) = center + (a cos phi, b sin phi),
   /// with the outward normal n = (b cos phi, a sin phi) over its length. Curves
   /// at a constant depth are parallel to it, and no ellipses unless a = b.
-  class EllipseFoot
+  class EllipseProjection
   {
   public:
     /// Constructs an ellipse with semi-axes @p a along x and @p b along z, both
     /// positive [length].
-    EllipseFoot(const dealii::Point<2> &center, const double a, const double b)
+    EllipseProjection(const dealii::Point<2> &center, const double a, const double b)
       : center(center)
       , a(a)
       , b(b)

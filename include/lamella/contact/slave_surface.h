@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_contact_carrying_surface_h
-#define lamella_contact_carrying_surface_h
+#ifndef lamella_contact_slave_surface_h
+#define lamella_contact_slave_surface_h
 
 #include <lamella/body/facet_map.h>
 #include <lamella/contact/polygon.h>
@@ -38,7 +38,7 @@ namespace lamella
    * Undeformed geometry without reference to a body; created by
    * make_interface() and shared.
    */
-  class CarryingSurface
+  class SlaveSurface
   {
   public:
     enum class Functions
@@ -64,7 +64,7 @@ namespace lamella
     };
 
     /// Creates the surface with @p n_rows rows, which @p facets refer to.
-    CarryingSurface(const Functions    functions,
+    SlaveSurface(const Functions    functions,
                     const unsigned int n_rows,
                     std::vector<Facet> facets);
 
@@ -101,12 +101,12 @@ namespace lamella
     };
 
     /// Returns the nearest intersection of the surface with the line through
-    /// @p x along the unit vector @p d, up to @p reach [length] in both
+    /// @p x along the unit vector @p d, up to @p search_radius [length] in both
     /// directions.
     std::optional<Place>
     on_line(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &d,
-            const double                reach) const;
+            const double                search_radius) const;
 
     /// Returns the nodal functions of the facet at @p place, in order: a
     /// partition of unity on the facet.
@@ -164,7 +164,7 @@ namespace lamella
 
   /// A node with a row: its location in the body, and the normal of the row, of
   /// either sign.
-  struct CarryingNode
+  struct SlaveNode
   {
     Location             location;
     dealii::Tensor<1, 3> normal;
@@ -182,10 +182,10 @@ namespace lamella
    * Nodes between others that have rows, where the body has an expansion of
    * lower degree, share their functions with these.
    */
-  CarryingSurface
+  SlaveSurface
   surface_of_nodes(const Body                      &body,
                    const std::string               &surface,
-                   const std::vector<CarryingNode> &nodes,
+                   const std::vector<SlaveNode> &nodes,
                    const bool                       whole);
 
   /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/foot.h>
+#include <lamella/contact/projection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace lamella
 
   namespace
   {
-    // Of a facet's length: how far a foot goes beyond a side with a neighbor,
+    // Of a facet's length: how far a projection goes beyond a side with a neighbor,
     // and beyond the rim along a body. Strips of one width have points on
     // each other's rims, which bending moves to and fro across them.
     constexpr double beyond = 0.05, beyond_rim = 0.01;
@@ -43,7 +43,7 @@ namespace lamella
 
 
     /// Whether @p st is on the facet, or @p or_near it: as far beyond a side as
-    /// a foot goes.
+    /// a projection goes.
     bool
     is_on(const MeshSurface::Facet &facet,
           const Point<2>           &st,
@@ -60,7 +60,7 @@ namespace lamella
 
 
 
-    /// The place @p st of facet @p number as the foot of @p x, where the normal
+    /// The place @p st of facet @p number as the projection of @p x, where the normal
     /// @p n1 is; none where they do not face each other.
     std::optional<SurfaceHit>
     hit_at(const MeshSurface  &surface,
@@ -85,28 +85,28 @@ namespace lamella
 
 
 
-    /// The nearest foot of @p x on the facets within @p reach. Between two
-    /// facets that bulge a foot is on the continuation of either.
+    /// The nearest projection of @p x on the facets within @p search_radius. Between two
+    /// facets that bulge a projection is on the continuation of either.
     std::optional<SurfaceHit>
-    nearest_foot(const MeshSurface  &surface,
+    nearest_projection(const MeshSurface  &surface,
                  const Point<3>     &x,
                  const Tensor<1, 3> &n1,
-                 const double        reach,
+                 const double        search_radius,
                  const double        opposed)
     {
-      const Tensor<1, 3>        around({reach, reach, reach});
+      const Tensor<1, 3>        around({search_radius, search_radius, search_radius});
       std::optional<SurfaceHit> on, continued;
       for (const unsigned int number :
            surface.facets_near({x - around, x + around}))
         {
           const MeshSurface::Facet &facet = surface.facets()[number];
-          const auto                st    = foot_on(facet.map, x, {0.5, 0.5});
+          const auto                st    = projection_on(facet.map, x, {0.5, 0.5});
           if (!st || !is_on(facet, *st, true))
             continue;
           auto &nearest = is_on(facet, *st, false) ? on : continued;
           if (const auto hit = hit_at(surface, number, *st, x, n1, opposed);
               hit && std::abs(hit->distance) <=
-                       (nearest ? std::abs(nearest->distance) : reach))
+                       (nearest ? std::abs(nearest->distance) : search_radius))
             nearest = hit;
         }
       return on ? on : continued;
@@ -116,7 +116,7 @@ namespace lamella
 
 
   std::optional<Point<2>>
-  foot_on(const FacetMap &map, const Point<3> &x, const Point<2> &start)
+  projection_on(const FacetMap &map, const Point<3> &x, const Point<2> &start)
   {
     constexpr unsigned int max_iterations = 30;
     Point<2>               st             = start;
@@ -139,26 +139,26 @@ namespace lamella
 
 
   std::optional<SurfaceHit>
-  find_foot(const MeshSurface                            &surface,
+  closest_point_projection(const MeshSurface                            &surface,
             const Point<3>                               &x,
             const Tensor<1, 3>                           &n1,
-            const double                                  reach,
+            const double                                  search_radius,
             const std::optional<MeshSurface::FacetPlace> &last,
             const double                                  opposed)
   {
     if (last)
       {
         const MeshSurface::Facet &facet = surface.facets()[last->facet];
-        if (const auto st = foot_on(facet.map, x, last->st);
+        if (const auto st = projection_on(facet.map, x, last->st);
             st && is_on(facet, *st, true))
           if (const auto hit =
                 hit_at(surface, last->facet, *st, x, n1, opposed);
-              hit && std::abs(hit->distance) <= reach)
+              hit && std::abs(hit->distance) <= search_radius)
             return hit;
       }
     // What is near is among few facets.
     for (const double share : {1. / 64., 1. / 8., 1.})
-      if (const auto hit = nearest_foot(surface, x, n1, share * reach, opposed))
+      if (const auto hit = nearest_projection(surface, x, n1, share * search_radius, opposed))
         return hit;
     return {};
   }
@@ -166,10 +166,10 @@ namespace lamella
 
 
   std::optional<SurfaceHit>
-  find_foot(const Obstacle     &obstacle,
+  closest_point_projection(const Obstacle     &obstacle,
             const Point<3>     &x,
             const Tensor<1, 3> &n1,
-            const double        reach)
+            const double        search_radius)
   {
     SurfaceHit   hit;
     Tensor<1, 3> r = x - obstacle.point;
@@ -187,7 +187,7 @@ namespace lamella
         hit.distance = r.norm() - obstacle.radius;
       }
     hit.position = x - hit.distance * hit.normal;
-    if (std::abs(hit.distance) > reach || n1 * hit.normal > -faces_from_60)
+    if (std::abs(hit.distance) > search_radius || n1 * hit.normal > -faces_from_60)
       return {};
     return hit;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/shape/ellipse_foot.h>
+#include <lamella/shape/ellipse_projection.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -15,7 +15,7 @@ namespace lamella
   using namespace dealii;
 
   double
-  EllipseFoot::parameter(const Point<2> &x) const
+  EllipseProjection::parameter(const Point<2> &x) const
   {
     const Tensor<1, 2> d = x - center;
     if (a == b)
@@ -43,7 +43,7 @@ namespace lamella
 
 
   Point<2>
-  EllipseFoot::point(const double phi) const
+  EllipseProjection::point(const double phi) const
   {
     return {center[0] + a * std::cos(phi), center[1] + b * std::sin(phi)};
   }
@@ -51,7 +51,7 @@ namespace lamella
 
 
   Tensor<1, 2>
-  EllipseFoot::normal(const double phi) const
+  EllipseProjection::normal(const double phi) const
   {
     const Point<2> n(b * std::cos(phi), a * std::sin(phi));
     return n / n.norm();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_contact_opposing_surface_h
-#define lamella_contact_opposing_surface_h
+#ifndef lamella_contact_master_surface_h
+#define lamella_contact_master_surface_h
 
 #include <lamella/contact/obstacle.h>
 
@@ -21,25 +21,25 @@ namespace lamella
   };
 
   /// Interface of a master surface for the projection of points onto it
-  /// (closest-point projection along an averaged normal, opposing_place()).
+  /// (closest-point projection along an averaged normal, find_master_point()).
   /// Implemented by the mesh of a body, a subset of its facets and a rigid
   /// obstacle. Undeformed positions, scene axes and units.
-  class OpposingSurface
+  class MasterSurface
   {
   public:
-    virtual ~OpposingSurface() = default;
+    virtual ~MasterSurface() = default;
 
     /// Returns the nearest intersection, in either direction and at most
-    /// @p reach away, of the line x + t d, with unit d, and the surface,
+    /// @p search_radius away, of the line x + t d, with unit d, and the surface,
     /// entered against its outward normal. Its distance is t, negative for
     /// overlap. Empty if there is none.
     virtual std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
-         const double                reach) const = 0;
+         const double                search_radius) const = 0;
 
     /// Returns the outward unit normal somewhere near the point of the surface
-    /// nearest to @p x, a first guess for opposing_place() (0 on the axis of a
+    /// nearest to @p x, a first guess for find_master_point() (0 on the axis of a
     /// cylinder).
     virtual dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const = 0;
@@ -47,10 +47,10 @@ namespace lamella
 
   /// Pair of facing points of a gap function: the place opposite X_1 with
   /// outward normal n_1.
-  struct Opposition
+  struct MasterPoint
   {
     SurfaceHit hit;
-    /// Unit normal n of opposing_place(); the initial gap is hit.distance.
+    /// Unit normal n of find_master_point(); the initial gap is hit.distance.
     dealii::Tensor<1, 3> normal;
     /// Angle between n_1 and -n_2 [rad]; 0 if opposed.
     double angle = 0.;
@@ -70,19 +70,19 @@ namespace lamella
    * @p opposed is the smallest cosine of the angle between n_1 and -n_2.
    *
    * Empty if the normals are not opposed, if the other surface is farther than
-   * @p reach [length] along n, or if the iteration does not converge to 1e-11
+   * @p search_radius [length] along n, or if the iteration does not converge to 1e-11
    * in 50 steps (none on flat faces, two or three near contact).
    */
-  std::optional<Opposition>
-  opposing_place(const OpposingSurface      &other,
+  std::optional<MasterPoint>
+  find_master_point(const MasterSurface      &other,
                  const dealii::Point<3>     &x,
                  const dealii::Tensor<1, 3> &n1,
-                 const double                reach,
+                 const double                search_radius,
                  const double                opposed = faces_from_60);
 
   /// Exact surface of a rigid obstacle (see meet() of an Obstacle) at its
   /// initial position. Shares the obstacle.
-  class ObstacleSurface : public OpposingSurface
+  class ObstacleSurface : public MasterSurface
   {
   public:
     explicit ObstacleSurface(std::shared_ptr<const Obstacle> obstacle);
@@ -90,7 +90,7 @@ namespace lamella
     std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
-         const double                reach) const override;
+         const double                search_radius) const override;
     dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const override;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/opposing_surface.h>
+#include <lamella/contact/master_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +26,11 @@ namespace lamella
 
 
 
-  std::optional<Opposition>
-  opposing_place(const OpposingSurface &other,
+  std::optional<MasterPoint>
+  find_master_point(const MasterSurface &other,
                  const Point<3>        &x,
                  const Tensor<1, 3>    &n1,
-                 const double           reach,
+                 const double           search_radius,
                  const double           opposed)
   {
     // The error of an iterate is at most a few times its last change.
@@ -38,14 +38,14 @@ namespace lamella
     constexpr double       small = arithmetic::rounding, accepted = 1e-11;
 
     Tensor<1, 3> n   = n1;
-    auto         hit = other.meet(x, n, reach);
+    auto         hit = other.meet(x, n, search_radius);
     if (!hit)
       {
         const Tensor<1, 3> near = other.normal_near(x);
         if (n1 * near > -opposed)
           return {};
         n   = *averaged_normal(n1, near);
-        hit = other.meet(x, n, reach);
+        hit = other.meet(x, n, search_radius);
       }
     double change = 1.;
     for (unsigned int k = 0; hit && k < max_iterations; ++k)
@@ -57,12 +57,12 @@ namespace lamella
         if (change < small)
           break;
         n   = *next;
-        hit = other.meet(x, n, reach);
+        hit = other.meet(x, n, search_radius);
       }
     if (!hit || change > accepted || n1 * hit->normal > -opposed)
       return {};
     // |n_1 - n_2| = 2 cos(angle / 2), |n_1 + n_2| = 2 sin(angle / 2).
-    return Opposition{
+    return MasterPoint{
       *hit, n, 2. * std::asin(std::min(1., 0.5 * (n1 + hit->normal).norm()))};
   }
 
@@ -77,10 +77,10 @@ namespace lamella
   std::optional<SurfaceHit>
   ObstacleSurface::meet(const Point<3>     &x,
                         const Tensor<1, 3> &d,
-                        const double        reach) const
+                        const double        search_radius) const
   {
     const std::optional<Hit> hit = lamella::meet(*obstacle, x, d);
-    if (!hit || std::abs(hit->distance) > reach)
+    if (!hit || std::abs(hit->distance) > search_radius)
       return {};
     SurfaceHit result;
     static_cast<Hit &>(result) = *hit;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_contact_foot_h
-#define lamella_contact_foot_h
+#ifndef lamella_contact_closest_point_projection_h
+#define lamella_contact_closest_point_projection_h
 
 #include <lamella/contact/mesh_surface.h>
 
@@ -19,13 +19,13 @@ namespace lamella
    * iteration does not converge.
    */
   std::optional<dealii::Point<2>>
-  foot_on(const FacetMap         &map,
+  projection_on(const FacetMap         &map,
           const dealii::Point<3> &x,
           const dealii::Point<2> &start);
 
   /**
    * Returns the closest-point projection of @p x with outward normal @p n1 onto
-   * @p surface: the nearest one within @p reach whose facet normal n_2 opposes
+   * @p surface: the nearest one within @p search_radius whose facet normal n_2 opposes
    * n_1. @p opposed is the smallest cosine of the angle between n_1 and -n_2.
    * The normal of the hit is n_2, and its distance the gap
    *   g = n_2 . (x - X_2),
@@ -39,10 +39,10 @@ namespace lamella
    * beyond its ends.
    */
   std::optional<SurfaceHit>
-  find_foot(const MeshSurface                            &surface,
+  closest_point_projection(const MeshSurface                            &surface,
             const dealii::Point<3>                       &x,
             const dealii::Tensor<1, 3>                   &n1,
-            const double                                  reach,
+            const double                                  search_radius,
             const std::optional<MeshSurface::FacetPlace> &last,
             const double opposed = faces_from_60);
 
@@ -50,10 +50,10 @@ namespace lamella
   /// position: g = N . (x - p) for a plane, g = |r| - R for a cylinder with r =
   /// x - p normal to its axis. Empty on the axis.
   std::optional<SurfaceHit>
-  find_foot(const Obstacle             &obstacle,
+  closest_point_projection(const Obstacle             &obstacle,
             const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &n1,
-            const double                reach);
+            const double                search_radius);
 } // namespace lamella
 
 #endif

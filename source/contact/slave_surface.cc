@@ -3,7 +3,7 @@
 #include <lamella/base/gauss_lobatto_grid.h>
 #include <lamella/base/inverse_map.h>
 #include <lamella/body/surface_topology.h>
-#include <lamella/contact/carrying_surface.h>
+#include <lamella/contact/slave_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +122,7 @@ namespace lamella
 
 
 
-  CarryingSurface::CarryingSurface(const Functions    functions,
+  SlaveSurface::SlaveSurface(const Functions    functions,
                                    const unsigned int n_rows,
                                    std::vector<Facet> facets)
     : kind(functions)
@@ -148,7 +148,7 @@ namespace lamella
 
 
   void
-  CarryingSurface::evaluate(const Facet         &facet,
+  SlaveSurface::evaluate(const Facet         &facet,
                             const Point<2>      &st,
                             std::vector<double> &values) const
   {
@@ -172,7 +172,7 @@ namespace lamella
 
 
   std::vector<double>
-  CarryingSurface::functions_at(const Place &place) const
+  SlaveSurface::functions_at(const Place &place) const
   {
     std::vector<double> values;
     evaluate(all[place.facet], place.st, values);
@@ -182,7 +182,7 @@ namespace lamella
 
 
   void
-  CarryingSurface::add_integrals(const Facet            &facet,
+  SlaveSurface::add_integrals(const Facet            &facet,
                                  const Polygon          &part,
                                  std::vector<Integrals> &sums) const
   {
@@ -221,8 +221,8 @@ namespace lamella
 
 
 
-  std::vector<CarryingSurface::Integrals>
-  CarryingSurface::integrals(const ContactStrip &strip) const
+  std::vector<SlaveSurface::Integrals>
+  SlaveSurface::integrals(const ContactStrip &strip) const
   {
     std::vector<Integrals> sums(rows);
     for (const Facet &facet : all)
@@ -234,17 +234,17 @@ namespace lamella
 
 
 
-  std::optional<CarryingSurface::Place>
-  CarryingSurface::on_line(const Point<3>     &x,
+  std::optional<SlaveSurface::Place>
+  SlaveSurface::on_line(const Point<3>     &x,
                            const Tensor<1, 3> &d,
-                           const double        reach) const
+                           const double        search_radius) const
   {
     if (all.empty())
       return {};
     std::optional<Place> nearest;
-    double               least = reach;
+    double               least = search_radius;
     for (const unsigned int f : boxes.meeting(
-           BoundingBox<3>(std::vector<Point<3>>{x - reach * d, x + reach * d})))
+           BoundingBox<3>(std::vector<Point<3>>{x - search_radius * d, x + search_radius * d})))
       {
         const Facet &facet = all[f];
         const auto   st    = place_on_line(facet.map, x, d);
@@ -282,7 +282,7 @@ namespace lamella
 
     /// The nodes of @p facet that have rows of their own.
     void
-    add_nodes(const CarryingSurface::Facet &facet, LineNodes &nodes)
+    add_nodes(const SlaveSurface::Facet &facet, LineNodes &nodes)
     {
       const GaussLobattoBasis &s = GaussLobattoBasis::of_degree(facet.degree_s),
                               &t = GaussLobattoBasis::of_degree(facet.degree_t);
@@ -302,7 +302,7 @@ namespace lamella
     /// Links those of @p facet that follow each other on a line of its grid, if
     /// @p order of two places is not 0: 1 if the second comes after the first.
     void
-    link(const CarryingSurface::Facet                                 &facet,
+    link(const SlaveSurface::Facet                                 &facet,
          const std::function<int(const Point<3> &, const Point<3> &)> &order,
          LineNodes                                                    &nodes)
     {
@@ -343,7 +343,7 @@ namespace lamella
 
 
   std::vector<std::vector<std::vector<unsigned int>>>
-  CarryingSurface::lines(const unsigned int axis,
+  SlaveSurface::lines(const unsigned int axis,
                          const unsigned int across) const
   {
     LineNodes nodes;
