@@ -32,7 +32,7 @@ namespace lamella
   {
     List                                 list;
     std::unique_ptr<Structure>           structure;
-    std::shared_ptr<const Linearization> factors;
+    std::shared_ptr<const TangentOperator> factors;
     Vector                               u;
   };
 
@@ -42,7 +42,7 @@ namespace lamella
   {
     const Scene                       scene;
     std::shared_ptr<const Section>    section;
-    std::shared_ptr<const FieldSpace> space;
+    std::shared_ptr<const SectionSpace> space;
     std::shared_ptr<const Axis>       axis;
 
     /// The section of the scene in @p file with the functions of LE-3,
@@ -57,7 +57,7 @@ namespace lamella
       const SaintVenant states(*section);
       const Warping     warping(*section);
       space =
-        std::make_shared<FieldSpace>(section,
+        std::make_shared<SectionSpace>(section,
                                      saint_venant_warpings(states, warping));
 
       AxisMesh description = scene.bodies[0].axis;
@@ -119,7 +119,7 @@ namespace lamella
       Vector             result(axis->n_nodes() * n);
       for (unsigned int k = 0; k < list.size(); ++k)
         {
-          const Vector field = space->in_section_fields(list[k]);
+          const Vector field = space->in_section_functions(list[k]);
           for (unsigned int node = 0; node < axis->n_nodes(); ++node)
             for (unsigned int alpha = 0; alpha < n; ++alpha)
               result[node * n + alpha] +=

@@ -18,7 +18,7 @@ namespace lamella
 
   double
   first_element(const Section       &section,
-                const HeldSection   &held,
+                const ConstrainedSection   &held,
                 const EndFieldRules &rules)
   {
     const double H = section.extents().first;
@@ -34,7 +34,7 @@ namespace lamella
     /// A beam with all fields, its axis graded to the held end.
     std::unique_ptr<Beam>
     make_piece(const std::shared_ptr<const Section> &section,
-               const HeldSection                    &held,
+               const ConstrainedSection                    &held,
                const EndFieldRules                  &rules)
     {
       const double length = rules.length * section->extents().second;
@@ -54,7 +54,7 @@ namespace lamella
 
     /// The rows of @p held at the DoFs of @p piece.
     std::vector<PrescribedFunctional>
-    rows_of(const HeldSection &held, const Beam &piece)
+    rows_of(const ConstrainedSection &held, const Beam &piece)
     {
       const unsigned int node =
         held.goes_forward ? 0 : piece.axis().n_nodes() - 1;
@@ -135,7 +135,7 @@ namespace lamella
     std::vector<Vector>
     solutions(const Beam                              &piece,
               const SaintVenant                       &states,
-              const HeldSection                       &held,
+              const ConstrainedSection                       &held,
               const std::vector<PrescribedFunctional> &rows,
               const std::vector<HeatedSection>        &heat)
     {
@@ -188,7 +188,7 @@ namespace lamella
     Snapshots
     snapshots_of(const Beam                &piece,
                  const std::vector<Vector> &u,
-                 const HeldSection         &held)
+                 const ConstrainedSection         &held)
     {
       const Axis  &axis    = piece.axis();
       const auto   lengths = axis.node_weights();
@@ -275,7 +275,7 @@ namespace lamella
              const SaintVenant                    &states,
              const Warping                        &warping,
              const FieldColumns                   &warpings,
-             const HeldSection                    &held,
+             const ConstrainedSection                    &held,
              const std::vector<HeatedSection>     &heat,
              const EndFieldRules                  &rules)
   {
@@ -312,7 +312,7 @@ namespace lamella
                                   arithmetic::same_place * beam.axis().length();
                        });
         if (touches[t].holds_section && is_first)
-          for (const HeldSection &held : held_sections(touches, t, beam.axis()))
+          for (const ConstrainedSection &held : constrained_sections(touches, t, beam.axis()))
             if (const auto piece = make_piece(section, held, rules);
                 piece->n_dofs() <= rules.most_dofs)
               nodes += piece->axis().n_nodes();

@@ -155,10 +155,10 @@ namespace lamella
 
 
   const std::vector<unsigned int> &
-  FieldsOfSection::zones_of(const HeldSection &held)
+  FieldsOfSection::zones_of(const ConstrainedSection &held)
   {
     End         end{held, {}, {}};
-    HeldSection opposite  = held;
+    ConstrainedSection opposite  = held;
     opposite.goes_forward = !held.goes_forward;
     for (const End &known : ends)
       {
@@ -191,10 +191,10 @@ namespace lamella
 
   std::vector<unsigned int>
   FieldsOfSection::groups_of(const Touch                    &touch,
-                             const std::vector<HeldSection> &held)
+                             const std::vector<ConstrainedSection> &held)
   {
     std::vector<unsigned int> result;
-    for (const HeldSection &one : held)
+    for (const ConstrainedSection &one : held)
       {
         const auto &zones = zones_of(one);
         result.insert(result.end(), zones.begin(), zones.end());

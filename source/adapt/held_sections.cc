@@ -13,14 +13,14 @@ namespace lamella
 {
   using namespace dealii;
 
-  std::vector<HeldSection>
-  held_sections(const std::vector<Touch> &touches,
+  std::vector<ConstrainedSection>
+  constrained_sections(const std::vector<Touch> &touches,
                 const unsigned int        t,
                 const Axis               &axis)
   {
     const double y         = touches[t].begin,
                  tolerance = arithmetic::same_place * axis.length();
-    HeldSection held;
+    ConstrainedSection held;
     held.element = touches[t].element;
     for (const Touch &touch : touches)
       if ((touch.holds_section || touch.is_free) &&
@@ -31,7 +31,7 @@ namespace lamella
                            touch.held.end());
           held.by.push_back(touch.name);
         }
-    std::vector<HeldSection> result;
+    std::vector<ConstrainedSection> result;
     for (const bool forward : {true, false})
       if (forward ? y < axis.length() - tolerance : y > tolerance)
         {
@@ -44,7 +44,7 @@ namespace lamella
 
 
   bool
-  HeldSection::is_as_long_as(const HeldSection &other) const
+  ConstrainedSection::is_as_long_as(const ConstrainedSection &other) const
   {
     return std::abs(element - other.element) <= arithmetic::alike * element;
   }
@@ -52,7 +52,7 @@ namespace lamella
 
 
   bool
-  alike(const HeldSection &a, const HeldSection &b)
+  alike(const ConstrainedSection &a, const ConstrainedSection &b)
   {
     if (a.goes_forward != b.goes_forward || a.rows.size() != b.rows.size() ||
         !a.is_as_long_as(b))
@@ -95,7 +95,7 @@ namespace lamella
   std::vector<EndZone>
   mirrored(const std::vector<EndZone> &zones,
            const Section              &section,
-           const HeldSection          &held)
+           const ConstrainedSection          &held)
   {
     std::vector<int> sign(section.n_fields());
     for (unsigned int a = 0; a < sign.size(); ++a)

@@ -11,7 +11,7 @@ namespace lamella
   using namespace dealii;
 
   bool
-  suffice(const std::vector<EndZone> &zones, const HeldSection &held)
+  suffice(const std::vector<EndZone> &zones, const ConstrainedSection &held)
   {
     return !held.is_looked_at ||
            std::none_of(zones.begin(), zones.end(), [](const EndZone &zone) {
@@ -113,10 +113,10 @@ namespace lamella
                    const SaintVenant                    &states,
                    const Warping                        &warping,
                    const FieldColumns                   &warpings,
-                   const HeldSection                    &held,
+                   const ConstrainedSection                    &held,
                    const std::vector<HeatedSection>     &heat)
   {
-    HeldSection of_piece = held;
+    ConstrainedSection of_piece = held;
     of_piece.element     = first_element(*section, held, rules);
     const auto same =
       std::find_if(known.begin(), known.end(), [&](const Known &one) {
@@ -151,7 +151,7 @@ namespace lamella
 
 
   std::size_t
-  EndFields::poorer(const Section &section, const HeldSection &held) const
+  EndFields::poorer(const Section &section, const ConstrainedSection &held) const
   {
     std::size_t  best   = known.size();
     unsigned int degree = 0;

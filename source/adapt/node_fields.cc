@@ -8,8 +8,8 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/independent_rows.h>
 #include <lamella/base/text.h>
-#include <lamella/body/green_beam.h>
-#include <lamella/body/reissner_beam.h>
+#include <lamella/body/total_lagrangian_beam.h>
+#include <lamella/body/geometrically_exact_beam.h>
 #include <lamella/recover/box_points.h>
 
 #include <algorithm>
@@ -185,7 +185,7 @@ namespace lamella
 
 
     /// What holds @p beam at the touch number @p t of @p body.
-    std::vector<HeldSection>
+    std::vector<ConstrainedSection>
     looked_at_sections(const Beam          &beam,
                        const TouchedBody   &body,
                        const unsigned int   t,
@@ -193,8 +193,8 @@ namespace lamella
     {
       const double near = rules.looked_at * beam.section().extents().second,
                    y    = body.touches[t].begin;
-      auto held         = held_sections(body.touches, t, beam.axis());
-      for (HeldSection &one : held)
+      auto held         = constrained_sections(body.touches, t, beam.axis());
+      for (ConstrainedSection &one : held)
         {
           one.body = beam.name();
           one.is_looked_at =
@@ -330,13 +330,13 @@ namespace lamella
     /// nodes.
     std::unique_ptr<Beam>
     with_lists(const Beam                                   &beam,
-               const std::shared_ptr<const FieldSpace>      &space,
+               const std::shared_ptr<const SectionSpace>      &space,
                const BodyDescription                        &description,
                const std::vector<std::vector<unsigned int>> &lists)
     {
       const std::string label = label_of(description, lists);
-      if (description.turns)
-        return std::make_unique<ReissnerBeam>(
+      if (description.has_finite_rotations)
+        return std::make_unique<GeometricallyExactBeam>(
           beam.name(), space, beam.shared_axis(), beam.place(), lists, label);
       return std::make_unique<Beam>(
         beam.name(), space, beam.shared_axis(), beam.place(), lists, label);
@@ -357,7 +357,7 @@ namespace lamella
             " the nodes of this body carry all fields of its section, and "
             "elements of lower degree lock where these turn far",
           "Take B4, or more elements.");
-      return std::make_unique<GreenBeam>(beam.name(),
+      return std::make_unique<TotalLagrangianBeam>(beam.name(),
                                          beam.fields().shared_section(),
                                          beam.shared_axis(),
                                          beam.place());
@@ -403,7 +403,7 @@ namespace lamella
       for (const TouchedBody &body : touched)
         if (const unsigned int b = body.number; !body.lists.empty())
           bodies[b] = with_lists(*beams[b], space, descriptions[b], body.lists);
-        else if (descriptions[b].turns)
+        else if (descriptions[b].has_finite_rotations)
           bodies[b] = turning_with_all(*beams[b], descriptions[b]);
     }
 

@@ -133,7 +133,7 @@ namespace lamella
   {
     const auto lists = lists_by_degree(beam, description.pieces);
     return std::make_unique<Beam>(beam.name(),
-                                  std::make_shared<FieldSpace>(
+                                  std::make_shared<SectionSpace>(
                                     beam.fields().shared_section()),
                                   beam.shared_axis(),
                                   beam.place(),

@@ -39,7 +39,7 @@ namespace lamella
     for (unsigned int t = 0; t < touches.size(); ++t)
       if (touches[t].holds_section)
         {
-          const auto held = held_sections(touches, t, beam.axis());
+          const auto held = constrained_sections(touches, t, beam.axis());
           if (held[0].rows.size() < beam.section().n_fields() &&
               held[0].by[0] == touches[t].name)
             notes.push_back(

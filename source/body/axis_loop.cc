@@ -45,13 +45,13 @@ namespace lamella
   void
   AxisLoop::for_each_element(const UseOfElement &use) const
   {
-    std::unique_ptr<const SectionAnswer> answer;
+    std::unique_ptr<const SectionOperator> answer;
     const auto [begin, end] = axis.own_cells();
     for (unsigned int cell = begin; cell < end; ++cell)
       {
         std::vector<unsigned int> fields = fields_of_element(cell);
         if (answer == nullptr || answer->fields() != fields)
-          answer = make_section_answer(space,
+          answer = make_section_operator(space,
                                        std::move(fields),
                                        axis.has_assumed_shear());
         use(cell, *answer);
@@ -135,7 +135,7 @@ namespace lamella
   AxisLoop::add_forces(const ForcesOfElement &forces_of, Vector &f) const
   {
     Vector share(f.size());
-    for_each_element([&](const unsigned int cell, const SectionAnswer &answer) {
+    for_each_element([&](const unsigned int cell, const SectionOperator &answer) {
       add_on_nodes(cell, answer.fields(), forces_of(cell, answer).work, share);
     });
     sum_over_processes(share);

@@ -41,7 +41,7 @@ namespace lamella
              const Placement                              &placement,
              const std::vector<std::vector<unsigned int>> &fields_of_node)
     : Beam(name,
-           std::make_shared<FieldSpace>(std::move(section)),
+           std::make_shared<SectionSpace>(std::move(section)),
            std::move(axis),
            placement,
            fields_of_node,
@@ -51,7 +51,7 @@ namespace lamella
 
 
   Beam::Beam(const std::string                            &name,
-             std::shared_ptr<const FieldSpace>             given,
+             std::shared_ptr<const SectionSpace>             given,
              std::shared_ptr<const Axis>                   axis,
              const Placement                              &placement,
              const std::vector<std::vector<unsigned int>> &fields_of_node,
@@ -235,7 +235,7 @@ namespace lamella
         Tensor<1, 3> direction;
         direction[m % 3]        = 1.;
         const Tensor<1, 3> v    = placement.vector_to_body(direction);
-        const bool         turn = m >= 3;
+        const bool         rotation = m >= 3;
         for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
           {
             const auto set = [&](const unsigned int alpha, const double value) {
@@ -246,12 +246,12 @@ namespace lamella
             };
             // v x (0, y - middle, 0) moves the axis; the rest turns sections.
             const double arm = beam_axis->nodes()[node] - middle;
-            set(RigidField::translation_x, turn ? -v[2] * arm : v[0]);
-            set(RigidField::translation_y, turn ? 0. : v[1]);
-            set(RigidField::translation_z, turn ? v[0] * arm : v[2]);
-            set(RigidField::slope_x, turn ? h * v[2] : 0.);
-            set(RigidField::slope_z, turn ? -h * v[0] : 0.);
-            set(RigidField::rotation_y, turn ? h * v[1] : 0.);
+            set(RigidField::translation_x, rotation ? -v[2] * arm : v[0]);
+            set(RigidField::translation_y, rotation ? 0. : v[1]);
+            set(RigidField::translation_z, rotation ? v[0] * arm : v[2]);
+            set(RigidField::slope_x, rotation ? h * v[2] : 0.);
+            set(RigidField::slope_z, rotation ? -h * v[0] : 0.);
+            set(RigidField::rotation_y, rotation ? h * v[1] : 0.);
           }
       }
     return motions;
@@ -272,7 +272,7 @@ namespace lamella
 
 
   SectionForces
-  Beam::section_forces(const SectionAnswer &answer, const FieldParts &q) const
+  Beam::section_forces(const SectionOperator &answer, const FieldParts &q) const
   {
     return answer.forces(q);
   }
@@ -283,7 +283,7 @@ namespace lamella
   Beam::add_internal_forces(const Vector &u, Vector &f) const
   {
     along_axis().add_forces(
-      [&](const unsigned int cell, const SectionAnswer &answer) {
+      [&](const unsigned int cell, const SectionOperator &answer) {
         return section_forces(
           answer, along_axis().on_element(cell, answer.fields(), u));
       },
@@ -297,7 +297,7 @@ namespace lamella
   {
     Deformation result;
     along_axis().for_each_element(
-      [&](const unsigned int cell, const SectionAnswer &answer) {
+      [&](const unsigned int cell, const SectionOperator &answer) {
         const FieldParts q = along_axis().on_element(cell, answer.fields(), u);
         result.energy += along_axis().energy(cell, section_forces(answer, q));
         result.max_rotation =

@@ -53,7 +53,7 @@ namespace lamella
     for (const Point<2> &unit : quadrature.get_points())
       cell.points.push_back(section.evaluate(number, unit));
     for (const unsigned int alpha : *cell.points[0].fields)
-      for (const SectionField::Term &term : section.field(alpha).terms)
+      for (const SectionFunction::Term &term : section.field(alpha).terms)
         if (auto &fields = cell.components[term.component].fields;
             fields.empty() || fields.back() != alpha)
           fields.push_back(alpha);
@@ -84,7 +84,7 @@ namespace lamella
       beam.section().element().cell_functions(cell.points[p].cell);
     Component &component = cell.components[c];
     for (unsigned int a = 0; a < component.fields.size(); ++a)
-      for (const SectionField::Term &term :
+      for (const SectionFunction::Term &term :
            beam.section().field(component.fields[a]).terms)
         if (term.component == c)
           {

@@ -183,7 +183,7 @@ namespace lamella
     unsigned int cell;
     Point<2>     position;
     ElasticLaw   law;
-    SampleTurns  turns;
+    SampleRotations  rotations;
     /// Of value, shear_value and derivative.
     std::array<std::vector<Entry>, 3> entries;
   };
@@ -206,7 +206,7 @@ namespace lamella
             {section_cell,
              at.position,
              beam_section->law(section_cell, at.position),
-             SampleTurns(placement,
+             SampleRotations(placement,
                          beam_section->ply_axes(section_cell, at.position)),
              {}});
           const auto add = [&](const unsigned int part,
@@ -240,12 +240,12 @@ namespace lamella
                     const Point<3>     &x) const
   {
     if (!is_heated())
-      return point.turns.sample(displacement, strain, point.law.stress(strain));
+      return point.rotations.sample(displacement, strain, point.law.stress(strain));
     const ElasticLaw law = law_at(point.cell, point.position, x);
     strain += beam_section->completion_of_initial(point.cell,
                                                   point.position,
                                                   law.initial_strain());
-    return point.turns.sample(displacement, strain, law.stress(strain));
+    return point.rotations.sample(displacement, strain, law.stress(strain));
   }
 
 
@@ -329,7 +329,7 @@ namespace lamella
   Beam::cut(const double position, const unsigned int n, const Vector &u) const
   {
     // What turns is no product.
-    if (turns())
+    if (has_finite_rotations())
       return Body::cut(position, n, u);
     const auto places =
       beam_axis->locate(position,
@@ -420,7 +420,7 @@ namespace lamella
                              const Vector          &u,
                              const UseOfOutputCell &use) const
   {
-    if (turns())
+    if (has_finite_rotations())
       return for_each_turned_cell(n, u, use);
     std::vector<double> etas;
     for (unsigned int j = 0; j <= n[1]; ++j)

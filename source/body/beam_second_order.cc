@@ -132,7 +132,7 @@ namespace lamella
           section.S(p, 1).el(alpha, RigidField::translation_y);
 
     beam.along_axis().add_forces(
-      [&](const unsigned int cell, const SectionAnswer &answer) {
+      [&](const unsigned int cell, const SectionOperator &answer) {
         const FieldParts column =
           on_list(beam.fields(), answer.fields(), unit).work;
         const unsigned int n_points = beam.along_axis().n_stations();
@@ -154,7 +154,7 @@ namespace lamella
   {
     double energy = 0.;
     beam.along_axis().for_each_element(
-      [&](const unsigned int cell, const SectionAnswer &answer) {
+      [&](const unsigned int cell, const SectionOperator &answer) {
         FieldParts q = beam.along_axis().on_element(cell, answer.fields(), v);
         for (unsigned int k = 0; k < beam.along_axis().n_stations(); ++k)
           q[FieldPart::derivative](RigidField::translation_y, k) +=

@@ -21,7 +21,7 @@ namespace lamella
   {
     /// Whether every node couples all its fields with all of its neighbors'.
     bool
-    is_dense(const FieldSpace &space, const Axis &axis, const BeamDofMap &dofs)
+    is_dense(const SectionSpace &space, const Axis &axis, const BeamDofMap &dofs)
     {
       if (axis.has_assumed_shear())
         return false;
@@ -36,7 +36,7 @@ namespace lamella
     /// The section's factor of the stiffness: a row for each field that any
     /// node carries.
     std::vector<FactorRow>
-    section_rows(const FieldSpace &space,
+    section_rows(const SectionSpace &space,
                  const Axis       &axis,
                  const BeamDofMap &dofs)
     {
@@ -48,7 +48,7 @@ namespace lamella
       for (unsigned int alpha = 0; alpha < carried.size(); ++alpha)
         if (carried[alpha])
           fields.push_back(alpha);
-      return make_section_answer(space,
+      return make_section_operator(space,
                                  std::move(fields),
                                  axis.has_assumed_shear())
         ->stiffness();
@@ -152,7 +152,7 @@ namespace lamella
     for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
       blocks.cliques.push_back(beam_axis->nodes_of_cell(cell));
     // Loads that turn along couple all nodes that they act on.
-    if (turns())
+    if (has_finite_rotations())
       terms.for_each_block(false, [&](const StiffnessBlock &block) {
         std::set<unsigned int> nodes;
         for (const DofIndex dof : block.columns)

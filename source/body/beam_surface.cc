@@ -163,7 +163,7 @@ namespace lamella
       return points;
     std::vector<Vector> fields;
     for (const unsigned int alpha : list)
-      fields.push_back(space->in_section_fields(alpha));
+      fields.push_back(space->in_section_functions(alpha));
     std::array<LAPACKFullMatrix<double>, 3> values;
     for (auto &component : values)
       component.reinit(points.size(), list.size());

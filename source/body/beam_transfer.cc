@@ -35,7 +35,7 @@ namespace lamella
     class ListProjection
     {
     public:
-      ListProjection(const FieldSpace                &space,
+      ListProjection(const SectionSpace                &space,
                      const std::vector<unsigned int> &list)
         : list(list)
       {
@@ -43,7 +43,7 @@ namespace lamella
           return;
         for (const unsigned int field : list)
           {
-            columns.push_back(space.in_section_fields(field));
+            columns.push_back(space.in_section_functions(field));
             sizes.push_back(columns.back().l2_norm());
             columns.back() /= sizes.back();
           }

@@ -142,7 +142,7 @@ namespace lamella
     const unsigned int               begin  = beam_axis->own_cells().first;
     double                           energy = 0.;
     along_axis().add_forces(
-      [&](const unsigned int cell, const SectionAnswer &answer) {
+      [&](const unsigned int cell, const SectionOperator &answer) {
         energy += along_axis().energy(cell, forces[cell - begin]);
         return on_list(*space, answer.fields(), forces[cell - begin]);
       },
@@ -196,7 +196,7 @@ namespace lamella
     for (unsigned int k = 0; k < along_axis().n_stations(); ++k)
       std::copy(load.begin(), load.end(), &forces.work[FieldPart::value](0, k));
     along_axis().add_forces(
-      [&](const unsigned int, const SectionAnswer &answer) {
+      [&](const unsigned int, const SectionOperator &answer) {
         return on_list(*space, answer.fields(), forces);
       },
       f);

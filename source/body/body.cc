@@ -269,7 +269,7 @@ namespace lamella
                       const std::vector<SpringTerm> &springs) const
   {
     StiffnessTerms terms = stiffness_terms(springs);
-    if (turns())
+    if (has_finite_rotations())
       // Copies: whoever has the terms may outlive the state.
       terms.for_each_block =
         [this,
@@ -287,7 +287,7 @@ namespace lamella
   void
   Body::add_tangent_forces(const Vector &u, const Vector &w, Vector &f) const
   {
-    if (!turns())
+    if (!has_finite_rotations())
       return add_internal_forces(w, f);
     Vector share(f.size());
     for_each_tangent_block(u,
@@ -310,7 +310,7 @@ namespace lamella
                             const SolverKind               asked,
                             const SolverMonitor           &monitor) const
   {
-    return turns() ? solver_of(tangent_terms(u, correction, springs),
+    return has_finite_rotations() ? solver_of(tangent_terms(u, correction, springs),
                                constraints,
                                asked,
                                monitor) :

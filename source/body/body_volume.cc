@@ -138,7 +138,7 @@ namespace lamella
 
 
   Vector
-  Body::updated(const Vector &u, const Vector &change) const
+  Body::retract(const Vector &u, const Vector &change) const
   {
     Vector result = u;
     result += change;
@@ -148,7 +148,7 @@ namespace lamella
 
 
   Tensor<2, 3>
-  Body::turn_at(const Location &, const Vector &) const
+  Body::rotation_at(const Location &, const Vector &) const
   {
     return unit_triad();
   }

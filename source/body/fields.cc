@@ -25,7 +25,7 @@ namespace lamella
 
 
 
-  SampleTurns::SampleTurns(const Placement &placement, const Triad &ply)
+  SampleRotations::SampleRotations(const Placement &placement, const Triad &ply)
     : axes(transpose(placement.axes))
     , strain_to_scene(placement.strain_to_scene())
     , stress_to_scene(transpose(strain_rotation(placement.axes)))
@@ -35,7 +35,7 @@ namespace lamella
 
 
   FieldSample
-  SampleTurns::sample(const Tensor<1, 3> &displacement,
+  SampleRotations::sample(const Tensor<1, 3> &displacement,
                       const Voigt        &strain,
                       const Voigt        &stress) const
   {
@@ -56,7 +56,7 @@ namespace lamella
             const Triad        &ply,
             const ElasticLaw   &law)
   {
-    return SampleTurns(placement, ply)
+    return SampleRotations(placement, ply)
       .sample(displacement, strain, law.stress(strain));
   }
 
@@ -72,9 +72,9 @@ namespace lamella
   {
     const PolarDecomposition F(H);
     FieldSample              sample =
-      SampleTurns(placement, ply)
+      SampleRotations(placement, ply)
         .sample(displacement, strain, F.turned_stress(law.stress(strain)));
-    sample.turn = placement.turn_in_scene(F.turn());
+    sample.rotation = placement.rotation_in_scene(F.rotation());
     return sample;
   }
 
@@ -85,8 +85,8 @@ namespace lamella
   {
     // Stresses turn with the transpose of what turns strains back.
     sample.stress =
-      transpose(strain_rotation(transpose(sample.turn))) * sample.stress;
-    sample.turn = unit_symmetric_tensor<3>();
+      transpose(strain_rotation(transpose(sample.rotation))) * sample.stress;
+    sample.rotation = unit_symmetric_tensor<3>();
   }
 
 
@@ -99,7 +99,7 @@ namespace lamella
                             &share.max_strain,
                             &share.max_mean_strain,
                             &share.shape_change,
-                            &share.max_element_turn})
+                            &share.max_element_rotation})
       *largest = Utilities::MPI::max(*largest, communicator());
     return share;
   }
@@ -111,7 +111,7 @@ namespace lamella
   {
     FieldSample mean;
     double      largest = 0.;
-    mean.turn           = Triad();
+    mean.rotation           = Triad();
     const double share  = 1. / samples.size();
     for (const FieldSample &one : samples)
       {
@@ -119,7 +119,7 @@ namespace lamella
         mean.strain += share * one.strain;
         mean.stress += share * one.stress;
         mean.ply_stress += share * one.ply_stress;
-        mean.turn += share * one.turn;
+        mean.rotation += share * one.rotation;
         largest = std::max(largest, one.stress.norm());
       }
     if (largest > 0.)

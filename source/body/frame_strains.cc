@@ -255,11 +255,11 @@ namespace lamella
 
 
 
-  TurnedVector
+  RotatedVector
   turned_vector(const Quaternion &Q, const Tensor<1, 3> &v)
   {
     constexpr unsigned int of_v = 4;
-    TurnedVector           x;
+    RotatedVector           x;
     for (unsigned int i = 0; i < 3; ++i)
       {
         Form A;

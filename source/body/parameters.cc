@@ -3,10 +3,10 @@
 #include <lamella/axis/parameters.h>
 #include <lamella/base/patterns.h>
 #include <lamella/body/beam.h>
-#include <lamella/body/green_beam.h>
-#include <lamella/body/green_solid.h>
+#include <lamella/body/total_lagrangian_beam.h>
+#include <lamella/body/total_lagrangian_solid.h>
 #include <lamella/body/parameters.h>
-#include <lamella/body/reissner_beam.h>
+#include <lamella/body/geometrically_exact_beam.h>
 #include <lamella/body/solid.h>
 #include <lamella/body/solid_parameters.h>
 #include <lamella/section/lagrange_element.h>
@@ -237,8 +237,8 @@ namespace lamella
     {
       SolidRefinement refinement = body.refinement;
       refinement.memory_limit    = memory_limit;
-      if (body.turns)
-        return std::make_unique<GreenSolid>(body.name,
+      if (body.has_finite_rotations)
+        return std::make_unique<TotalLagrangianSolid>(body.name,
                                             mesh,
                                             body.axis,
                                             body.placement,
@@ -263,16 +263,16 @@ namespace lamella
     {
       const std::string &name      = body.name;
       const bool         has_modes = body.theory.is_of_solutions();
-      if (body.turns && body.theory.has_turning_sections() && !has_modes)
-        return std::make_unique<ReissnerBeam>(
+      if (body.has_finite_rotations && body.theory.has_rotating_sections() && !has_modes)
+        return std::make_unique<GeometricallyExactBeam>(
           name,
           section,
           axis,
           body.placement,
           body.theory.name(),
           body.theory.keeps_sections_normal());
-      if (body.turns && !has_modes)
-        return std::make_unique<GreenBeam>(name, section, axis, body.placement);
+      if (body.has_finite_rotations && !has_modes)
+        return std::make_unique<TotalLagrangianBeam>(name, section, axis, body.placement);
       return std::make_unique<Beam>(name, section, axis, body.placement);
     }
   } // namespace
@@ -296,8 +296,8 @@ namespace lamella
             bodies.push_back(make_solid(description, mesh, memory_limit));
             continue;
           }
-        const Theory theory = description.turns ?
-                                description.theory.of_turning() :
+        const Theory theory = description.has_finite_rotations ?
+                                description.theory.of_rotating() :
                                 description.theory;
         auto &section = sections[{description.section, theory.of_section()}];
         if (section == nullptr)

@@ -90,7 +90,7 @@ namespace lamella
 
     /// H_a^T H_a / 2 of the skew part H_a of @p H, engineering shear strains.
     Voigt
-    strain_of_turn(const Tensor<2, 3> &H)
+    strain_of_rotation(const Tensor<2, 3> &H)
     {
       const Tensor<2, 3> skew = 0.5 * (H - transpose(H));
       const Tensor<2, 3> E    = 0.5 * (transpose(skew) * skew);
@@ -134,7 +134,7 @@ namespace lamella
       if (!kind.own_cells.empty())
         for (const HexahedronPoint &point : sample_points(kind))
           for (const unsigned int cell : kind.own_cells)
-            stretch[cell].push_back(strain_of_turn(
+            stretch[cell].push_back(strain_of_rotation(
               gradient(point, solid.relative_displacements(cell, u))));
   }
 

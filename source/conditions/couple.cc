@@ -72,7 +72,7 @@ namespace lamella
                  const std::vector<Tensor<1, 3>> &u) const
   {
     const Place   at   = place(x);
-    const Turning by   = turning(x);
+    const CoupleRotation by   = rotation_of(x);
     double        area = 0.;
     Tensor<1, 3>  center, of_theta;
     for (unsigned int p = 0; p < all.size(); ++p)
@@ -94,12 +94,12 @@ namespace lamella
 
 
 
-  Couple::Turning
-  Couple::turning(const std::vector<Point<3>> &x) const
+  Couple::CoupleRotation
+  Couple::rotation_of(const std::vector<Point<3>> &x) const
   {
     const Place         at    = place(x);
     const Tensor<1, 3> &theta = at.theta;
-    Turning             result;
+    CoupleRotation             result;
     for (unsigned int p = 0; p < all.size(); ++p)
       {
         const Tensor<1, 3> r = x[p] - at.center;

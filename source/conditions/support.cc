@@ -28,7 +28,7 @@ namespace lamella
     /// @p place on @p region, if a row of @p support there turns with the
     /// body.
     std::optional<Location>
-    turning_place(const Support  &support,
+    follower_place(const Support  &support,
                   const Region   &region,
                   const Location &place)
     {
@@ -91,7 +91,7 @@ namespace lamella
                         places[i].position,
                         {},
                         support.history,
-                        turning_place(support, region, places[i])});
+                        follower_place(support, region, places[i])});
     }
 
 
@@ -114,7 +114,7 @@ namespace lamella
     add_component_rows(const Body                        &body,
                        const Region                      &region,
                        const Support                     &support,
-                       const std::optional<RigidTurn>    &turn,
+                       const std::optional<RigidRotation>    &rotation,
                        const unsigned int                 number,
                        std::vector<PrescribedFunctional> &rows)
     {
@@ -131,30 +131,30 @@ namespace lamella
           if (support.u[c])
             rows.push_back(
               {{region.body, all[i][c]},
-               turn ? turn->rate(0., places[i].position)[c] : *support.u[c],
+               rotation ? rotation->rate(0., places[i].position)[c] : *support.u[c],
                number,
                scene_axis(c),
                places[i].position,
                {},
                support.history,
-               turning_place(support, region, places[i]),
-               turn});
+               follower_place(support, region, places[i]),
+               rotation});
     }
   } // namespace
 
 
 
-  RigidTurn
-  rigid_turn(const Support &support, const Bodies &bodies)
+  RigidRotation
+  rigid_rotation(const Support &support, const Bodies &bodies)
   {
-    RigidTurn turn;
+    RigidRotation rotation;
     for (unsigned int c = 0; c < 3; ++c)
-      turn.translation[c] = *support.u[c];
-    turn.rotation = *support.rotation;
+      rotation.translation[c] = *support.u[c];
+    rotation.rotation = *support.rotation;
     if (support.about)
       {
-        turn.about = *support.about;
-        return turn;
+        rotation.about = *support.about;
+        return rotation;
       }
     std::vector<Point<3>> points;
     for (const Region &region : support.on)
@@ -173,20 +173,20 @@ namespace lamella
              held_places(*bodies[region.body], region, support))
           points.push_back(place.position);
     const BoundingBox<3> box(points);
-    turn.about         = box.center();
+    rotation.about         = box.center();
     const auto corners = box.get_boundary_points();
     if (corners.first.distance(corners.second) == 0.)
       throw InputError("Support " + support.name + "/Rotation",
-                       to_text(turn.rotation),
+                       to_text(rotation.rotation),
                        "one place stays where it is when it turns about itself",
                        "Give About, or hold a surface.");
-    return turn;
+    return rotation;
   }
 
 
 
   Tensor<1, 3>
-  RigidTurn::displacement(const double s, const Point<3> &X) const
+  RigidRotation::displacement(const double s, const Point<3> &X) const
   {
     const Tensor<1, 3> arm = X - about;
     return s * translation + rotation_of(quaternion_of(s * rotation)) * arm -
@@ -196,7 +196,7 @@ namespace lamella
 
 
   Tensor<1, 3>
-  RigidTurn::rate(const double s, const Point<3> &X) const
+  RigidRotation::rate(const double s, const Point<3> &X) const
   {
     return translation +
            cross_product_3d(rotation,
@@ -212,8 +212,8 @@ namespace lamella
     if (!prescribed.location)
       return {prescribed, prescribed.row.row(u)};
     const std::vector<Location> at{*prescribed.location};
-    if (prescribed.turn)
-      prescribed.direction = body.turn_at(at[0], u) * prescribed.direction;
+    if (prescribed.rotation)
+      prescribed.direction = body.rotation_at(at[0], u) * prescribed.direction;
     prescribed.row.row = along(body.rows_at(at, u)[0], prescribed.direction);
     return {prescribed, prescribed.direction * body.displacements(at, u)[0]};
   }
@@ -232,15 +232,15 @@ namespace lamella
           for (const PrescribedFunctional &row :
                rows_of_isostatic_support(*support.isostatic, s, bodies))
             rows.push_back(row);
-        std::optional<RigidTurn> turn;
+        std::optional<RigidRotation> rotation;
         if (support.rotation)
-          turn = rigid_turn(support, bodies);
+          rotation = rigid_rotation(support, bodies);
         for (const Region &region : support.on)
           if (support.normal)
             add_normal_rows(*bodies[region.body], region, support, s, rows);
           else
             add_component_rows(
-              *bodies[region.body], region, support, turn, s, rows);
+              *bodies[region.body], region, support, rotation, s, rows);
       }
     return rows;
   }
@@ -350,10 +350,10 @@ namespace lamella
   Tensor<1, 3>
   FreeMotion::at(const Point<3> &x, const Body &body) const
   {
-    const Tensor<1, 3> turn =
+    const Tensor<1, 3> rotation =
       Point<3>(motion[3], motion[4], motion[5]) / body.size();
     return Point<3>(motion[0], motion[1], motion[2]) +
-           cross_product_3d(turn, x - body.center());
+           cross_product_3d(rotation, x - body.center());
   }
 
 

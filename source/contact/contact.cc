@@ -16,7 +16,7 @@ namespace lamella
   {
     // Of a row's spacing, in rad, and of a row's area: what small sliding and
     // small rotations leave as they are.
-    constexpr double small_sliding = 0.1, small_turn = 0.1, most_of = 0.9;
+    constexpr double small_sliding = 0.1, small_rotation = 0.1, most_of = 0.9;
 
     // Ratio to the curvature of a roller above which a body starts to wrap
     // around it. Bodies with bending strains below 2 % stay below it, on
@@ -67,7 +67,7 @@ namespace lamella
     , search(undeformed.contact(), bodies)
   {
     pair_undeformed();
-    if (bodies[contact.first.body]->turns())
+    if (bodies[contact.first.body]->has_finite_rotations())
       search_radius = std::max(search_radius, automatic_search_distance(contact, bodies));
     undeformed.decide(interface.discretization,
                       interface.points_on_second ? SlaveSide::second :
@@ -81,7 +81,7 @@ namespace lamella
         for (unsigned int k = 0; k < before.size(); ++k)
           taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
       }
-    if (lines != nullptr && !bodies[contact.first.body]->turns())
+    if (lines != nullptr && !bodies[contact.first.body]->has_finite_rotations())
       move_lines();
   }
 
@@ -691,7 +691,7 @@ namespace lamella
           interface.points_on_second ? -now[k].normal : now[k].normal;
         if ((carries_force || now[k].gap < touching) &&
             (off[k] > small_sliding * point.spacing ||
-             (n - point.normal).norm() > small_turn))
+             (n - point.normal).norm() > small_rotation))
           ++stale.wandered;
       }
     stale.unseen = count_unseen(at, touching);
@@ -758,7 +758,7 @@ namespace lamella
   const ContactSides &
   Contact::paired_sides(const ContactSides &now) const
   {
-    return undeformed.bodies()[interface.first_body]->turns() ? now :
+    return undeformed.bodies()[interface.first_body]->has_finite_rotations() ? now :
                                                                 undeformed;
   }
 

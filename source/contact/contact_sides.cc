@@ -123,7 +123,7 @@ namespace lamella
     const unsigned int number  = region(second).body;
     const Body        &body    = *all_bodies[number];
     const Vector      &of_body = u->block(number);
-    if (body.rows_turn())
+    if (body.constraints_rotate())
       return body.displacements(trace_places(second), of_body);
     std::vector<Tensor<1, 3>> result;
     for (const auto &row : trace_rows(second))
@@ -139,7 +139,7 @@ namespace lamella
   {
     const unsigned int number = region(second).body;
     const Body        &body   = *all_bodies[number];
-    const bool         turned = undeformed != nullptr && body.rows_turn();
+    const bool         turned = undeformed != nullptr && body.constraints_rotate();
     if (undeformed != nullptr && !turned)
       return undeformed->trace_rows(second);
     if (rows[second].empty())
@@ -157,7 +157,7 @@ namespace lamella
   {
     const unsigned int number = region(second).body;
     const Body        &body   = *all_bodies[number];
-    if (undeformed != nullptr && body.rows_turn() && rows[second].empty())
+    if (undeformed != nullptr && body.constraints_rotate() && rows[second].empty())
       {
         std::vector<Location> at;
         for (const unsigned int node : numbers)

@@ -125,13 +125,13 @@ namespace lamella
                    axis,
                    stabilization,
                    is_held,
-                   turns,
+                   has_finite_rotations,
                    refinement]     = body;
       const auto &[theories, ends] = pieces;
       return name + " " + section + " " + words_of(theory) +
              words_of(theories) + words_of(ends) + words_of(axis) +
              words_of(stabilization) + (is_held ? "held " : "") +
-             (turns ? "turns " : "") + words_of(refinement);
+             (has_finite_rotations ? "turns " : "") + words_of(refinement);
     }
 
 

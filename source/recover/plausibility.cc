@@ -92,8 +92,8 @@ namespace lamella
 
 
   Plausibility::Extreme
-  Plausibility::deepest(const Moved       &a,
-                        const Moved       &b,
+  Plausibility::deepest(const CurrentBody       &a,
+                        const CurrentBody       &b,
                         const unsigned int number_of_b,
                         const Vector      &u) const
   {
@@ -108,7 +108,7 @@ namespace lamella
             *tree.qbegin(boost::geometry::index::nearest(place, 1));
           x.push_back(place);
           X.push_back(faces[number_of_b][k].position -
-                      transpose(b.turns[k]) * (b.places[k] - place));
+                      transpose(b.rotations[k]) * (b.places[k] - place));
         }
     for (unsigned int i = 0; i < iterations && !x.empty(); ++i)
       {
@@ -119,7 +119,7 @@ namespace lamella
             {
               const FieldSample at = body.sample(found[k].front(), u);
               x_inside.push_back(x[k]);
-              X_inside.push_back(X[k] - transpose(at.turn) *
+              X_inside.push_back(X[k] - transpose(at.rotation) *
                                           (X[k] + at.displacement - x[k]));
             }
         x = x_inside;
@@ -151,7 +151,7 @@ namespace lamella
 
 
   void
-  Plausibility::add_overlaps(const std::vector<Moved> &moved,
+  Plausibility::add_overlaps(const std::vector<CurrentBody> &moved,
                              const BlockVector        &u,
                              std::vector<std::string> &sentences) const
   {
@@ -192,12 +192,12 @@ namespace lamella
 
 
 
-  Plausibility::Moved
+  Plausibility::CurrentBody
   Plausibility::moved_by(const Vector                    &u,
                          const unsigned int               b,
                          const std::vector<SurfacePoint> &points) const
   {
-    Moved moved;
+    CurrentBody moved;
     for (const SurfacePoint &point : points)
       {
         const FieldSample at = bodies[b]->sample(point.location, u);
@@ -205,7 +205,7 @@ namespace lamella
           moved.strain.take(std::abs(at.strain[c]), point.position);
         moved.displacement.take(at.displacement.norm(), point.position);
         moved.places.push_back(point.position + at.displacement);
-        moved.turns.push_back(at.turn);
+        moved.rotations.push_back(at.rotation);
       }
     moved.box = BoundingBox<3>(moved.places);
     return moved;
@@ -214,7 +214,7 @@ namespace lamella
 
 
   void
-  Plausibility::add_doubts_of_units(const std::vector<Moved> &moved,
+  Plausibility::add_doubts_of_units(const std::vector<CurrentBody> &moved,
                                     const bool                is_rigid,
                                     std::vector<std::string> &sentences) const
   {
@@ -251,19 +251,19 @@ namespace lamella
 
 
   void
-  Plausibility::add_rigid_motion(const std::vector<Moved> &moved,
+  Plausibility::add_rigid_motion(const std::vector<CurrentBody> &moved,
                                  std::vector<std::string> &sentences) const
   {
     const auto farthest =
       std::max_element(moved.begin(),
                        moved.end(),
-                       [](const Moved &a, const Moved &b) {
+                       [](const CurrentBody &a, const CurrentBody &b) {
                          return a.displacement.value < b.displacement.value;
                        });
     const bool is_driven = std::any_of(structure.prescribed().begin(),
                                        structure.prescribed().end(),
                                        [](const PrescribedFunctional &row) {
-                                         return row.value != 0. || row.turn;
+                                         return row.value != 0. || row.rotation;
                                        });
     if (!is_driven && !structure.is_heated() &&
         farthest->displacement.value >
@@ -290,9 +290,9 @@ namespace lamella
                    [](const double energy) { return energy != 0.; });
     const unsigned int       n = bodies.size();
     std::vector<std::string> sentences;
-    const auto moved_points = [&](std::vector<std::vector<SurfacePoint>> &known,
+    const auto current_points = [&](std::vector<std::vector<SurfacePoint>> &known,
                                   const auto &points_of) {
-      std::vector<Moved> moved;
+      std::vector<CurrentBody> moved;
       for (unsigned int b = 0; b < n; ++b)
         {
           if (known.size() == b)
@@ -303,14 +303,14 @@ namespace lamella
     };
     if (!units.length.empty() || is_rigid)
       {
-        const auto moved = moved_points(nodes, &Plausibility::some_nodes);
+        const auto moved = current_points(nodes, &Plausibility::some_nodes);
         if (!units.length.empty())
           add_doubts_of_units(moved, is_rigid, sentences);
         if (is_rigid && last)
           add_rigid_motion(moved, sentences);
       }
     if (n * (n - 1) / 2 > contacts.size())
-      add_overlaps(moved_points(faces, &Plausibility::face_points),
+      add_overlaps(current_points(faces, &Plausibility::face_points),
                    u,
                    sentences);
     return sentences;

@@ -292,9 +292,9 @@ namespace lamella
         {
           out << "\n  large rotations: strains to "
               << to_text(100. * checks.max_strain, 3) << " %";
-          if (checks.max_element_turn > 0.)
+          if (checks.max_element_rotation > 0.)
             out << ", elements turn by up to "
-                << to_text(checks.max_element_turn * 180. / dealii::numbers::PI,
+                << to_text(checks.max_element_rotation * 180. / dealii::numbers::PI,
                            3)
                 << " degrees";
           out << "; places, moments and balances are those of the "

@@ -302,7 +302,7 @@ namespace lamella
         {
           json["max_strain"]       = checks.max_strain;
           json["max_mean_strain"]  = checks.max_mean_strain;
-          json["max_element_turn"] = checks.max_element_turn;
+          json["max_element_rotation"] = checks.max_element_rotation;
           json["shape_change"]     = checks.shape_change;
           return;
         }

@@ -53,19 +53,19 @@ namespace lamella
     turning_header(const Results &results)
     {
       return !results.steps.empty() && results.last().checks.is_large ?
-               ",iterations,halvings,max_strain,max_rotation,max_element_turn" :
+               ",iterations,halvings,max_strain,max_rotation,max_element_rotation" :
                "";
     }
 
     std::string
-    turning(const StepResults &step)
+    rotation_cells(const StepResults &step)
     {
       if (!step.checks.is_large)
         return "";
       return "," + std::to_string(step.state.iterations) + "," +
              std::to_string(step.halvings) + "," + csv(step.checks.max_strain) +
              "," + csv(step.checks.max_rotation) + "," +
-             csv(step.checks.max_element_turn);
+             csv(step.checks.max_element_rotation);
     }
 
 
@@ -190,7 +190,7 @@ namespace lamella
                           forces_and_displacements(step);
     for (const double measure : step.measures)
       rows["history.csv"] += "," + csv(measure);
-    rows["history.csv"] += turning(step) + "\n";
+    rows["history.csv"] += rotation_cells(step) + "\n";
     return rows;
   }
 

@@ -111,7 +111,7 @@ namespace lamella
                             whole->load(factor));
     for (const auto &body : whole->bodies())
       if (const SolverKind kind = body->solver_kind(given.solve.solver);
-          body->turns() && kind == SolverKind::cg)
+          body->has_finite_rotations() && kind == SolverKind::cg)
         throw InputError("Linear solver",
                          name_of(given.solve.solver),
                          "with Rotations = large each stiffness is factorized, "

@@ -3,7 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
-#include <lamella/conditions/turning_load.h>
+#include <lamella/conditions/follower_load.h>
 #include <lamella/run/linear_trial.h>
 #include <lamella/scene/rotation_rules.h>
 
@@ -16,7 +16,7 @@ namespace lamella
   namespace
   {
     // Of forces or displacements.
-    constexpr double worth_turning = 2e-3;
+    constexpr double needs_finite_rotations = 2e-3;
 
 
 
@@ -72,11 +72,11 @@ namespace lamella
   {
     try
       {
-        large = make_simulation(turning(scene), text, out);
+        large = make_simulation(with_finite_rotations(scene), text, out);
       }
     catch (const InputError &error)
       {
-        if (asks_to_turn(scene))
+        if (requests_finite_rotations(scene))
           throw;
         why = "large is refused: " + without_full_stop(error.what()) + "; ";
       }
@@ -98,10 +98,10 @@ namespace lamella
         is_buckled |= beyond.buckling_factor && *beyond.buckling_factor < 1.;
       }
     const bool along =
-      std::any_of(scene.loads.begin(), scene.loads.end(), turns_along);
+      std::any_of(scene.loads.begin(), scene.loads.end(), rotates_along);
     const double turned   = along ? rotation : rotation * rotation,
                  left_out = std::max({stiffening, turned, amplification});
-    is_enough = large == nullptr || (!is_buckled && left_out <= worth_turning &&
+    is_enough = large == nullptr || (!is_buckled && left_out <= needs_finite_rotations &&
                                      rotation <= scene.solve.rotation_limit);
     const auto per_cent = [](const double share) {
       return to_text(100. * share, 2) + " %";
@@ -112,7 +112,7 @@ namespace lamella
            to_text(rotation, 2) + " rad), " +
            (is_buckled ? "and it buckles below these loads" :
                          per_cent(amplification) + " by compression") +
-           "; from " + per_cent(worth_turning) + " on bodies turn";
+           "; from " + per_cent(needs_finite_rotations) + " on bodies turn";
   }
 
 

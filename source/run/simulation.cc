@@ -195,7 +195,7 @@ namespace lamella
   {
     prepare();
     // What touched is told by rows where pairs may be others in the next step.
-    if (last_is_bare && (!path->has_more() || built->structure().turns()))
+    if (last_is_bare && (!path->has_more() || built->structure().has_finite_rotations()))
       complete_last_step();
     do_steps(observer);
     if (const std::string note = recorder->note_on_idle_contacts();
@@ -261,7 +261,7 @@ namespace lamella
   std::unique_ptr<Step>
   Simulation::make_large_step(const MemoryBudget &budget)
   {
-    Linearization::BodyMonitor monitor;
+    TangentOperator::BodyMonitor monitor;
     monitor.sized = [budget](const Body &body, const FactorSize &size) {
       budget.require_factor(body, size);
     };
@@ -280,7 +280,7 @@ namespace lamella
   void
   Simulation::make_solver(const MemoryBudget &budget)
   {
-    std::shared_ptr<const Linearization> about;
+    std::shared_ptr<const TangentOperator> about;
     std::optional<TimerOutput::Scope>    phase;
     if (scene().solve.strategy == Strategy::condensed)
       about = linearize(budget);
@@ -309,12 +309,12 @@ namespace lamella
 
 
 
-  std::shared_ptr<const Linearization>
+  std::shared_ptr<const TangentOperator>
   Simulation::linearize(const MemoryBudget &budget)
   {
     // Phases that alternate from body to body, and end with whatever is thrown.
     std::optional<TimerOutput::Scope> phase;
-    Linearization::BodyMonitor        monitor;
+    TangentOperator::BodyMonitor        monitor;
     const auto                        begin = [&](const Phase which) {
       phase.reset();
       phase.emplace(timer, name_of(which));
@@ -407,7 +407,7 @@ namespace lamella
   void
   Simulation::number_moved_rows()
   {
-    if (!built->structure().turns())
+    if (!built->structure().has_finite_rotations())
       return;
     built->number_rows();
     built->tell_pairs(found.contacts);

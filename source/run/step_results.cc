@@ -66,7 +66,7 @@ namespace lamella
                             const unsigned int contact,
                             const unsigned int row) const
   {
-    if (!structure.turns())
+    if (!structure.has_finite_rotations())
       return !previous.force.empty() &&
              built.rows().of_contact(contact, previous.force)[row] > 0.;
     // Contacts that pair anew give their rows other numbers, but points stay.
@@ -99,7 +99,7 @@ namespace lamella
             // Of rows that move Eq. 17 of the places that face each other, if
             // they do.
             const bool moves =
-              structure.turns() && !contact.rows[k].parts.empty();
+              structure.has_finite_rotations() && !contact.rows[k].parts.empty();
             rows.push_back(
               {pair,
                moves ? (pair.second - pair.first) * pair.normal :

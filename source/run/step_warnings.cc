@@ -121,7 +121,7 @@ namespace lamella
                                       solved.checks,
                                       sampled.step ==
                                         scene.solve.load_factors.size()));
-    for (unsigned int k = 0; k < contacts.size() && !structure.turns(); ++k)
+    for (unsigned int k = 0; k < contacts.size() && !structure.has_finite_rotations(); ++k)
       add(
         broken_assumptions(contacts[k],
                            structure.bodies(),
@@ -175,7 +175,7 @@ namespace lamella
   StepRecorder::warnings_of_rollers(const SolvedStep &solved) const
   {
     std::vector<std::string> warnings;
-    if (!structure.turns())
+    if (!structure.has_finite_rotations())
       return warnings;
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
       {

@@ -39,15 +39,15 @@ namespace lamella
                rule,
                "Give the body one Theory.");
       const unsigned int cubic = 3;
-      const bool         turns = theory.has_turning_sections();
-      if (!can_turn(theory))
+      const bool         has_finite_rotations = theory.has_rotating_sections();
+      if (!can_rotate(theory))
         refuse(
           place + "Kinematics/Theory",
           theory.name(),
           "Rotations = large wants sections that turn or that can deform "
           "as a turned one does",
           "Take EBBT, TBT, SV or SV-N, or LE-N, TE-N from TE-2 on, or solid-2.");
-      if (!turns && !theory.is_solid() && body.axis.degree != cubic)
+      if (!has_finite_rotations && !theory.is_solid() && body.axis.degree != cubic)
         refuse(place + "Kinematics/Axis element",
                "B" + std::to_string(body.axis.degree + 1),
                "elements of lower degree lock where they bend and stretch at "
@@ -66,7 +66,7 @@ namespace lamella
     {
       const AxisMesh &axis = body.axis;
       if (axis.fineness > 0.)
-        return body.turns;
+        return body.has_finite_rotations;
       const double at   = body.placement.to_body(roller.point)[1];
       double       from = 0., length = 0.;
       for (unsigned int piece = 0; piece < axis.elements.size(); ++piece)
@@ -222,12 +222,12 @@ namespace lamella
 
 
   bool
-  can_turn(const Theory &theory)
+  can_rotate(const Theory &theory)
   {
     // Theories whose sections rotate, or whose functions describe a rotated
     // section.
     constexpr unsigned int least_order = 2;
-    return theory.has_turning_sections() || theory.is_layerwise() ||
+    return theory.has_rotating_sections() || theory.is_layerwise() ||
            ((theory.is_solid() || theory.is_taylor()) &&
             theory.order >= least_order);
   }
@@ -235,7 +235,7 @@ namespace lamella
 
 
   Scene
-  turning(Scene scene)
+  with_finite_rotations(Scene scene)
   {
     scene.solve.rotations = Rotations::large;
     if (n_processes() > 1)
@@ -251,7 +251,7 @@ namespace lamella
     for (BodyDescription &body : scene.bodies)
       {
         check_body(body);
-        body.turns = true;
+        body.has_finite_rotations = true;
       }
     for (const Load &load : scene.loads)
       if (!load.pressure.empty() && !load.follows)
@@ -270,7 +270,7 @@ namespace lamella
 
 
   bool
-  asks_to_turn(const Scene &scene)
+  requests_finite_rotations(const Scene &scene)
   {
     return std::any_of(scene.loads.begin(),
                        scene.loads.end(),
@@ -284,7 +284,7 @@ namespace lamella
   {
     if (scene.solve.rotations == Rotations::large)
       {
-        scene = turning(std::move(scene));
+        scene = with_finite_rotations(std::move(scene));
         return;
       }
     check_linear(scene);
@@ -293,11 +293,11 @@ namespace lamella
     if (scene.solve.rotations == Rotations::automatic)
       try
         {
-          turning(scene);
+          with_finite_rotations(scene);
         }
       catch (const InputError &error)
         {
-          if (asks_to_turn(scene))
+          if (requests_finite_rotations(scene))
             throw;
           scene.solve.rotations = Rotations::linear;
           scene.warnings.push_back(

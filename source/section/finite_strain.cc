@@ -134,7 +134,7 @@ namespace lamella
   stretch_of(const Gradient &H)
   {
     Stretch result;
-    result.turn   = angle_of(PolarDecomposition(H).turn());
+    result.rotation   = angle_of(PolarDecomposition(H).rotation());
     const Voigt E = green_strain(H);
     result.along  = std::abs(E[1]);
     for (const double principal : eigenvalues(strain_tensor(E)))

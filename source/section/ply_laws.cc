@@ -35,7 +35,7 @@ namespace lamella
     for (unsigned int ply = 0; ply < plies.size(); ++ply)
       {
         own.push_back(plies[ply].properties.elastic.stiffness());
-        everywhere.push_back(turned(ply, plies[ply].plane.normal));
+        everywhere.push_back(rotated(ply, plies[ply].plane.normal));
       }
   }
 
@@ -52,7 +52,7 @@ namespace lamella
 
 
   ElasticLaw
-  PlyLaws::turned(const unsigned int ply, const Tensor<1, 2> &normal) const
+  PlyLaws::rotated(const unsigned int ply, const Tensor<1, 2> &normal) const
   {
     return ElasticLaw(
       with_shear_factor(rotated(own[ply], ply_axes(plies[ply].angle, normal)),
@@ -85,7 +85,7 @@ namespace lamella
       {
         const double        phi = 2. * numbers::PI * s / n_harmonics;
         const ElasticTensor C =
-          turned(ply, Point<2>(std::cos(phi), std::sin(phi))).stiffness();
+          rotated(ply, Point<2>(std::cos(phi), std::sin(phi))).stiffness();
         result[0] += C / n_harmonics;
         for (unsigned int m = 1; 2 * m < n_harmonics; ++m)
           {

@@ -6,8 +6,8 @@ namespace lamella
 {
   using namespace dealii;
 
-  PointAnswer::Coefficients
-  PointAnswer::coefficients(const FieldParts &q) const
+  PointwiseSectionOperator::Coefficients
+  PointwiseSectionOperator::coefficients(const FieldParts &q) const
   {
     FieldParts all;
     for (unsigned int p = 0; p < FieldPart::n; ++p)
@@ -31,7 +31,7 @@ namespace lamella
 
 
   void
-  PointAnswer::add_point(const SectionPoint  &point,
+  PointwiseSectionOperator::add_point(const SectionPoint  &point,
                          const double         weight,
                          const ElasticLaw    &law,
                          const Coefficients  &q,
@@ -67,7 +67,7 @@ namespace lamella
 
 
   SectionForces
-  PointAnswer::forces(const FieldParts &q) const
+  PointwiseSectionOperator::forces(const FieldParts &q) const
   {
     const Section     &section    = space.section();
     const unsigned int n          = section.n_fields();
@@ -105,7 +105,7 @@ namespace lamella
 
 
   std::vector<FactorRow>
-  PointAnswer::stiffness() const
+  PointwiseSectionOperator::stiffness() const
   {
     std::vector<bool> carried(space.n_fields(), false);
     for (const unsigned int alpha : list)

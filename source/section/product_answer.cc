@@ -13,7 +13,7 @@ namespace lamella
     /// Modes are smooth over the section: some of its points tell how far it
     /// turns.
     unsigned int
-    stride_of(const FieldSpace &space)
+    stride_of(const SectionSpace &space)
     {
       constexpr std::size_t enough = 200;
       return space.section().spans_the_section() ?
@@ -26,7 +26,7 @@ namespace lamella
 
 
   bool
-  ProductAnswer::is_possible(const FieldSpace                &space,
+  ProductSectionOperator::is_possible(const SectionSpace                &space,
                              const std::vector<unsigned int> &list,
                              const bool                       assumed_shear)
   {
@@ -37,10 +37,10 @@ namespace lamella
 
 
 
-  ProductAnswer::ProductAnswer(const FieldSpace         &space,
+  ProductSectionOperator::ProductSectionOperator(const SectionSpace         &space,
                                std::vector<unsigned int> fields,
                                const bool                assumed_shear)
-    : SectionAnswer(space, std::move(fields), stride_of(space))
+    : SectionOperator(space, std::move(fields), stride_of(space))
     , parts(assumed_shear ? std::vector<unsigned int>{FieldPart::value,
                                                       FieldPart::shear_value,
                                                       FieldPart::derivative} :
@@ -60,7 +60,7 @@ namespace lamella
 
 
   double
-  ProductAnswer::product(const unsigned int p,
+  ProductSectionOperator::product(const unsigned int p,
                          const unsigned int q,
                          const unsigned int a,
                          const unsigned int b) const
@@ -90,7 +90,7 @@ namespace lamella
 
 
   unsigned int
-  ProductAnswer::first_row(const unsigned int p) const
+  ProductSectionOperator::first_row(const unsigned int p) const
   {
     return list.size() *
            (p == FieldPart::value ?
@@ -101,7 +101,7 @@ namespace lamella
 
 
   SectionForces
-  ProductAnswer::forces(const FieldParts &q) const
+  ProductSectionOperator::forces(const FieldParts &q) const
   {
     const unsigned int n = list.size(), n_stations = q[FieldPart::value].n();
     const double       h     = space.section().element().reference_length();
@@ -137,7 +137,7 @@ namespace lamella
 
 
   std::array<double, 5>
-  ProductAnswer::entries(const unsigned int a, const unsigned int b) const
+  ProductSectionOperator::entries(const unsigned int a, const unsigned int b) const
   {
     const unsigned int shear = first_row(FieldPart::shear_value),
                        along = first_row(FieldPart::derivative);
@@ -156,7 +156,7 @@ namespace lamella
 
 
   std::vector<FactorRow>
-  ProductAnswer::stiffness() const
+  ProductSectionOperator::stiffness() const
   {
     std::vector<FactorRow> rows(space.n_fields());
     for (unsigned int a = 0; a < list.size(); ++a)

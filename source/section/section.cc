@@ -74,8 +74,8 @@ namespace lamella
   Section::make_fields()
   {
     // Functions 0, 1, 2 are 1, (x - x_c)/h, (z - z_c)/h; components x, y, z.
-    const auto linear = [](std::vector<SectionField::Term> terms) {
-      return SectionField{std::move(terms), 0};
+    const auto linear = [](std::vector<SectionFunction::Term> terms) {
+      return SectionFunction{std::move(terms), 0};
     };
     fields = {linear({{0, 0, 1.}}),
               linear({{0, 1, 1.}}),
@@ -110,20 +110,20 @@ namespace lamella
 
 
   std::vector<double>
-  Section::turned(const Tensor<1, 3> &v, const std::vector<double> &q) const
+  Section::rotated(const Tensor<1, 3> &v, const std::vector<double> &q) const
   {
     // Fields are orthogonal in functions times components.
     std::vector<Tensor<1, 3>> of_function(expansion->n_functions());
     for (unsigned int alpha = 0; alpha < n_fields(); ++alpha)
-      for (const SectionField::Term &term : fields[alpha].terms)
+      for (const SectionFunction::Term &term : fields[alpha].terms)
         of_function[term.function][term.component] += term.factor * q[alpha];
     for (Tensor<1, 3> &u : of_function)
       u = cross_product_3d(v, u);
     std::vector<double> result;
-    for (const SectionField &field : fields)
+    for (const SectionFunction &field : fields)
       {
         double along = 0., norm = 0.;
-        for (const SectionField::Term &term : field.terms)
+        for (const SectionFunction::Term &term : field.terms)
           {
             along += term.factor * of_function[term.function][term.component];
             norm += term.factor * term.factor;
@@ -185,7 +185,7 @@ namespace lamella
     for (const unsigned int alpha : cell_fields[cell])
       {
         Tensor<1, 3> value, d_dx, d_dz;
-        for (const SectionField::Term &term : fields[alpha].terms)
+        for (const SectionFunction::Term &term : fields[alpha].terms)
           {
             const unsigned int k = std::lower_bound(functions.begin(),
                                                     functions.end(),

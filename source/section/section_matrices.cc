@@ -40,7 +40,7 @@ namespace lamella
     const unsigned int n_dense =
       std::count_if(fields.begin(),
                     fields.end(),
-                    [](const SectionField &field) { return field.level == 0; });
+                    [](const SectionFunction &field) { return field.level == 0; });
     DenseRows dense;
     for (std::vector<Vector> &rows : dense)
       rows.assign(n_dense, Vector(n_fields()));
@@ -180,7 +180,7 @@ namespace lamella
     /// (x - x_c) / h and (z - z_c) / h are 1 / h times the function 1: what of
     /// the rigid turn about y cancels then does so to the last bit.
     FieldStrain
-    strains_of(const SectionField &field, const double h)
+    strains_of(const SectionFunction &field, const double h)
     {
       using D = StrainPart::Derivative;
       struct Entry
@@ -193,7 +193,7 @@ namespace lamella
          {{1, 3, D::d_dx}, {1, 5, D::d_dz}, {2, 1, D::none}},
          {{0, 2, D::d_dz}, {0, 4, D::d_dx}, {2, 5, D::none}}}};
       FieldStrain result;
-      for (const SectionField::Term &term : field.terms)
+      for (const SectionFunction::Term &term : field.terms)
         for (const Entry &entry : of_component[term.component])
           {
             StrainPart part{entry.strain,
@@ -368,7 +368,7 @@ namespace lamella
     const FunctionMoments            functions =
       function_moments(*expansion, ply_of_cell, laws, materials);
     std::vector<FieldStrain> parts;
-    for (const SectionField &field : fields)
+    for (const SectionFunction &field : fields)
       parts.push_back(strains_of(field, expansion->reference_length()));
 
     const unsigned int n = n_fields();

@@ -68,7 +68,7 @@ namespace lamella
       const Tensor<1, 3> curvature;
       /// The rigid motions in the warping, removed from it: turn about y, the
       /// slopes of u_y [rad], and the means of its displacement.
-      double       turn = 0.;
+      double       rotation = 0.;
       Tensor<1, 3> tilt, mean;
     };
 
@@ -127,7 +127,7 @@ namespace lamella
           second_moments += weight * outer_product(X, X);
         });
       mean = sum / area;
-      turn = moment / polar;
+      rotation = moment / polar;
       tilt = invert(second_moments) * of_warping;
     }
 
@@ -150,9 +150,9 @@ namespace lamella
         }
       const Tensor<1, 3> X = arm(point);
       result.warped -=
-        mean + Tensor<1, 3>({turn * X[2], tilt * X, -turn * X[0]});
-      result.H[0][2] += turn;
-      result.H[2][0] -= turn;
+        mean + Tensor<1, 3>({rotation * X[2], tilt * X, -rotation * X[0]});
+      result.H[0][2] += rotation;
+      result.H[2][0] -= rotation;
       // A tilt of the section is a shear of the axis.
       for (const unsigned int c : {0, 2})
         {

@@ -363,9 +363,9 @@ namespace lamella
     plane_towards(const double degrees)
     {
       // Right angles exactly, as of ply_axes().
-      const Triad turn = ply_axes(degrees);
+      const Triad rotation = ply_axes(degrees);
       PlyPlane    plane;
-      plane.normal = Point<2>(turn[0][1], turn[0][0]);
+      plane.normal = Point<2>(rotation[0][1], rotation[0][0]);
       return plane;
     }
 

@@ -35,7 +35,7 @@ namespace lamella
       for (const PrescribedFunctional &row : rows)
         places.push_back(row.position);
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-        if (structure.bodies()[b]->turns())
+        if (structure.bodies()[b]->has_finite_rotations())
           {
             std::vector<Point<3>>     here;
             std::vector<unsigned int> numbers;
@@ -93,7 +93,7 @@ namespace lamella
     /// @p places, and gives their work; adds to the forces @p on_body the
     /// moments that the body's theory feels.
     double
-    add_reactions(const Linearization         &tangent,
+    add_reactions(const TangentOperator         &tangent,
                   const std::vector<Point<3>> &places,
                   const unsigned int           b,
                   const Vector                &unbalanced,
@@ -260,8 +260,8 @@ namespace lamella
       checks.max_strain = std::max(checks.max_strain, deformation.max_strain);
       checks.max_mean_strain =
         std::max(checks.max_mean_strain, deformation.max_mean_strain);
-      checks.max_element_turn =
-        std::max(checks.max_element_turn, deformation.max_element_turn);
+      checks.max_element_rotation =
+        std::max(checks.max_element_rotation, deformation.max_element_rotation);
       checks.shape_change =
         std::max(checks.shape_change, deformation.shape_change);
     }
@@ -273,7 +273,7 @@ namespace lamella
     /// @p on_body, of supports and contacts so far, balance. Returns the energy
     /// that is rounding.
     double
-    check_body(const Linearization &tangent,
+    check_body(const TangentOperator &tangent,
                const unsigned int   b,
                const State         &state,
                const Vector        &load,
@@ -302,7 +302,7 @@ namespace lamella
       // Of bodies that turn the work of heat is taken off.
       const double kept =
         deformation.energy +
-        (on_body.body.turns() ? structure.heat_energy(b) : 0.);
+        (on_body.body.has_finite_rotations() ? structure.heat_energy(b) : 0.);
       if (kept > noise)
         {
           const auto [forces, moments] = on_body.unbalanced();
@@ -356,7 +356,7 @@ namespace lamella
     /// unbalanced are the forces on degrees of freedom that loads, contacts and
     /// strains leave to the supports.
     void
-    add_forces_from_outside(const Linearization                 &tangent,
+    add_forces_from_outside(const TangentOperator                 &tangent,
                             const std::vector<Point<3>>         &places,
                             const std::vector<ContactInterface> &contacts,
                             const BlockVector                   &unbalanced,
@@ -400,7 +400,7 @@ namespace lamella
 
 
   Checks
-  check_state(const Linearization                 &tangent,
+  check_state(const TangentOperator                 &tangent,
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,
@@ -411,7 +411,7 @@ namespace lamella
     const std::vector<Point<3>> places = places_of_supports(structure, state.u);
     checks.reactions =
       unloaded_reactions(structure.prescribed(), places, n_supports);
-    checks.is_large         = structure.turns();
+    checks.is_large         = structure.has_finite_rotations();
     checks.max_displacement = largest_displacement(contacts, state.u, factor);
     std::vector<BodyForces> on_body;
     for (const auto &body : structure.bodies())

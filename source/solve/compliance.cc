@@ -4,14 +4,14 @@
 
 namespace lamella
 {
-  Compliance::Compliance(const Linearization  &linearization,
+  Compliance::Compliance(const TangentOperator  &tangent_operator,
                          const GapConstraints &rows)
-    : linearization(linearization)
+    : tangent_operator(tangent_operator)
     , rows(rows)
     , place(rows.end_of_slips(), dealii::numbers::invalid_unsigned_int)
   {
-    for (unsigned int b = 0; b < linearization.of().bodies().size(); ++b)
-      bodies.push_back({linearization.solver(b).solved_rows(), {}});
+    for (unsigned int b = 0; b < tangent_operator.of().bodies().size(); ++b)
+      bodies.push_back({tangent_operator.solver(b).solved_rows(), {}});
   }
 
 
@@ -40,7 +40,7 @@ namespace lamella
             if (part.body == b)
               {
                 reduced.push_back(
-                  part.row.reduced(linearization.reduction(b).constraints()));
+                  part.row.reduced(tangent_operator.reduction(b).constraints()));
                 bodies[b].place.push_back(place[r]);
               }
         bodies[b].solved->append(reduced);
@@ -86,7 +86,7 @@ namespace lamella
   Compliance::displacement(const std::vector<unsigned int> &of,
                            const std::vector<double>       &lambda) const
   {
-    BlockVector         u = linearization.of().zero();
+    BlockVector         u = tangent_operator.of().zero();
     std::vector<double> force(entries.size(), 0.);
     for (unsigned int i = 0; i < of.size(); ++i)
       force[place[of[i]]] = lambda[i];
@@ -96,7 +96,7 @@ namespace lamella
         for (const unsigned int p : bodies[b].place)
           of_body.push_back(force[p]);
         u.block(b) = bodies[b].solved->displacement(of_body);
-        linearization.reduction(b).constraints().distribute(u.block(b));
+        tangent_operator.reduction(b).constraints().distribute(u.block(b));
       }
     return u;
   }

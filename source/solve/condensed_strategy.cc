@@ -49,10 +49,10 @@ namespace lamella
 
 
 
-  CondensedStrategy::CondensedStrategy(const Linearization  &linearization,
+  CondensedStrategy::CondensedStrategy(const TangentOperator  &tangent_operator,
                                        const GapConstraints &rows)
-    : ContactStrategy(linearization, rows)
-    , compliance(linearization, rows)
+    : ContactStrategy(tangent_operator, rows)
+    , compliance(tangent_operator, rows)
   {}
 
 
@@ -156,7 +156,7 @@ namespace lamella
                            Vector                  &dlambda)
   {
     const std::vector<unsigned int> &numbers = closed.numbers;
-    du                                       = linearization.solve(r_u);
+    du                                       = tangent_operator.solve(r_u);
     dlambda.reinit(numbers.size());
     if (numbers.empty())
       return;
@@ -401,7 +401,7 @@ namespace lamella
                            const Monitor        &monitor)
   {
     ContactSolution solution;
-    solution.du     = linearization.of().zero();
+    solution.du     = tangent_operator.of().zero();
     solution.force  = problem.force;
     solution.active = problem.start;
     solution.shear  = problem.shear;

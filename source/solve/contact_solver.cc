@@ -27,18 +27,18 @@ namespace lamella
 
 
   ContactSolver::ContactSolver(
-    std::shared_ptr<const Linearization> linearization_,
+    std::shared_ptr<const TangentOperator> linearization_,
     const GapConstraints                &rows,
     const SolverParameters              &parameters,
     const Strategy                       which)
     : progress([](const std::string &) {})
     , describe(
         [](const unsigned int row) { return "row " + std::to_string(row); })
-    , linearization(std::move(linearization_))
-    , structure(linearization->of())
+    , tangent_operator(std::move(linearization_))
+    , structure(tangent_operator->of())
     , rows(rows)
     , parameters(parameters)
-    , strategy(make_strategy(which, *linearization, rows))
+    , strategy(make_strategy(which, *tangent_operator, rows))
   {}
 
 

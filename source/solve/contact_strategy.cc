@@ -11,11 +11,11 @@ namespace lamella
 
   std::unique_ptr<ContactStrategy>
   make_strategy(const Strategy        which,
-                const Linearization  &linearization,
+                const TangentOperator  &tangent_operator,
                 const GapConstraints &rows)
   {
     if (which == Strategy::full)
-      return std::make_unique<FullStrategy>(linearization, rows);
-    return std::make_unique<CondensedStrategy>(linearization, rows);
+      return std::make_unique<FullStrategy>(tangent_operator, rows);
+    return std::make_unique<CondensedStrategy>(tangent_operator, rows);
   }
 } // namespace lamella

@@ -47,13 +47,13 @@ namespace lamella
   FrictionNewton::Iterate
   FrictionNewton::begin(const ContactProblem &problem)
   {
-    Iterate at{linearization.of().zero(),
-               linearization.of().zero(),
+    Iterate at{tangent_operator.of().zero(),
+               tangent_operator.of().zero(),
                PointVectors(rows.size()),
                0.};
     if (!problem.first_forces.empty())
       at.force = problem.first_forces;
-    BlockVector f      = linearization.of().zero();
+    BlockVector f      = tangent_operator.of().zero();
     bool        differ = false;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
@@ -67,7 +67,7 @@ namespace lamella
       {
         matrix.factorize({});
         at.du   = matrix.solve(std::move(f));
-        at.K_du = linearization.apply(at.du);
+        at.K_du = tangent_operator.apply(at.du);
       }
     at.change = at.du.linfty_norm();
     return at;
@@ -211,7 +211,7 @@ namespace lamella
                        const Trial          &trial)
   {
     Law         law{PointVectors(rows.size()), {}};
-    BlockVector r_u = linearization.of().zero();
+    BlockVector r_u = tangent_operator.of().zero();
     r_u -= at.K_du;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
@@ -233,7 +233,7 @@ namespace lamella
     Iterate next = at;
     next.du += du;
     next.change = du.linfty_norm();
-    next.K_du   = linearization.apply(next.du);
+    next.K_du   = tangent_operator.apply(next.du);
     for (unsigned int r = 0; r < rows.size(); ++r)
       next.force[r] += law.change[r];
     for (const PenaltyTerm &term : law.terms)

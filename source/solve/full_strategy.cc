@@ -21,10 +21,10 @@ namespace lamella
 
 
 
-  FullStrategy::FullStrategy(const Linearization  &linearization,
+  FullStrategy::FullStrategy(const TangentOperator  &tangent_operator,
                              const GapConstraints &rows)
-    : ContactStrategy(linearization, rows)
-    , matrix(linearization, rows)
+    : ContactStrategy(tangent_operator, rows)
+    , matrix(tangent_operator, rows)
   {}
 
 
@@ -92,7 +92,7 @@ namespace lamella
   FullStrategy::solve(const ContactProblem &problem, const Monitor &monitor)
   {
     if (!problem.slip.empty())
-      return FrictionNewton(linearization, rows, numerical_softness, matrix)
+      return FrictionNewton(tangent_operator, rows, numerical_softness, matrix)
         .solve(problem, monitor);
     // Of the displacements: what one solution with K + K^p is accurate to.
     constexpr double accurate = arithmetic::rounding_of_solutions;
@@ -125,8 +125,8 @@ namespace lamella
   FullStrategy::Iterate
   FullStrategy::begin(const ContactProblem &problem) const
   {
-    Iterate at{linearization.of().zero(),
-               linearization.of().zero(),
+    Iterate at{tangent_operator.of().zero(),
+               tangent_operator.of().zero(),
                std::vector<double>(rows.size(), 0.),
                problem.start};
     for (const unsigned int r : problem.start)
@@ -139,7 +139,7 @@ namespace lamella
   double
   FullStrategy::step(const ContactProblem &problem, Iterate &at)
   {
-    BlockVector r_u = linearization.of().zero();
+    BlockVector r_u = tangent_operator.of().zero();
     r_u -= at.K_du;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
@@ -161,7 +161,7 @@ namespace lamella
     at.du += du;
     for (unsigned int k = 0; k < at.active.size(); ++k)
       at.force[at.active[k]] += dlambda[k];
-    at.K_du = linearization.apply(at.du);
+    at.K_du = tangent_operator.apply(at.du);
     return du.linfty_norm();
   }
 

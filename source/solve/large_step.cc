@@ -16,7 +16,7 @@ namespace lamella
                        const unsigned int                n_supports,
                        const SolveParameters            &parameters,
                        const Newton::Progress           &progress,
-                       const Linearization::BodyMonitor &monitor,
+                       const TangentOperator::BodyMonitor &monitor,
                        TimerOutput                      &timer)
     : structure(structure)
     , newton(structure, contacts, parameters.solver, parameters.newton)
@@ -98,7 +98,7 @@ namespace lamella
   LargeStep::check(const State &state, const LoadFactor &factor, const bool)
   {
     TimerOutput::Scope  scope(timer, name_of(Phase::solve));
-    const Linearization here(structure, state.u);
+    const TangentOperator here(structure, state.u);
     const Checks        checks = check_state(
       here, newton.moving().interfaces(), n_supports, state, factor);
     require_sound(state, checks, parameters.rotation_limit);

@@ -21,7 +21,7 @@ namespace lamella
     /// What the last digits of the displacements @p u make of forces of the
     /// body @p b.
     double
-    rounding_of_forces(const Linearization &here,
+    rounding_of_forces(const TangentOperator &here,
                        const BlockVector   &u,
                        const unsigned int   b)
     {
@@ -53,7 +53,7 @@ namespace lamella
     , parameters(parameters)
   {
     for (const auto &body : structure.bodies())
-      sizes.push_back(body->rows_turn() ? body->dof_sizes() :
+      sizes.push_back(body->constraints_rotate() ? body->dof_sizes() :
                                           std::vector<double>());
   }
 
@@ -84,7 +84,7 @@ namespace lamella
 
 
   BlockVector
-  Newton::condensed(const Linearization &here, BlockVector r)
+  Newton::condensed(const TangentOperator &here, BlockVector r)
   {
     here.condense(r);
     return r;
@@ -93,7 +93,7 @@ namespace lamella
 
 
   bool
-  Newton::measure(const Linearization &here,
+  Newton::measure(const TangentOperator &here,
                   const BlockVector   &r,
                   const LoadFactor    &factor,
                   double              &began,
@@ -165,7 +165,7 @@ namespace lamella
 
 
   bool
-  Newton::is_rounding(const Linearization &here,
+  Newton::is_rounding(const TangentOperator &here,
                       const BlockVector   &r,
                       const BlockVector   &u) const
   {
@@ -228,7 +228,7 @@ namespace lamella
   Newton::beginning(const LoadFactor &to, const Equilibrium &at) const
   {
     Beginning           result;
-    const Linearization here(structure, at.state.u);
+    const TangentOperator here(structure, at.state.u);
     result.moved = here.way_to_supports(at.factor, to);
     result.r     = unbalanced(at.state, to);
     if (result.moved.l2_norm() > 0.)
@@ -253,14 +253,14 @@ namespace lamella
 
 
   double
-  Newton::largest_turn(const LoadFactor &from, const LoadFactor &to) const
+  Newton::largest_rotation(const LoadFactor &from, const LoadFactor &to) const
   {
     double largest = 0.;
     for (const PrescribedFunctional &row : structure.prescribed())
-      if (row.turn)
+      if (row.rotation)
         largest = std::max(largest,
                            std::abs(to.of(row.history) - from.of(row.history)) *
-                             row.turn->rotation.norm());
+                             row.rotation->rotation.norm());
     return largest;
   }
 
@@ -291,7 +291,7 @@ namespace lamella
                        state);
 
         contacts.move(state, to);
-        const Linearization here(structure, state.u);
+        const TangentOperator here(structure, state.u);
         r = unbalanced(state, to);
         if (!measure(here, r, to, began, at))
           return false;
@@ -406,7 +406,7 @@ namespace lamella
     last_failure.clear();
     // How far it is, and how far the next step is to go.
     double done = 0., way = 1.;
-    while (way * largest_turn(start.factor, to) > parameters.turn)
+    while (way * largest_rotation(start.factor, to) > parameters.rotation)
       way /= 2.;
     while (done < 1.)
       {

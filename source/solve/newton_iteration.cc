@@ -31,7 +31,7 @@ namespace lamella
 
 
     /// x - answer(x), as GMRES asks for it.
-    struct WithTurnOfRows
+    struct WithRotatingConstraints
     {
       std::function<BlockVector(const BlockVector &)> answer;
       void
@@ -76,7 +76,7 @@ namespace lamella
 
 
   BlockVector
-  Newton::turn_of_rows(const State       &state,
+  Newton::rotation_of_constraints(const State       &state,
                        const BlockVector &u,
                        const BlockVector &w,
                        const LoadFactor  &to) const
@@ -91,7 +91,7 @@ namespace lamella
         BlockVector change = w, at = structure.zero();
         change *= way;
         if (!contacts.add_forces_at(
-              state, structure.updated(u, change), to, at))
+              state, structure.retract(u, change), to, at))
           return structure.zero();
         f.add(0.5 / way, at);
       }
@@ -115,7 +115,7 @@ namespace lamella
     const Vector            held(closed.numbers.size());
     Vector                  forces;
     const auto              answer = [&](const BlockVector &w) {
-      BlockVector x = structure.zero(), f = turn_of_rows(state, u, w, to);
+      BlockVector x = structure.zero(), f = rotation_of_constraints(state, u, w, to);
       add_spring_forces(firmer, w, f);
       strategy.solve(closed, f, held, x, forces);
       return x;
@@ -128,7 +128,7 @@ namespace lamella
         {
           x += du;
           dealii::SolverGMRES<BlockVector>(control).solve(
-            WithTurnOfRows{answer}, x, du, dealii::PreconditionIdentity());
+            WithRotatingConstraints{answer}, x, du, dealii::PreconditionIdentity());
           x = answer(x);
         }
       catch (const dealii::SolverControl::NoConvergence &)
@@ -183,7 +183,7 @@ namespace lamella
                   State             &state) const
   {
     Aid                 aid;
-    const Linearization about    = tangent(state, correction, to, aid);
+    const TangentOperator about    = tangent(state, correction, to, aid);
     const auto         &leaning  = aid.leaning;
     const BlockVector   before   = state.u;
     BlockVector         du       = about.solve(r);
@@ -205,7 +205,7 @@ namespace lamella
         du = follow_rows(*strategy, before, du, aid.firmer, to, state);
       }
     shorten(du);
-    state.u = structure.updated(before, du);
+    state.u = structure.retract(before, du);
     // In the tangent alone: nowhere they bear a force.
     if (structure.has_springs())
       state.rest = structure.spring_lengths(state.u);

@@ -60,7 +60,7 @@ namespace lamella
 
 
 
-  Linearization
+  TangentOperator
   Newton::tangent(const State       &state,
                   const BlockVector &correction,
                   const LoadFactor  &to,
@@ -88,7 +88,7 @@ namespace lamella
             more = aid.leaning->springs();
           else if (aid.firmer > 1.)
             more = springs_of(structure, aid.firmer - 1.);
-          return Linearization(
+          return TangentOperator(
             structure, state.u, asked, monitor, correction, to, more);
         }
       catch (const LostDigits &)
@@ -169,7 +169,7 @@ namespace lamella
     /// What each of @p loads moves bodies by about the state that @p about is
     /// of, with the @p rows of @p state that bear a force held.
     std::vector<BlockVector>
-    answers(const Linearization            &about,
+    answers(const TangentOperator            &about,
             const GapConstraints           &rows,
             const State                    &state,
             const std::vector<BlockVector> &loads)
@@ -204,10 +204,10 @@ namespace lamella
       return false;
     // What is carried along has rounding for stresses.
     const BlockVector internal = structure.internal_forces(state.u, state.rest);
-    if (is_rounding(Linearization(structure, state.u), internal, state.u))
+    if (is_rounding(TangentOperator(structure, state.u), internal, state.u))
       return false;
     Aid                  aid;
-    const Linearization  about = tangent(state, BlockVector(), to, aid);
+    const TangentOperator  about = tangent(state, BlockVector(), to, aid);
     const GapConstraints rows =
       aid.leaning ? aid.leaning->rows() : contacts.rows();
     const auto                 loads = loads_of_springs(structure, aid.firmer);
@@ -219,7 +219,7 @@ namespace lamella
     G.mmult(energy, G);
     for (unsigned int j = 0; j < modes.size(); ++j)
       {
-        const BlockVector turned = turn_of_rows(state, state.u, modes[j], to);
+        const BlockVector turned = rotation_of_constraints(state, state.u, modes[j], to);
         for (unsigned int i = 0; i < modes.size(); ++i)
           energy(i, j) = G(i, j) - energy(i, j) - modes[i] * turned;
       }

@@ -16,13 +16,13 @@ namespace lamella
 {
   using namespace dealii;
 
-  PenaltyMatrix::PenaltyMatrix(const Linearization  &linearization,
+  PenaltyMatrix::PenaltyMatrix(const TangentOperator  &tangent_operator,
                                const GapConstraints &rows)
-    : structure(linearization.of())
+    : structure(tangent_operator.of())
     , rows(rows)
     , symmetry(rows.rub() ? Symmetry::none : Symmetry::definite)
   {
-    assemble_stiffness(linearization);
+    assemble_stiffness(tangent_operator);
   }
 
 
@@ -55,11 +55,11 @@ namespace lamella
     /// numbering of the scene.
     template <typename Use>
     void
-    for_each_block(const Linearization &linearization,
+    for_each_block(const TangentOperator &tangent_operator,
                    const bool           with_values,
                    const Use           &use)
     {
-      const Structure &structure = linearization.of();
+      const Structure &structure = tangent_operator.of();
       const auto      &blocks    = structure.blocks();
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
         {
@@ -68,7 +68,7 @@ namespace lamella
               dof = blocks.local_to_global(b, dof);
             return dofs;
           };
-          const StiffnessTerms terms = linearization.terms(b);
+          const StiffnessTerms terms = tangent_operator.terms(b);
           terms.for_each_block(with_values, [&](const StiffnessBlock &block) {
             use(global(block.rows), global(block.columns), block.values);
           });
@@ -169,7 +169,7 @@ namespace lamella
 
 
   void
-  PenaltyMatrix::assemble_stiffness(const Linearization &linearization)
+  PenaltyMatrix::assemble_stiffness(const TangentOperator &tangent_operator)
   {
     const DofIndex n        = structure.n_dofs();
     constraints             = constraints_of_all();
@@ -179,13 +179,13 @@ namespace lamella
                     all * (this_process() + 1) / n_processes());
 
     std::vector<bool> written(n, false);
-    for_each_block(linearization,
+    for_each_block(tangent_operator,
                    false,
                    [&](const Dofs &rows, auto &&, auto &&) {
                      add_free(constraints, rows, written);
                    });
     DynamicSparsityPattern pattern(n, n, united(owned, written));
-    for_each_block(linearization,
+    for_each_block(tangent_operator,
                    false,
                    [&](const Dofs &rows, const Dofs &columns, auto &&) {
                      constraints.add_entries_local_to_global(rows,
@@ -198,7 +198,7 @@ namespace lamella
     stiffness.reinit(owned, owned, pattern, communicator(), true);
 
     for_each_block(
-      linearization,
+      tangent_operator,
       true,
       [&](const Dofs &rows, const Dofs &columns, const auto &values) {
         constraints.distribute_local_to_global(

@@ -28,7 +28,7 @@ namespace lamella
     // and another shows, and from where on none is to be trusted; and the turn
     // of an element [rad] that B4 with four points loses 1 % to.
     constexpr double worth_naming = 0.01, large_strain = 0.05,
-                     large_element_turn = 20. * dealii::numbers::PI / 180.;
+                     large_element_rotation = 20. * dealii::numbers::PI / 180.;
     // What displacements and gaps of a trusted result may be off by.
     constexpr double sound = 1e-6;
     // Forces come out of displacements that are held in doubles, which leaves
@@ -234,7 +234,7 @@ namespace lamella
 
     /// Of bodies that turn.
     void
-    add_warnings_of_turns(const Checks             &checks,
+    add_warnings_of_rotations(const Checks             &checks,
                           std::vector<std::string> &warnings)
     {
       if (checks.max_strain > large_strain)
@@ -259,13 +259,13 @@ namespace lamella
           "or torques by some " +
           to_text(100. * checks.shape_change, 2) +
           " % somewhere. Theory = LE-N has it");
-      if (checks.max_element_turn > large_element_turn)
+      if (checks.max_element_rotation > large_element_rotation)
         warnings.push_back(
           "an element of an axis turns by " +
-          to_text(checks.max_element_turn * 180. / dealii::numbers::PI, 3) +
+          to_text(checks.max_element_rotation * 180. / dealii::numbers::PI, 3) +
           " degrees from end to end, which it follows to some per cent only: " +
           to_text(
-            std::ceil(checks.max_element_turn / (large_element_turn / 2.)), 3) +
+            std::ceil(checks.max_element_rotation / (large_element_rotation / 2.)), 3) +
           " times as many there would turn by 10");
     }
   } // namespace
@@ -273,7 +273,7 @@ namespace lamella
 
 
   void
-  require_followed(const Linearization &here, const LoadFactor &at)
+  require_followed(const TangentOperator &here, const LoadFactor &at)
   {
     if (const auto missed = here.missed_most(at); missed.share > 1.)
       throw NumericsError(
@@ -300,7 +300,7 @@ namespace lamella
                            checks.is_large,
                            warnings);
     if (checks.is_large)
-      add_warnings_of_turns(checks, warnings);
+      add_warnings_of_rotations(checks, warnings);
     else
       add_warnings_of_rotations(checks, warnings);
     if (checks.stabilization_share > worth_saying)

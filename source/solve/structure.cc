@@ -62,7 +62,7 @@ namespace lamella
     : all_bodies(std::move(bodies))
     , rows(prescribed_functionals(supports, all_bodies))
     , histories(n_histories(supports, loads), {zero(), zero()})
-    , turning(all_bodies.size())
+    , follower_loads(all_bodies.size())
     , initial_load(zero())
   {
     check_held(stabilizations);
@@ -82,7 +82,7 @@ namespace lamella
       }
     for (unsigned int h = 1; h < histories.size(); ++h)
       histories[h].particular = prescribed_in(h, names);
-    check_turns(names);
+    check_rotations(names);
     for (const Load &load : loads)
       take(load);
     if (gravity.norm() > 0.)
@@ -111,8 +111,8 @@ namespace lamella
     for (const Region &region : load.on)
       if (depends_on_state(load, *all_bodies[region.body]))
         {
-          turning[region.body].emplace_back(
-            turning_load(load, region, *all_bodies[region.body]), load.history);
+          follower_loads[region.body].emplace_back(
+            follower_load(load, region, *all_bodies[region.body]), load.history);
           at_start.block(region.body) = 0.;
         }
     histories[load.history].load += at_start;
@@ -127,10 +127,10 @@ namespace lamella
       {
         initial_energies.push_back(
           all_bodies[b]->add_heat(initial_load.block(b)));
-        if (!all_bodies[b]->turns() || !all_bodies[b]->is_heated())
+        if (!all_bodies[b]->has_finite_rotations() || !all_bodies[b]->is_heated())
           continue;
         initial_load.block(b) = 0.;
-        turning[b].emplace_back(turning_heat(*all_bodies[b]), LoadFactor::heat);
+        follower_loads[b].emplace_back(turning_heat(*all_bodies[b]), LoadFactor::heat);
       }
   }
 
@@ -144,9 +144,9 @@ namespace lamella
     BlockVector  before = dead;
     resultants.push_back(add_weight(gravity, all_bodies, dead));
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      if (all_bodies[b]->rows_turn())
+      if (all_bodies[b]->constraints_rotate())
         {
-          turning[b].emplace_back(turning_weight(gravity, *all_bodies[b]), 0);
+          follower_loads[b].emplace_back(follower_weight(gravity, *all_bodies[b]), 0);
           dead.block(b) = before.block(b);
         }
   }
@@ -179,10 +179,10 @@ namespace lamella
 
 
   void
-  Structure::check_turns(const std::vector<std::string> &names) const
+  Structure::check_rotations(const std::vector<std::string> &names) const
   {
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      if (is_turned(b) && all_bodies[b]->turns() && !all_bodies[b]->rows_turn())
+      if (has_follower_loads(b) && all_bodies[b]->has_finite_rotations() && !all_bodies[b]->constraints_rotate())
         {
           std::vector<PrescribedFunctional> whole = rows;
           for (PrescribedFunctional &row : whole)
@@ -267,8 +267,8 @@ namespace lamella
     BlockVector f = zero();
     for (unsigned int h = 0; h < histories.size(); ++h)
       f.add(factor.of(h), histories[h].load);
-    for (unsigned int b = 0; b < turning.size(); ++b)
-      for (const auto &[load, history] : turning[b])
+    for (unsigned int b = 0; b < follower_loads.size(); ++b)
+      for (const auto &[load, history] : follower_loads[b])
         load->add_forces(factor.of(history), u.block(b), f.block(b));
     return f;
   }
@@ -286,7 +286,7 @@ namespace lamella
   bool
   Structure::has_skew_loads() const
   {
-    return std::any_of(turning.begin(), turning.end(), [](const auto &loads) {
+    return std::any_of(follower_loads.begin(), follower_loads.end(), [](const auto &loads) {
       return std::any_of(loads.begin(), loads.end(), [](const auto &load) {
         return load.first->is_skew();
       });
@@ -301,8 +301,8 @@ namespace lamella
                                      const BlockVector &w,
                                      BlockVector       &f) const
   {
-    for (unsigned int b = 0; b < turning.size(); ++b)
-      for (const auto &[load, history] : turning[b])
+    for (unsigned int b = 0; b < follower_loads.size(); ++b)
+      for (const auto &[load, history] : follower_loads[b])
         load->add_derivative(factor.of(history),
                              u.block(b),
                              w.block(b),
@@ -319,7 +319,7 @@ namespace lamella
     const bool                                         with_values,
     const std::function<void(const StiffnessBlock &)> &use) const
   {
-    for (const auto &[load, history] : turning[body])
+    for (const auto &[load, history] : follower_loads[body])
       load->for_each_stiffness_block(factor.of(history), u, with_values, use);
   }
 
@@ -382,11 +382,11 @@ namespace lamella
 
 
   bool
-  Structure::turns() const
+  Structure::has_finite_rotations() const
   {
     return std::any_of(all_bodies.begin(),
                        all_bodies.end(),
-                       [](const auto &body) { return body->turns(); });
+                       [](const auto &body) { return body->has_finite_rotations(); });
   }
 
 
@@ -436,11 +436,11 @@ namespace lamella
 
 
   BlockVector
-  Structure::updated(const BlockVector &u, const BlockVector &change) const
+  Structure::retract(const BlockVector &u, const BlockVector &change) const
   {
     BlockVector result = u;
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      result.block(b) = all_bodies[b]->updated(u.block(b), change.block(b));
+      result.block(b) = all_bodies[b]->retract(u.block(b), change.block(b));
     return result;
   }
 

@@ -51,9 +51,9 @@ namespace lamella
                      const double                face_angle,
                      const double                core_angle)
   {
-    const double turn = (face_angle - core_angle) * numbers::PI / 180.;
-    const double c    = std::pow(std::cos(turn), 2),
-                 s    = std::pow(std::sin(turn), 2);
+    const double rotation = (face_angle - core_angle) * numbers::PI / 180.;
+    const double c    = std::pow(std::cos(rotation), 2),
+                 s    = std::pow(std::sin(rotation), 2);
     const auto hoff   = [&core](const double E, const double G) {
       return 0.5 * std::cbrt(E * core.E3 * G);
     };

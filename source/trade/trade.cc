@@ -154,7 +154,7 @@ namespace lamella
         {
           // A theory that cannot turn says so as a variant.
           if (scene.solve.rotations == Rotations::large && !entry.tolerance &&
-              !can_turn(Theory::parse(Entry("Trade/Variants", entry.theory))))
+              !can_rotate(Theory::parse(Entry("Trade/Variants", entry.theory))))
             continue;
           throw InputError(
             "Trade/Variants",

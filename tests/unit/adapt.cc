@@ -132,19 +132,19 @@ namespace
     {}
 
     /// The sections that @p supports hold, at the start and at the end.
-    std::vector<HeldSection>
+    std::vector<ConstrainedSection>
     held(const std::vector<Support> &supports) const
     {
       const auto touches = find_touches(beam, 0, bodies, supports, {}, {});
-      std::vector<HeldSection> result;
+      std::vector<ConstrainedSection> result;
       for (unsigned int t = 0; t < touches.size(); ++t)
-        for (const HeldSection &one : held_sections(touches, t, beam.axis()))
+        for (const ConstrainedSection &one : constrained_sections(touches, t, beam.axis()))
           result.push_back(one);
       return result;
     }
 
     std::vector<EndZone>
-    zones(const HeldSection &held) const
+    zones(const ConstrainedSection &held) const
     {
       return end_fields(section, states, warping, warpings, held);
     }
@@ -459,10 +459,10 @@ BOOST_AUTO_TEST_CASE(end_fields_are_made_once)
   // those of the axis that `auto` makes.
   const End  end("strip"), again("strip"), other("coupled");
   EndFields  ends;
-  const auto zones = [&ends](const End &of, const HeldSection &held) {
+  const auto zones = [&ends](const End &of, const ConstrainedSection &held) {
     return ends.zones(of.section, of.states, of.warping, of.warpings, held);
   };
-  HeldSection  held   = end.held({clamp()})[0];
+  ConstrainedSection  held   = end.held({clamp()})[0];
   const auto   box    = end.section->element().bounding_box();
   const double height = std::min(box.side_length(0), box.side_length(1));
   held.element        = 0.15 * height;
@@ -499,12 +499,12 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
   const End end("coupled"), richer("coupled", "LE-3"), other("strip", "LE-3");
   BOOST_TEST(have_same_cells(*end.section, *richer.section));
   BOOST_TEST(!have_same_cells(*end.section, *other.section));
-  const HeldSection held = end.held({clamp()})[0];
+  const ConstrainedSection held = end.held({clamp()})[0];
   // Short pieces are as good for this.
   EndFieldRules rules;
   rules.length = 3.;
   EndFields  ends(rules);
-  const auto made_for = [&ends](const End &of, const HeldSection &one) {
+  const auto made_for = [&ends](const End &of, const ConstrainedSection &one) {
     return ends.zones(of.section, of.states, of.warping, of.warpings, one);
   };
   const auto         zones  = made_for(end, held);
@@ -521,7 +521,7 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
                             energy) < 1e-9 * scale);
       }
 
-  HeldSection of_richer = richer.held({clamp()})[0];
+  ConstrainedSection of_richer = richer.held({clamp()})[0];
   BOOST_TEST(of_richer.by == std::vector<std::string>({"support clamps"}),
              boost::test_tools::per_element());
   const auto reused = made_for(richer, of_richer);
@@ -551,7 +551,7 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
   BOOST_TEST(ends.n_made() == 4);
   // Another body's are not taken: its support may hold it in another way.
   const End   third("coupled", "LE-4");
-  HeldSection of_other = third.held({clamp()})[0];
+  ConstrainedSection of_other = third.held({clamp()})[0];
   of_other.body        = "another";
   made_for(third, of_other);
   BOOST_TEST(ends.n_made() == 5);

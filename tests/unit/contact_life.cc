@@ -109,7 +109,7 @@ namespace
 
   /// R - 1 of a turn by @p angle about an axis askew.
   Tensor<2, 3>
-  turn(const double angle)
+  rotation(const double angle)
   {
     Tensor<1, 3> axis({1., 0.4, -0.3});
     axis /= axis.norm();
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(rows_are_gradients_of_the_gap_at_any_state)
                           bodies,
                           interface);
           // Turned, slid along and across, and bent anyhow.
-          BlockVector u = against == 0 ? both(bodies, turn(0.6)) : zero(bodies);
+          BlockVector u = against == 0 ? both(bodies, rotation(0.6)) : zero(bodies);
           u.block(0) += affine(*bodies[0], {}, Tensor<1, 3>({0.2, 1.1, 0.3}));
           u.add(0.02, any(bodies, 1));
           BOOST_TEST(off_from_differences(contact, u, any(bodies, 5)) < 1e-6);
@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(pairs_of_nodes_that_face_each_other)
   ContactInterface interface;
   Contact contact(between(Discretization::node_to_node), bodies, interface);
   BOOST_TEST(off_from_differences(contact,
-                                  both(bodies, turn(0.6)),
+                                  both(bodies, rotation(0.6)),
                                   any(bodies, 5)) < 1e-6);
 }
 
@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(a_turn_of_both_bodies_changes_no_gap)
         const Bodies     bodies = two_strips("LE-1", "TE-2");
         ContactInterface interface;
         Contact          contact(between(discretization), bodies, interface);
-        BlockVector      u = both(bodies, turn(angle));
+        BlockVector      u = both(bodies, rotation(angle));
         contact.move(u, 0.);
         for (const GapConstraint &row : contact.rows())
           BOOST_TEST(std::abs(row.gap(u, 0.) - distance) < 1e-10);
@@ -307,7 +307,7 @@ BOOST_AUTO_TEST_CASE(a_turn_of_both_bodies_changes_no_gap)
             Tensor<2, 3> small;
             small[axis][(axis + 1) % 3] = 1.;
             small[(axis + 1) % 3][axis] = -1.;
-            const BlockVector d = both(bodies, small * turn(angle) + small);
+            const BlockVector d = both(bodies, small * rotation(angle) + small);
             for (const GapConstraint &row : contact.rows())
               BOOST_TEST(std::abs(row.jump(d)) < 1e-9);
           }
@@ -466,7 +466,7 @@ namespace
   {
     Tensor<2, 3> G;
     if (!what.against)
-      G = turn(0.6);
+      G = rotation(0.6);
     G[0][0] += 0.02;
     G[1][1] -= 0.03;
     BlockVector u = both(bodies, G);
@@ -569,17 +569,17 @@ BOOST_AUTO_TEST_CASE(bodies_that_turn_together_do_not_slip)
         const Bodies      bodies = two_strips("LE-2", "LE-2");
         ContactInterface  interface;
         Contact           contact(pair_of(what), bodies, interface);
-        const BlockVector start = both(bodies, turn(0.3));
+        const BlockVector start = both(bodies, rotation(0.3));
         contact.pair(start, 0.);
         contact.begin_step(start, 0.);
         const auto        frames = contact.rows();
         const BlockVector turned =
-          both(bodies, turn(1.3), Tensor<1, 3>({3., -1., 2.}));
+          both(bodies, rotation(1.3), Tensor<1, 3>({3., -1., 2.}));
         contact.move(turned, 0.);
         BOOST_TEST(largest(slips(contact, turned, 0.)) < 1e-11);
         // Their frames have turned along.
         const Tensor<2, 3> by =
-          (unit() + turn(1.3)) * transpose(unit() + turn(0.3));
+          (unit() + rotation(1.3)) * transpose(unit() + rotation(0.3));
         for (unsigned int k = 0; k < frames.size(); ++k)
           for (unsigned int a = 0; a < 2; ++a)
             BOOST_TEST((contact.rows()[k].slips[a].tangent -
@@ -587,7 +587,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_turn_together_do_not_slip)
                          .norm() < 1e-11);
         // The upper one slides along the lower one by a known way.
         const Tensor<1, 3> way =
-          (unit() + turn(1.3)) * Tensor<1, 3>({0.1, 0.5, 0.});
+          (unit() + rotation(1.3)) * Tensor<1, 3>({0.1, 0.5, 0.});
         BlockVector slid = turned;
         slid.block(0) += affine(*bodies[0], {}, way);
         contact.move(slid, 0.);
@@ -657,7 +657,7 @@ BOOST_AUTO_TEST_CASE(slip_is_what_is_across_the_normal)
         ContactInterface interface;
         Contact          contact(between(discretization), bodies, interface);
         if (angle > 0.)
-          contact.move(both(bodies, turn(angle)), 0.);
+          contact.move(both(bodies, rotation(angle)), 0.);
         const Tensor<1, 3> shift({0.3, -0.2, 0.5});
         BlockVector        d = zero(bodies);
         d.block(1)           = affine(*bodies[1], {}, shift);

@@ -20,7 +20,7 @@
 #include <random>
 #include <set>
 
-BOOST_AUTO_TEST_SUITE(field_space)
+BOOST_AUTO_TEST_SUITE(section_space)
 
 using namespace lamella;
 using dealii::FullMatrix;
@@ -59,7 +59,7 @@ namespace
 
 
 
-  std::shared_ptr<const FieldSpace>
+  std::shared_ptr<const SectionSpace>
   random_space(const std::shared_ptr<const Section> &section,
                const unsigned int                    n_modes)
   {
@@ -69,14 +69,14 @@ namespace
         const Vector one = random_vector(section->n_fields(), 17 + j);
         std::copy(one.begin(), one.end(), &modes(0, j));
       }
-    return std::make_shared<FieldSpace>(section, modes);
+    return std::make_shared<SectionSpace>(section, modes);
   }
 
 
 
   /// The rigid fields and the modes from @p first on.
   std::vector<unsigned int>
-  dense_list(const FieldSpace &space, const unsigned int first = 0)
+  dense_list(const SectionSpace &space, const unsigned int first = 0)
   {
     std::vector<unsigned int> list(6);
     std::iota(list.begin(), list.end(), 0);
@@ -89,7 +89,7 @@ namespace
 
   /// All fields of the section.
   std::vector<unsigned int>
-  whole_list(const FieldSpace &space)
+  whole_list(const SectionSpace &space)
   {
     std::vector<unsigned int> list(space.first_mode());
     std::iota(list.begin(), list.end(), 0);
@@ -108,7 +108,7 @@ namespace
       for (unsigned int k = 0; k < beam.dofs().fields(node).size(); ++k)
         {
           const Vector field =
-            beam.fields().in_section_fields(beam.dofs().fields(node)[k]);
+            beam.fields().in_section_functions(beam.dofs().fields(node)[k]);
           for (unsigned int a = 0; a < field.size(); ++a)
             result[full.dofs().first(node) + a] +=
               u[beam.dofs().first(node) + k] * field[a];
@@ -127,7 +127,7 @@ namespace
       for (unsigned int k = 0; k < beam.dofs().fields(node).size(); ++k)
         {
           const Vector field =
-            beam.fields().in_section_fields(beam.dofs().fields(node)[k]);
+            beam.fields().in_section_functions(beam.dofs().fields(node)[k]);
           for (unsigned int a = 0; a < field.size(); ++a)
             result[beam.dofs().first(node) + k] +=
               f[full.dofs().first(node) + a] * field[a];
@@ -150,7 +150,7 @@ namespace
   /// One element with dense lists, one with all fields at one end, one with
   /// fewer modes, on an axis of the degree @p degree.
   Lists
-  mixed_lists(const FieldSpace &space, const unsigned int degree)
+  mixed_lists(const SectionSpace &space, const unsigned int degree)
   {
     const auto dense = dense_list(space), fewer = dense_list(space, 3),
                whole = whole_list(space);
@@ -324,7 +324,7 @@ namespace
   /// The numbers of the fields @p list whose combination is @p field, by least
   /// squares in the energy of S_00 + S_11.
   Vector
-  in_list(const FieldSpace                &space,
+  in_list(const SectionSpace                &space,
           const std::vector<unsigned int> &list,
           const Vector                    &field)
   {
@@ -332,7 +332,7 @@ namespace
     std::vector<Vector> columns, products;
     for (const unsigned int alpha : list)
       {
-        columns.push_back(space.in_section_fields(alpha));
+        columns.push_back(space.in_section_functions(alpha));
         products.emplace_back(field.size());
         space.section().S(0, 0).vmult(products.back(), columns.back());
         space.section().S(1, 1).vmult_add(products.back(), columns.back());
@@ -393,7 +393,7 @@ BOOST_AUTO_TEST_CASE(saint_venant_states_are_held_exactly)
   const FieldColumns warpings =
     saint_venant_warpings(states, Warping(*section));
   BOOST_TEST(warpings.n() == 6);
-  const auto space = std::make_shared<FieldSpace>(section, warpings);
+  const auto space = std::make_shared<SectionSpace>(section, warpings);
   const auto axis  = make_axis(1.3, 3, 3);
   const auto sv = dense_list(*space), whole = whole_list(*space);
   for (const Lists &lists :

@@ -3,13 +3,13 @@
 // Beams that turn by any angle: the derivative of their forces, rigid turns,
 // small loads, and what is known of a cantilever that bends round.
 
-#include "turning_fixtures.h"
+#include "finite_rotation_fixtures.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/body/green_beam.h>
-#include <lamella/body/green_solid.h>
+#include <lamella/body/total_lagrangian_beam.h>
+#include <lamella/body/total_lagrangian_solid.h>
 #include <lamella/body/second_order.h>
-#include <lamella/conditions/turning_load.h>
+#include <lamella/conditions/follower_load.h>
 #include <lamella/material/library.h>
 #include <lamella/solve/beyond_linear.h>
 #include <lamella/solve/newton.h>
@@ -138,7 +138,7 @@ namespace
 
   /// A rigid turn, alone and of a body that is strained.
   void
-  check_rigid_turns(const Body &body)
+  check_rigid_rotations(const Body &body)
   {
     // Something stretched and sheared, then turned as well.
     Tensor<2, 3> F({{1.02, 0.01, 0.}, {-0.03, 0.98, 0.02}, {0., 0.05, 1.01}});
@@ -150,9 +150,9 @@ namespace
         const Tensor<2, 3> R =
           dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
             Point<3>(axis), degrees * dealii::numbers::PI / 180.);
-        const Vector turn = affine(body, R);
-        BOOST_TEST(forces(body, turn).linfty_norm() < 1e-13);
-        BOOST_TEST(std::abs(body.deformation(turn).energy) < 1e-14);
+        const Vector rotation = affine(body, R);
+        BOOST_TEST(forces(body, rotation).linfty_norm() < 1e-13);
+        BOOST_TEST(std::abs(body.deformation(rotation).energy) < 1e-14);
         BOOST_TEST(std::abs(body.deformation(affine(body, R * F)).energy -
                             energy) < 1e-13);
       }
@@ -163,16 +163,16 @@ namespace
 
 BOOST_AUTO_TEST_CASE(tangent_is_the_derivative_of_the_forces)
 {
-  check_derivatives(*beam<GreenBeam>(2));
-  check_derivatives(*solid<GreenSolid>());
+  check_derivatives(*beam<TotalLagrangianBeam>(2));
+  check_derivatives(*solid<TotalLagrangianSolid>());
 }
 
 
 
 BOOST_AUTO_TEST_CASE(heat_is_of_the_energy)
 {
-  const auto fields    = beam<GreenBeam>(2);
-  const auto hexahedra = solid<GreenSolid>();
+  const auto fields    = beam<TotalLagrangianBeam>(2);
+  const auto hexahedra = solid<TotalLagrangianSolid>();
   for (Body *body : {static_cast<Body *>(fields.get()),
                      static_cast<Body *>(hexahedra.get())})
     check_heat(*body, random_vector(body->n_dofs(), 0.2, 1));
@@ -182,8 +182,8 @@ BOOST_AUTO_TEST_CASE(heat_is_of_the_energy)
 
 BOOST_AUTO_TEST_CASE(undeformed_it_is_the_linear_stiffness)
 {
-  check_start(*beam<GreenBeam>(2), *beam<Beam>(2));
-  check_start(*solid<GreenSolid>(), *solid<Solid>());
+  check_start(*beam<TotalLagrangianBeam>(2), *beam<Beam>(2));
+  check_start(*solid<TotalLagrangianSolid>(), *solid<Solid>());
 }
 
 
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(undeformed_it_is_the_linear_stiffness)
 BOOST_AUTO_TEST_CASE(a_solid_of_incompatible_modes_does_not_turn)
 {
   BOOST_CHECK_THROW(
-    GreenSolid("s",
+    TotalLagrangianSolid("s",
                make_section_mesh(two_plies, {{"material", nine_constants()}}),
                two_elements(),
                Placement(),
@@ -203,8 +203,8 @@ BOOST_AUTO_TEST_CASE(a_solid_of_incompatible_modes_does_not_turn)
 
 BOOST_AUTO_TEST_CASE(a_rigid_turn_is_free_and_leaves_the_energy)
 {
-  check_rigid_turns(*beam<GreenBeam>(1));
-  check_rigid_turns(*solid<GreenSolid>());
+  check_rigid_rotations(*beam<TotalLagrangianBeam>(1));
+  check_rigid_rotations(*solid<TotalLagrangianSolid>());
 }
 
 
@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(stresses_turn_with_the_material)
   // Cauchy's stress of a stretched block in axes that turn with it: R^T sigma
   // R with sigma = F S F^T / det F is that of the stretch alone, and U S U /
   // det U of a stretch without shear has S_ii U_i^2 / det U.
-  const auto   body = beam<GreenBeam>(1);
+  const auto   body = beam<TotalLagrangianBeam>(1);
   Tensor<2, 3> U;
   U[0][0]          = 1.02;
   U[1][1]          = 0.97;
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(geometric_stiffness_is_objective)
 BOOST_AUTO_TEST_CASE(moments_are_about_where_the_body_is)
 {
   // e_m x (X + u - c) is how a turn about c moves the body that has moved.
-  const auto   body = beam<GreenBeam>(2);
+  const auto   body = beam<TotalLagrangianBeam>(2);
   const Vector u    = random_vector(body->n_dofs(), 0.2, 4);
   const auto   places =
     body->locate({Point<3>(0.1, 0.7, 0.15), Point<3>(0.9, 2.9, 0.35)});
@@ -335,7 +335,7 @@ namespace
     const auto axis = make_axis(10., elements);
     if (kind == "large")
       bodies.push_back(
-        std::make_unique<GreenBeam>("strip", section, axis, Placement()));
+        std::make_unique<TotalLagrangianBeam>("strip", section, axis, Placement()));
     else
       bodies.push_back(
         std::make_unique<Beam>("strip", section, axis, Placement()));
@@ -371,7 +371,7 @@ namespace
   }
 
   Vector
-  forces(const TurningLoad &load, const Vector &u)
+  forces(const FollowerLoad &load, const Vector &u)
   {
     Vector f(u.size());
     load.add_forces(1., u, f);
@@ -379,7 +379,7 @@ namespace
   }
 
   Vector
-  stiffness_times(const TurningLoad &load, const Vector &u, const Vector &w)
+  stiffness_times(const FollowerLoad &load, const Vector &u, const Vector &w)
   {
     Vector f(u.size());
     load.for_each_stiffness_block(
@@ -395,7 +395,7 @@ namespace
   /// By how much v K w is off half of -(v df/du w + w df/du v), over its
   /// size.
   double
-  off_derivative(const TurningLoad &load,
+  off_derivative(const FollowerLoad &load,
                  const Vector      &u,
                  const Vector      &v,
                  const Vector      &w)
@@ -421,7 +421,7 @@ namespace
 
 BOOST_AUTO_TEST_CASE(loads_that_turn_along_have_their_derivatives)
 {
-  const auto   body = beam<GreenBeam>(2);
+  const auto   body = beam<TotalLagrangianBeam>(2);
   const Vector u    = random_vector(body->n_dofs(), 0.1, 5),
                v    = random_vector(body->n_dofs(), 1., 6),
                w    = random_vector(body->n_dofs(), 1., 7);
@@ -434,7 +434,7 @@ BOOST_AUTO_TEST_CASE(loads_that_turn_along_have_their_derivatives)
   varying.pressure  = "1 + 0.5 * y";
   for (const Load &load : {couple, pressure, varying})
     {
-      const auto turning = turning_load(load, load.on.front(), *body);
+      const auto turning = follower_load(load, load.on.front(), *body);
       BOOST_TEST(off_derivative(*turning, u, v, w) < 1e-6);
       // At the start they are the dead ones.
       Vector start = forces(*turning, Vector(u.size())), dead(u.size());
@@ -448,7 +448,7 @@ BOOST_AUTO_TEST_CASE(loads_that_turn_along_have_their_derivatives)
 
 BOOST_AUTO_TEST_CASE(loads_that_turn_along_keep_what_they_promise)
 {
-  const auto         body = beam<GreenBeam>(2);
+  const auto         body = beam<TotalLagrangianBeam>(2);
   const Tensor<1, 3> axis({0.6, 0., 0.8});
   const Tensor<2, 3> R =
     dealii::Physics::Transformations::Rotations::rotation_matrix_3d(axis, 2.1);
@@ -464,7 +464,7 @@ BOOST_AUTO_TEST_CASE(loads_that_turn_along_keep_what_they_promise)
   // A couple has no force, and its moment whatever has turned.
   Load couple    = load_on("end");
   couple.couple  = Tensor<1, 3>({0.3, -0.7, 0.5});
-  const Vector f = forces(*turning_load(couple, couple.on.front(), *body), u);
+  const Vector f = forces(*follower_load(couple, couple.on.front(), *body), u);
   for (unsigned int c = 0; c < 3; ++c)
     {
       BOOST_TEST(std::abs(f * motions[c]) < 1e-12);
@@ -478,7 +478,7 @@ BOOST_AUTO_TEST_CASE(loads_that_turn_along_keep_what_they_promise)
   pressure.pressure = 0.6;
   pressure.follows  = true;
   const Vector p =
-    forces(*turning_load(pressure, pressure.on.front(), *body), u);
+    forces(*follower_load(pressure, pressure.on.front(), *body), u);
   const Tensor<1, 3> force =
     -0.6 * 1.2 * 3.3 * (R * Tensor<1, 3>({0., 0., 1.}));
   for (unsigned int c = 0; c < 3; ++c)
@@ -489,11 +489,11 @@ BOOST_AUTO_TEST_CASE(loads_that_turn_along_keep_what_they_promise)
 
 BOOST_AUTO_TEST_CASE(a_pressure_that_follows_is_smooth)
 {
-  const auto body = beam<GreenBeam>(1);
+  const auto body = beam<TotalLagrangianBeam>(1);
   Load       load = load_on("top");
   load.pressure   = "if(y < 1.1, 1, 0)";
   load.follows    = true;
-  BOOST_CHECK_EXCEPTION(turning_load(load, load.on.front(), *body),
+  BOOST_CHECK_EXCEPTION(follower_load(load, load.on.front(), *body),
                         InputError,
                         [](const InputError &error) {
                           return error.path() == "Load l/Pressure";
@@ -606,7 +606,7 @@ namespace
       make_section(rectangle(0.1, 0.003, {0., 90., 0.}), carbon, 2);
     std::vector<std::unique_ptr<Body>> bodies;
     if (large)
-      bodies.push_back(std::make_unique<GreenBeam>(
+      bodies.push_back(std::make_unique<TotalLagrangianBeam>(
         "strip", section, graded_axis(), Placement()));
     else
       bodies.push_back(

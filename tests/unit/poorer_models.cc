@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(rows_that_a_surplus_opens_answer_with_its_energy)
     jump[k] = -run.model().rows()[active[k]].jump(v);
   run.contact_solver().solve_linear(
     active, run.model().structure().zero(), jump, w, forces);
-  const Linearization &tangent = run.contact_solver().tangent();
+  const TangentOperator &tangent = run.contact_solver().tangent();
   const double of_bodies = tangent.apply(v) * v, of_rows = tangent.apply(w) * w;
   // A hundred times what is told apart below.
   BOOST_TEST(of_rows > 1e-4 * of_bodies);

@@ -13,7 +13,7 @@
 #include <numeric>
 #include <random>
 
-BOOST_AUTO_TEST_SUITE(section_answer)
+BOOST_AUTO_TEST_SUITE(section_operator)
 
 using namespace lamella;
 
@@ -129,12 +129,12 @@ namespace
 
 
   void
-  check_answers_agree(const FieldSpace &space,
+  check_answers_agree(const SectionSpace &space,
                       const List       &list,
                       const bool        assumed_shear)
   {
-    const PointAnswer   by_points(space, list);
-    const ProductAnswer by_products(space, list, assumed_shear);
+    const PointwiseSectionOperator   by_points(space, list);
+    const ProductSectionOperator by_products(space, list, assumed_shear);
     const FieldParts    q      = random_parts(list.size(), assumed_shear);
     const SectionForces found  = by_products.forces(q),
                         wanted = by_points.forces(q);
@@ -154,7 +154,7 @@ namespace
   /// The energy is half the work of the forces on what makes them, and the
   /// forces are those of the stiffness.
   void
-  check_answer(const SectionAnswer &answer, const bool assumed_shear)
+  check_answer(const SectionOperator &answer, const bool assumed_shear)
   {
     const List               &list   = answer.fields();
     const FieldParts          q      = random_parts(list.size(), assumed_shear);
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(points_and_products_agree_for_taylor)
 {
   for (const unsigned int order : {2, 4})
     {
-      const FieldSpace space(coupled_section(Theory::Kind::TE, order));
+      const SectionSpace space(coupled_section(Theory::Kind::TE, order));
       List             fewer = numbers(space.n_fields());
       fewer.erase(fewer.begin() + 8, fewer.begin() + 12);
       for (const bool assumed_shear : {false, true})
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(points_and_products_agree_for_taylor)
 BOOST_AUTO_TEST_CASE(points_and_products_agree_for_modes)
 {
   const auto       section = coupled_section(Theory::Kind::LE, 2);
-  const FieldSpace space(section, random_columns(section->n_fields(), 7, 17));
+  const SectionSpace space(section, random_columns(section->n_fields(), 7, 17));
   List             dense = numbers(6);
   for (const unsigned int j : {0, 1, 3, 6})
     dense.push_back(space.first_mode() + j);
@@ -237,17 +237,17 @@ BOOST_AUTO_TEST_CASE(forces_are_conjugate_to_coefficients)
                                     std::make_pair(Theory::Kind::TE, 3),
                                     std::make_pair(Theory::Kind::LE, 2)})
     {
-      const FieldSpace space(coupled_section(kind, order));
+      const SectionSpace space(coupled_section(kind, order));
       for (const bool assumed_shear : {false, true})
-        check_answer(*make_section_answer(space,
+        check_answer(*make_section_operator(space,
                                           numbers(space.n_fields()),
                                           assumed_shear),
                      assumed_shear);
     }
   // Modes beside all fields, too.
   const auto       section = coupled_section(Theory::Kind::LE, 2);
-  const FieldSpace space(section, random_columns(section->n_fields(), 4, 17));
-  check_answer(*make_section_answer(space, numbers(space.n_fields()), false),
+  const SectionSpace space(section, random_columns(section->n_fields(), 4, 17));
+  check_answer(*make_section_operator(space, numbers(space.n_fields()), false),
                false);
 }
 
@@ -256,16 +256,16 @@ BOOST_AUTO_TEST_CASE(forces_are_conjugate_to_coefficients)
 BOOST_AUTO_TEST_CASE(the_factory_takes_what_suits)
 {
   const auto       section = coupled_section(Theory::Kind::LE, 2);
-  const FieldSpace space(section, random_columns(section->n_fields(), 2, 17)),
+  const SectionSpace space(section, random_columns(section->n_fields(), 2, 17)),
     taylor(coupled_section(Theory::Kind::TE, 2));
   List dense = numbers(6), mixed = numbers(9);
   dense.push_back(space.first_mode());
   mixed.push_back(space.first_mode());
-  const auto by_products = [](const FieldSpace &space,
+  const auto by_products = [](const SectionSpace &space,
                               const List       &list,
                               const bool        assumed_shear) {
-    return dynamic_cast<const ProductAnswer *>(
-             make_section_answer(space, list, assumed_shear).get()) != nullptr;
+    return dynamic_cast<const ProductSectionOperator *>(
+             make_section_operator(space, list, assumed_shear).get()) != nullptr;
   };
   BOOST_TEST(by_products(space, dense, false));
   BOOST_TEST(!by_products(space, dense, true));

@@ -69,7 +69,7 @@ namespace
       return solver->solve_contact(solver->solve_free(1.), 1.);
     }
 
-    Linearization
+    TangentOperator
     tangent(const State &state) const
     {
       return {*structure, state.u};

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(nearly_incompressible)
         Support      corner{"corner",
                        {{0, Region::Kind::point, "", {Point<3>(0., 0., 0.)}}},
                        {{0., {}, 0.}}};
-        Support      no_turn{"no turn",
+        Support      no_rotation{"no turn",
                         {{0, Region::Kind::point, "", {Point<3>(1., 0., 0.)}}},
                         {{{}, {}, 0.}}};
         const Solved solved =
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(nearly_incompressible)
                                               strip.section(theory),
                                               make_axis(4., 2),
                                               Placement()),
-                       {axial, corner, no_turn},
+                       {axial, corner, no_rotation},
                        {traction("end", "0", "1", "0")});
         const FieldSample at = solved.at(Point<3>(0.3, 1.7, 0.8));
         // C comes out of the inverse of a nearly singular compliance, and then

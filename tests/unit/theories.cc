@@ -916,7 +916,7 @@ BOOST_AUTO_TEST_CASE(ebbt_propped_anywhere)
           const double f_aa = held_at_start(a, a) - lost(a, a),
                        R    = E * held_at_start(rod, a) / f_aa;
           const auto checks =
-            check_state(Linearization(*solved.structure, solved.state.u),
+            check_state(TangentOperator(*solved.structure, solved.state.u),
                         {},
                         2,
                         solved.state,
@@ -955,7 +955,7 @@ BOOST_AUTO_TEST_CASE(ebbt_pushed_in_the_middle)
       const double l = elements == 2 ? 0. : rod / 3.,
                    R = 192. * EI * w_0 / (std::pow(rod, 3) - std::pow(l, 3));
       const auto reactions =
-        check_state(Linearization(*solved.structure, solved.state.u),
+        check_state(TangentOperator(*solved.structure, solved.state.u),
                     {},
                     2,
                     solved.state,

@@ -118,7 +118,7 @@ namespace
         "0",
         digits(1. / bar.polar_moment) + " * (x - " + digits(W / 2.) + ")")});
     // The turn about y takes x to -z. Of wide sections u_z along x tells it.
-    const auto turn = [&](const double y) {
+    const auto rotation = [&](const double y) {
       return W >= H ? (solved.at({0.8 * W, y, H / 2.}).displacement[2] -
                        solved.at({0.2 * W, y, H / 2.}).displacement[2]) /
                         (0.6 * W) :
@@ -126,7 +126,7 @@ namespace
                        solved.at({W / 2., y, 0.8 * H}).displacement[0]) /
                         (0.6 * H);
     };
-    return 0.3 * L / (G * (turn(0.5 * L) - turn(0.2 * L)));
+    return 0.3 * L / (G * (rotation(0.5 * L) - rotation(0.2 * L)));
   }
 
 

@@ -64,9 +64,9 @@ namespace lamella
         const Vector w    = random_vector(body.n_dofs(), 1., seed);
         Vector       step = w;
         step *= h;
-        const Vector ahead = body.updated(u, step);
+        const Vector ahead = body.retract(u, step);
         step *= -1.;
-        const Vector back = body.updated(u, step);
+        const Vector back = body.retract(u, step);
         Vector       f(u.size()), derivative(u.size());
         body.add_internal_forces(u, f);
         f -= of_heat(u);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Beams whose sections turn (ReissnerBeam): strains of a frame, the energy and
+// Beams whose sections turn (GeometricallyExactBeam): strains of a frame, the energy and
 // what follows from it, points, rigid turns, and elastic lines by exact
 // solutions.
 
-#include "turning_fixtures.h"
+#include "finite_rotation_fixtures.h"
 
 #include <lamella/base/exceptions.h>
 #include <lamella/body/frame_strains.h>
-#include <lamella/body/reissner_beam.h>
-#include <lamella/conditions/turning_load.h>
+#include <lamella/body/geometrically_exact_beam.h>
+#include <lamella/conditions/follower_load.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/shape_change.h>
 #include <lamella/section/twist_stretch.h>
@@ -168,7 +168,7 @@ namespace
                     std::shared_ptr<const Axis>    axis,
                     const Placement               &placement = {})
   {
-    const auto space = std::make_shared<FieldSpace>(
+    const auto space = std::make_shared<SectionSpace>(
       section, saint_venant_warpings(SaintVenant(*section), Warping(*section)));
     std::vector<unsigned int> list;
     for (unsigned int alpha = 0; alpha < RigidField::n_all; ++alpha)
@@ -192,10 +192,10 @@ namespace
                                       Tensor<1, 3>({-0.2, 0.1, 1.}));
   }
 
-  std::unique_ptr<ReissnerBeam>
+  std::unique_ptr<GeometricallyExactBeam>
   coupled(const Placement &placement = askew())
   {
-    return saint_venant_beam<ReissnerBeam>(
+    return saint_venant_beam<GeometricallyExactBeam>(
       make_section(rectangle(1., 0.4, {30., -60.}), nine_constants(), 2),
       make_axis(3., 2),
       placement);
@@ -215,14 +215,14 @@ namespace
   {
     Vector change = w;
     change *= h;
-    return body.updated(u, change);
+    return body.retract(u, change);
   }
 
   /// A state that turns by about a radian.
   Vector
   some_state(const Body &body, const unsigned int seed = 1)
   {
-    return body.updated(random_vector(body.n_dofs(), 0.3, seed),
+    return body.retract(random_vector(body.n_dofs(), 0.3, seed),
                         random_vector(body.n_dofs(), 0.2, seed + 1));
   }
 } // namespace
@@ -269,8 +269,8 @@ BOOST_AUTO_TEST_CASE(small_states_are_those_of_the_linear_beam)
   const auto section =
     make_section(rectangle(1., 0.4, {30., -60.}), nine_constants(), 2);
   const auto axis         = make_axis(3., 2);
-  const auto turning      = saint_venant_beam<ReissnerBeam>(section, axis),
-             other        = saint_venant_beam<ReissnerBeam>(section, axis);
+  const auto turning      = saint_venant_beam<GeometricallyExactBeam>(section, axis),
+             other        = saint_venant_beam<GeometricallyExactBeam>(section, axis);
   const auto       linear = saint_venant_beam<Beam>(section, axis);
   const double     h      = section->element().reference_length();
   Vector           u(linear->n_dofs());
@@ -371,7 +371,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_turn_is_free)
   const Vector u      = some_state(*body);
   const double energy = body->deformation(u).energy;
   Tensor<1, 3> theta({0.5, -0.9, 1.4});
-  Vector       turned(u.size()), spin(u.size());
+  Vector       rotated(u.size()), spin(u.size());
   const auto   motions = body->rigid_motions_at(u);
   for (const double angle : {0.6, pi / 2., pi, 2. * pi})
     {
@@ -387,7 +387,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_turn_is_free)
           spin += zero;
         }
       // A state with the same spin of all, its translations replaced.
-      turned            = body->updated(u, spin);
+      turned            = body->retract(u, spin);
       const auto rotate = [&](const Tensor<1, 3> &v) {
         return body->place().vector_to_body(R *
                                             body->place().vector_to_scene(v));
@@ -436,10 +436,10 @@ namespace
     tbt.order = 1;
     if (saint_venant)
       bodies.push_back(
-        saint_venant_beam<ReissnerBeam>(make_section(mesh, 3), axis));
+        saint_venant_beam<GeometricallyExactBeam>(make_section(mesh, 3), axis));
     else
-      bodies.push_back(std::make_unique<ReissnerBeam>(
-        "b", make_section(mesh, tbt.of_turning()), axis, Placement()));
+      bodies.push_back(std::make_unique<GeometricallyExactBeam>(
+        "b", make_section(mesh, tbt.of_rotating()), axis, Placement()));
     const std::string force = std::to_string(40. * std::pow(height / 0.1, 2));
     return {std::move(bodies),
             {clamp("start")},

@@ -47,7 +47,7 @@ private:
   answers_to(const std::vector<Vector> &loads) const;
 
   std::vector<std::vector<unsigned int>>
-  lists_by_hand(const FieldSpace  &space,
+  lists_by_hand(const SectionSpace  &space,
                 const unsigned int n_nose,
                 const double       near_nose,
                 const double       near_clamp) const;
@@ -118,7 +118,7 @@ FieldsOfASection::answers_to(const std::vector<Vector> &loads) const
 // clamp disturbs in a laminate with plies at an angle within one or two widths.
 // Nodes with different lists are neighbors without any treatment.
 std::vector<std::vector<unsigned int>>
-FieldsOfASection::lists_by_hand(const FieldSpace  &space,
+FieldsOfASection::lists_by_hand(const SectionSpace  &space,
                                 const unsigned int n_nose,
                                 const double       near_nose,
                                 const double       near_clamp) const
@@ -199,7 +199,7 @@ FieldsOfASection::print_beams()
     tractions.push_back(warping.traction(column_of(warpings, j)));
   const FieldColumns to_clamp = answers_to(tractions);
   const auto         space =
-    std::make_shared<FieldSpace>(coupon.section,
+    std::make_shared<SectionSpace>(coupon.section,
                                  beside(warpings, beside(to_nose, to_clamp)));
   std::cout << "\nResponses to the nose: " << to_nose.n()
             << "\nResponses to the clamp: " << to_clamp.n() << "\n\n";

@@ -45,7 +45,7 @@ namespace lamella
 
   /// Constraint of a section as a whole, and the side of the body. A free end
   /// has no rows.
-  struct HeldSection
+  struct ConstrainedSection
   {
     /// Rows r(u) = 0 in the fields of the section.
     std::vector<LinearFunctional> rows;
@@ -62,14 +62,14 @@ namespace lamella
 
     /// Returns whether the axis elements are as long, to rounding.
     bool
-    is_as_long_as(const HeldSection &other) const;
+    is_as_long_as(const ConstrainedSection &other) const;
   };
 
   /// Returns the constraints of the section at touch @p t of @p touches
   /// (Touch::holds_section) on a body with @p axis: the rows of all touches
   /// that hold it there, once for each side of the body (two in its interior).
-  std::vector<HeldSection>
-  held_sections(const std::vector<Touch> &touches,
+  std::vector<ConstrainedSection>
+  constrained_sections(const std::vector<Touch> &touches,
                 const unsigned int        t,
                 const Axis               &axis);
 
@@ -90,7 +90,7 @@ namespace lamella
 
   /// Returns whether both are held alike, to rounding.
   bool
-  alike(const HeldSection &a, const HeldSection &b);
+  alike(const ConstrainedSection &a, const ConstrainedSection &b);
 
   /// Fields that nodes carry up to a distance from an end.
   struct EndZone
@@ -106,7 +106,7 @@ namespace lamella
   /// end_fields() [length].
   double
   first_element(const Section       &section,
-                const HeldSection   &held,
+                const ConstrainedSection   &held,
                 const EndFieldRules &rules);
 
   /**
@@ -142,7 +142,7 @@ namespace lamella
              const SaintVenant                    &states,
              const Warping                        &warping,
              const FieldColumns                   &warpings,
-             const HeldSection                    &held,
+             const ConstrainedSection                    &held,
              const std::vector<HeatedSection>     &heat  = {},
              const EndFieldRules                  &rules = {});
 
@@ -161,7 +161,7 @@ namespace lamella
   std::vector<EndZone>
   mirrored(const std::vector<EndZone> &zones,
            const Section              &section,
-           const HeldSection          &held);
+           const ConstrainedSection          &held);
 } // namespace lamella
 
 #endif

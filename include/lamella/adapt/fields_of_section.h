@@ -4,7 +4,7 @@
 #define lamella_adapt_fields_of_section_h
 
 #include <lamella/adapt/node_fields.h>
-#include <lamella/section/field_space.h>
+#include <lamella/section/section_space.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/warping.h>
 
@@ -41,7 +41,7 @@ namespace lamella
     /// the zones of its end fields; or the tractions of its @p touch if it is
     /// held without end fields, or the rules want them.
     std::vector<unsigned int>
-    groups_of(const Touch &touch, const std::vector<HeldSection> &held);
+    groups_of(const Touch &touch, const std::vector<ConstrainedSection> &held);
 
     /// Returns the distance along the axis within which nodes carry the fields
     /// of group @p g.
@@ -76,10 +76,10 @@ namespace lamella
     columns_of(const std::vector<unsigned int> &list) const;
 
     /// Returns the space of all modes. Call it after the last list.
-    std::shared_ptr<const FieldSpace>
+    std::shared_ptr<const SectionSpace>
     space() const
     {
-      return std::make_shared<FieldSpace>(section, modes);
+      return std::make_shared<SectionSpace>(section, modes);
     }
 
   private:
@@ -113,7 +113,7 @@ namespace lamella
     /// A held section with the zones of its end fields and their groups.
     struct End
     {
-      HeldSection               held;
+      ConstrainedSection               held;
       std::vector<EndZone>      zones;
       std::vector<unsigned int> groups;
     };
@@ -121,7 +121,7 @@ namespace lamella
     /// Returns the groups of the end fields of @p held, made once, or mirrored
     /// from the other end if it is the mirror image.
     const std::vector<unsigned int> &
-    zones_of(const HeldSection &held);
+    zones_of(const ConstrainedSection &held);
 
     bool
     has_thin_walls() const;

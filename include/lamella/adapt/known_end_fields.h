@@ -13,7 +13,7 @@ namespace lamella
   /// Returns whether @p zones suffice for @p held: embedded zones do not if
   /// stresses are requested near it.
   bool
-  suffice(const std::vector<EndZone> &zones, const HeldSection &held);
+  suffice(const std::vector<EndZone> &zones, const ConstrainedSection &held);
 
   /// Returns the zones @p zones of the section @p from, of the same cells and a
   /// lower degree, embedded in @p section and made free of its @p warpings.
@@ -28,7 +28,7 @@ namespace lamella
 
   /// Cache of end fields for the models of one scene, which have the same ends.
   /// A richer section (LE-4 for LE-3) takes the embedded fields of a poorer one
-  /// if no stresses are requested at the end (HeldSection::is_looked_at): the
+  /// if no stresses are requested at the end (ConstrainedSection::is_looked_at): the
   /// effect of the degree is local, and the piece is most of the model's cost.
   class EndFields
   {
@@ -43,7 +43,7 @@ namespace lamella
           const SaintVenant                    &states,
           const Warping                        &warping,
           const FieldColumns                   &warpings,
-          const HeldSection                    &held,
+          const ConstrainedSection                    &held,
           const std::vector<HeatedSection>     &heat = {});
 
     const EndFieldRules &
@@ -65,14 +65,14 @@ namespace lamella
       std::shared_ptr<const Section> section;
       FieldColumns                   warpings;
       /// Constraint with the element of the piece.
-      HeldSection          held;
+      ConstrainedSection          held;
       std::vector<EndZone> zones;
     };
 
     /// Returns the index of the zones of a poorer section of the body, held
     /// alike; known.size() if there is none.
     std::size_t
-    poorer(const Section &section, const HeldSection &held) const;
+    poorer(const Section &section, const ConstrainedSection &held) const;
 
     EndFieldRules      rules;
     std::vector<Known> known;

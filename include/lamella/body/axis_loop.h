@@ -5,7 +5,7 @@
 
 #include <lamella/axis/axis.h>
 #include <lamella/body/beam_dof_map.h>
-#include <lamella/section/section_answer.h>
+#include <lamella/section/section_operator.h>
 
 #include <deal.II/base/array_view.h>
 
@@ -27,7 +27,7 @@ namespace lamella
   class AxisLoop
   {
   public:
-    AxisLoop(const FieldSpace &space,
+    AxisLoop(const SectionSpace &space,
              const Axis       &axis,
              const BeamDofMap &dof_map)
       : space(space)
@@ -51,7 +51,7 @@ namespace lamella
     /// its fields. Consecutive elements with the same fields share one
     /// operator, valid for these calls.
     using UseOfElement =
-      std::function<void(const unsigned int, const SectionAnswer &)>;
+      std::function<void(const unsigned int, const SectionOperator &)>;
     void
     for_each_element(const UseOfElement &use) const;
 
@@ -73,7 +73,7 @@ namespace lamella
     /// @p forces_of returns those at the stations of an element on the fields
     /// of its operator. Collective.
     using ForcesOfElement =
-      std::function<SectionForces(const unsigned int, const SectionAnswer &)>;
+      std::function<SectionForces(const unsigned int, const SectionOperator &)>;
     void
     add_forces(const ForcesOfElement &forces_of, Vector &f) const;
 
@@ -94,7 +94,7 @@ namespace lamella
                  const FieldParts                &work,
                  Vector                          &f) const;
 
-    const FieldSpace &space;
+    const SectionSpace &space;
     const Axis       &axis;
     const BeamDofMap &dof_map;
   };

@@ -53,7 +53,7 @@ namespace lamella
 
     /// Constructs such a beam with modes; theory() begins with @p theory.
     Beam(const std::string                            &name,
-         std::shared_ptr<const FieldSpace>             space,
+         std::shared_ptr<const SectionSpace>             space,
          std::shared_ptr<const Axis>                   axis,
          const Placement                              &placement,
          const std::vector<std::vector<unsigned int>> &fields_of_node,
@@ -118,14 +118,14 @@ namespace lamella
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
     /// Returns dense blocks, one per axis node, factorized for `automatic` on
-    /// one process if all nodes carry dense lists (FieldSpace).
+    /// one process if all nodes carry dense lists (SectionSpace).
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      asked,
               const SolverMonitor  &monitor) const override;
     /// Returns the energy, and the largest rotation at points of the section
-    /// (SectionAnswer::largest_rotation()).
+    /// (SectionOperator::largest_rotation()).
     Deformation
     deformation(const Vector &u) const override;
     std::unique_ptr<SecondOrder>
@@ -248,7 +248,7 @@ namespace lamella
       return dof_map;
     }
 
-    const FieldSpace &
+    const SectionSpace &
     fields() const
     {
       return *space;
@@ -269,7 +269,7 @@ namespace lamella
 
     /// Returns forces and energy per length at stations with coefficients @p q.
     virtual SectionForces
-    section_forces(const SectionAnswer &answer, const FieldParts &q) const;
+    section_forces(const SectionOperator &answer, const FieldParts &q) const;
 
     /// Returns fields of @p u at section point @p point, axis point @p on_axis.
     virtual FieldSample
@@ -462,7 +462,7 @@ namespace lamella
     void
     complete(SurfaceFacet &facet) const;
 
-    std::shared_ptr<const FieldSpace> space;
+    std::shared_ptr<const SectionSpace> space;
     std::shared_ptr<const Section>    beam_section;
     std::shared_ptr<const Axis>       beam_axis;
     BeamDofMap                        dof_map;

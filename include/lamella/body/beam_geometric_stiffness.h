@@ -115,7 +115,7 @@ namespace lamella
     add_on_nodes(const Coefficients &work, Vector &f) const;
 
     const Beam &beam;
-    /// Modes of the beam's FieldSpace.
+    /// Modes of the beam's SectionSpace.
     FieldColumns            modes;
     const dealii::QGauss<1> samples;
     /// Stations, with their integration weights (lengths).

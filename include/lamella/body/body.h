@@ -90,7 +90,7 @@ namespace lamella
     Voigt ply_stress;
     /// Rotation R of the material. For finite rotations `stress` is R^T sigma R
     /// of Cauchy's sigma, in scene axes.
-    Triad turn = dealii::unit_symmetric_tensor<3>();
+    Triad rotation = dealii::unit_symmetric_tensor<3>();
     /// Largest difference of stress between two places over the largest stress,
     /// Euclidean norms: a measure of the discretization error.
     double jump = 0.;
@@ -199,13 +199,13 @@ namespace lamella
     /// rotations, integral epsilon . C epsilon_0 dV is subtracted.
     double energy = 0.;
     /// Largest |curl u| / 2 at the integration points [rad], for finite
-    /// rotations (Body::turns()) the largest angle. solve/checks.h limits it.
+    /// rotations (Body::has_finite_rotations()) the largest angle. solve/checks.h limits it.
     double max_rotation = 0.;
     /// Extremes at finite rotations: the largest principal value of Green's
     /// strain, the largest root mean square of the axial strain over a section,
     /// and, of total Lagrangian bodies, the largest rotation over one element
     /// [rad].
-    double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.;
+    double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.;
     /// Largest share, along the axis, of the moments and torques of rigidly
     /// rotating sections that the change of their shape by bending and twisting
     /// would add (stiffening_by_shape(), less what the law contains).
@@ -344,22 +344,22 @@ namespace lamella
     /// nonlinear and act at displaced positions, strains and stresses of
     /// samples are in axes of the rotated material, and have no rows.
     virtual bool
-    turns() const
+    has_finite_rotations() const
     {
       return false;
     }
 
     /// Returns true for rotational DoFs: rows of displacements depend on the
-    /// state (rows_at()), and states are not additive (updated()).
+    /// state (rows_at()), and states are not additive (retract()).
     virtual bool
-    rows_turn() const
+    constraints_rotate() const
     {
       return false;
     }
 
     /// Returns the state that @p change makes of the state @p u, here the sum.
     virtual Vector
-    updated(const Vector &u, const Vector &change) const;
+    retract(const Vector &u, const Vector &change) const;
 
     /// Returns the largest rotation in the DoFs of @p change [rad], here 0.
     virtual double
@@ -494,7 +494,7 @@ namespace lamella
     /// Returns the rotation R of the section at @p location in the state @p u,
     /// scene axes, by which rows rotate. Here 1.
     virtual dealii::Tensor<2, 3>
-    turn_at(const Location &location, const Vector &u) const;
+    rotation_at(const Location &location, const Vector &u) const;
 
     /// Return the displacements at @p locations in the state @p u [length],
     /// scene axes, and the rows of their change; here rows() for any state.
@@ -698,7 +698,7 @@ namespace lamella
     /// @p springs, f += K(u) w, and a solver. It is the stiffness of linear
     /// bodies, else for_each_tangent_block(). @p correction is the last one on
     /// the way to u, or empty: the geometric part has the stress that it
-    /// predicted (GreenAnswer).
+    /// predicted (FiniteStrainSectionOperator).
     StiffnessTerms
     tangent_terms(const Vector                  &u,
                   const Vector                  &correction,

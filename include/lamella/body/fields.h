@@ -44,10 +44,10 @@ namespace lamella
 
   /// Rotations of samples from body axes into those of the scene and of a ply,
   /// computed once for all points of a ply.
-  class SampleTurns
+  class SampleRotations
   {
   public:
-    SampleTurns(const Placement &placement, const Triad &ply);
+    SampleRotations(const Placement &placement, const Triad &ply);
 
     /// Returns the sample of a displacement (a length), a strain (order of Eq.
     /// 4, engineering shear strains) and its stress, all in body axes, with
@@ -62,7 +62,7 @@ namespace lamella
     ElasticTensor strain_to_scene, stress_to_scene, stress_to_ply;
   };
 
-  /// Returns SampleTurns::sample() of one point, with the stress of @p law.
+  /// Returns SampleRotations::sample() of one point, with the stress of @p law.
   FieldSample
   sample_of(const dealii::Tensor<1, 3> &displacement,
             const Voigt                &strain,

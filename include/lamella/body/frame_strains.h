@@ -74,8 +74,8 @@ namespace lamella
                 const dealii::Tensor<1, 3> &dr);
 
   /// Returns R(@p Q) @p v as a function of (Q, v).
-  using TurnedVector = Derivatives<3, 7>;
-  TurnedVector
+  using RotatedVector = Derivatives<3, 7>;
+  RotatedVector
   turned_vector(const Quaternion &Q, const dealii::Tensor<1, 3> &v);
 } // namespace lamella
 

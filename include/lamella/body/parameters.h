@@ -39,8 +39,8 @@ namespace lamella
     /// Flag: unloaded rigid motions are removed, and those that contact may
     /// constrain get springs (conditions/isostatic_support.h).
     bool is_held = false;
-    /// Flag: finite rotations (GreenBeam).
-    bool turns = false;
+    /// Flag: finite rotations (TotalLagrangianBeam).
+    bool has_finite_rotations = false;
     /// Refinement of a solid's hexahedra, ignored by beams. make_bodies() sets
     /// its memory limit.
     SolidRefinement refinement;

@@ -65,7 +65,7 @@ namespace lamella
 
     /// Returns the rotation @p R of body axes in scene axes.
     Triad
-    turn_in_scene(const Triad &R) const
+    rotation_in_scene(const Triad &R) const
     {
       return transpose(axes) * R * axes;
     }

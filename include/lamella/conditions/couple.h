@@ -51,12 +51,12 @@ namespace lamella
     /// Entry [k][point] is the factor of the displacement of the point. The
     /// skew part belongs to a moment of fixed direction, which has a potential
     /// only in its plane.
-    struct Turning
+    struct CoupleRotation
     {
       std::array<std::vector<dealii::Tensor<1, 3>>, 3> spin, stretch;
     };
-    Turning
-    turning(const std::vector<dealii::Point<3>> &x) const;
+    CoupleRotation
+    rotation_of(const std::vector<dealii::Point<3>> &x) const;
 
     /// Returns the dead load on the undeformed surface.
     PointForces

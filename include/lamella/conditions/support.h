@@ -44,7 +44,7 @@ namespace lamella
   /// Rigid motion of a surface at load factor s,
   ///   u(X) = s d + (R(s theta) - 1) (X - c),
   /// R the rotation by |theta| about theta.
-  struct RigidTurn
+  struct RigidRotation
   {
     /// Translation d [length] and rotation theta [rad], scene axes.
     dealii::Tensor<1, 3> translation, rotation;
@@ -60,7 +60,7 @@ namespace lamella
 
   /// Prescribed displacements,
   ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
-  /// with the load factor s of its history, or those of a RigidTurn, which
+  /// with the load factor s of its history, or those of a RigidRotation, which
   /// bodies of small rotations linearize to s (d + theta x (X - c)). Dirichlet
   /// conditions, eliminated exactly (RowReduction), without penalty or
   /// multiplier. Either u or normal is used.
@@ -74,9 +74,9 @@ namespace lamella
     std::array<std::optional<double>, 3> u;
     /// n . u on surfaces with the outward normal n [length]; 0 is symmetry.
     std::optional<double> normal = std::nullopt;
-    /// theta of a RigidTurn, which has u as d [rad].
+    /// theta of a RigidRotation, which has u as d [rad].
     std::optional<dealii::Tensor<1, 3>> rotation = std::nullopt;
-    /// c of a RigidTurn; by default the center of the bounding box of the held
+    /// c of a RigidRotation; by default the center of the bounding box of the held
     /// points.
     std::optional<dealii::Point<3>> about = std::nullopt;
     /// Isostatic support, without regions and values.
@@ -111,27 +111,27 @@ namespace lamella
     /// any state.
     std::optional<Location> location = {};
     /// Rigid motion of the place, if its support has one.
-    std::optional<RigidTurn> turn = {};
+    std::optional<RigidRotation> rotation = {};
 
     /// Returns the prescribed value at load factor @p s for a body with finite
     /// rotations [length].
     double
     value_at(const double s) const
     {
-      return turn ? direction * turn->displacement(s, position) : s * value;
+      return rotation ? direction * rotation->displacement(s, position) : s * value;
     }
     /// Returns the derivative of value_at() by s.
     double
     rate_at(const double s) const
     {
-      return turn ? direction * turn->rate(s, position) : value;
+      return rotation ? direction * rotation->rate(s, position) : value;
     }
   };
 
   /// Returns the rigid motion of @p support, which has one, for places on
   /// @p bodies.
-  RigidTurn
-  rigid_turn(const Support &support, const Bodies &bodies);
+  RigidRotation
+  rigid_rotation(const Support &support, const Bodies &bodies);
 
   /// Returns the unit vector along scene axis @p c, 0, 1 or 2 for x, y, z.
   dealii::Tensor<1, 3>

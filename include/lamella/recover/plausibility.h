@@ -60,10 +60,10 @@ namespace lamella
     };
     /// Deformed points of a body, their rotations, a bounding box, and extreme
     /// values.
-    struct Moved
+    struct CurrentBody
     {
       std::vector<dealii::Point<3>> places;
-      std::vector<Triad>            turns;
+      std::vector<Triad>            rotations;
       dealii::BoundingBox<3>        box;
       Extreme                       strain, displacement;
     };
@@ -74,17 +74,17 @@ namespace lamella
     /// Returns as many points in the interior of its surface facets.
     std::vector<SurfacePoint>
     face_points(const unsigned int b) const;
-    Moved
+    CurrentBody
     moved_by(const Vector                    &u,
              const unsigned int               b,
              const std::vector<SurfacePoint> &points) const;
     void
-    add_doubts_of_units(const std::vector<Moved> &moved,
+    add_doubts_of_units(const std::vector<CurrentBody> &moved,
                         const bool                is_rigid,
                         std::vector<std::string> &sentences) const;
     /// Adds a sentence on rigid motion. For bodies without strain.
     void
-    add_rigid_motion(const std::vector<Moved> &moved,
+    add_rigid_motion(const std::vector<CurrentBody> &moved,
                      std::vector<std::string> &sentences) const;
     /// Returns the largest penetration of @p a into @p b, and its place. With
     /// @p u of @p b, a point x of @p a is at the place X with
@@ -92,8 +92,8 @@ namespace lamella
     /// found by Newton's method from the nearest surface point (gradient:
     /// rotation).
     Extreme
-    deepest(const Moved       &a,
-            const Moved       &b,
+    deepest(const CurrentBody       &a,
+            const CurrentBody       &b,
             const unsigned int number_of_b,
             const Vector      &u) const;
     /// Returns the distance of @p X, inside of body @p b, from its surface:
@@ -107,7 +107,7 @@ namespace lamella
     are_nested(const Body &a, const Body &b) const;
     /// Adds sentences on overlapping bodies without a contact.
     void
-    add_overlaps(const std::vector<Moved> &moved,
+    add_overlaps(const std::vector<CurrentBody> &moved,
                  const BlockVector        &u,
                  std::vector<std::string> &sentences) const;
 

@@ -185,7 +185,7 @@ namespace lamella
     make_solver(const MemoryBudget &budget);
     /// Returns the stiffness with a solver for each body; prints the sizes of
     /// factors.
-    std::shared_ptr<const Linearization>
+    std::shared_ptr<const TangentOperator>
     linearize(const MemoryBudget &budget);
     /// Returns the state of heated bodies at load factor zero, whose stresses
     /// do not grow with loads; null if nothing needs it.

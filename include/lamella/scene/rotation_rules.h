@@ -19,11 +19,11 @@ namespace lamella
    * equilibrium, several processes.
    */
   Scene
-  turning(Scene scene);
+  with_finite_rotations(Scene scene);
 
   /// Returns whether bodies of @p theory can have finite rotations.
   bool
-  can_turn(const Theory &theory);
+  can_rotate(const Theory &theory);
 
   /// Returns whether `line to roller` is possible for @p contact of @p body:
   /// contact at the line of a beam that is nearest to a roller across the beam.
@@ -33,7 +33,7 @@ namespace lamella
   /// Returns whether @p scene has entries that need large rotations: follower
   /// loads.
   bool
-  asks_to_turn(const Scene &scene);
+  requests_finite_rotations(const Scene &scene);
 
   /// Applies `Rotations` to @p scene: turning() if they are large. Automatic
   /// rotations stay undecided, but become linear, with a warning of the scene,

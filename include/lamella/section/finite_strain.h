@@ -4,7 +4,7 @@
 #define lamella_section_finite_strain_h
 
 #include <lamella/material/elasticity.h>
-#include <lamella/section/section_answer.h>
+#include <lamella/section/section_operator.h>
 #include <lamella/section/section_point.h>
 
 #include <deal.II/base/tensor.h>
@@ -69,7 +69,7 @@ namespace lamella
 
     /// Returns R, the rotation of the material.
     const dealii::Tensor<2, 3> &
-    turn() const
+    rotation() const
     {
       return R;
     }
@@ -93,7 +93,7 @@ namespace lamella
   {
     /// Angle [rad], largest principal value of |E|, and |E_yy|; over the points
     /// of a section the largest, for E_yy the root mean square.
-    double turn = 0., strain = 0., along = 0.;
+    double rotation = 0., strain = 0., along = 0.;
   };
   Stretch
   stretch_of(const Gradient &H);

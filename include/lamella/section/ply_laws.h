@@ -47,7 +47,7 @@ namespace lamella
     ElasticLaw
     at(const unsigned int ply, const dealii::Point<2> &x) const
     {
-      return varies(ply) ? turned(ply, plies[ply].plane.normal_at(x)) :
+      return varies(ply) ? rotated(ply, plies[ply].plane.normal_at(x)) :
                            everywhere[ply];
     }
 
@@ -78,7 +78,7 @@ namespace lamella
   private:
     /// Returns the law of @p ply where its normal is @p normal.
     ElasticLaw
-    turned(const unsigned int ply, const dealii::Tensor<1, 2> &normal) const;
+    rotated(const unsigned int ply, const dealii::Tensor<1, 2> &normal) const;
 
     std::vector<Ply> plies;
     double           shear_factor;

@@ -3,7 +3,7 @@
 #ifndef lamella_section_point_answer_h
 #define lamella_section_point_answer_h
 
-#include <lamella/section/section_answer.h>
+#include <lamella/section/section_operator.h>
 
 #include <vector>
 
@@ -15,11 +15,11 @@ namespace lamella
   ///   W_0 = sum_s w_s D_s^T C epsilon,   W_1 = sum_s w_s D_y^T C epsilon.
   /// For any section and any list, at a cost of (points) times (fields at a
   /// point) per station. Evaluates each point once for all stations.
-  class PointAnswer : public SectionAnswer
+  class PointwiseSectionOperator : public SectionOperator
   {
   public:
-    PointAnswer(const FieldSpace &space, std::vector<unsigned int> list)
-      : SectionAnswer(space, std::move(list))
+    PointwiseSectionOperator(const SectionSpace &space, std::vector<unsigned int> list)
+      : SectionOperator(space, std::move(list))
     {}
 
     SectionForces

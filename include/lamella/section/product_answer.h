@@ -3,7 +3,7 @@
 #ifndef lamella_section_product_answer_h
 #define lamella_section_product_answer_h
 
-#include <lamella/section/section_answer.h>
+#include <lamella/section/section_operator.h>
 
 #include <vector>
 
@@ -14,8 +14,8 @@ namespace lamella
    * stations,
    *   [W_0; W_1] = [S_00, S_01; S_10, S_11] [q; q'],
    * independent of the number of points: for TE-N, N > 1, whose fields live on
-   * all cells, from Section::moments(), and for dense lists (FieldSpace), from
-   * FieldSpace::dense_S(). With assumed shear strains of TE-N the matrix has
+   * all cells, from Section::moments(), and for dense lists (SectionSpace), from
+   * SectionSpace::dense_S(). With assumed shear strains of TE-N the matrix has
    * three rows and columns of blocks, those of Section::moments().
    *
    * Strains come first: q' of the deflection and q / h of the slope, h the
@@ -23,19 +23,19 @@ namespace lamella
    *   q_w' + q_a / h,
    * before the product; the work on the slope is that on the sum.
    */
-  class ProductAnswer : public SectionAnswer
+  class ProductSectionOperator : public SectionOperator
   {
   public:
     /// Computes the matrix, (2 or 3 times the list)^2 numbers. Requires
     /// is_possible().
-    ProductAnswer(const FieldSpace         &space,
+    ProductSectionOperator(const SectionSpace         &space,
                   std::vector<unsigned int> list,
                   const bool                assumed_shear);
 
     /// Returns true if there are products of all fields of @p list for the
     /// parts that the axis distinguishes.
     static bool
-    is_possible(const FieldSpace                &space,
+    is_possible(const SectionSpace                &space,
                 const std::vector<unsigned int> &list,
                 const bool                       assumed_shear);
 

@@ -35,7 +35,7 @@ namespace lamella
   /// linear functions are the rotation about the axis (u_x = z, u_z = -x) and
   /// the in-plane shear (u_x = z, u_z = x), so that all six rigid motions of a
   /// section are fields.
-  struct SectionField
+  struct SectionFunction
   {
     /// A term: @p factor times F of number @p function, in direction
     /// @p component (0, 1, 2 for x, y, z of the body frame).
@@ -136,7 +136,7 @@ namespace lamella
     }
 
     /// Returns the field @p alpha; the rigid ones are those of RigidField.
-    const SectionField &
+    const SectionFunction &
     field(const unsigned int alpha) const
     {
       return fields[alpha];
@@ -146,7 +146,7 @@ namespace lamella
     /// coefficients @p q of u, one per field. For theories with all linear
     /// fields.
     std::vector<double>
-    turned(const dealii::Tensor<1, 3> &v, const std::vector<double> &q) const;
+    rotated(const dealii::Tensor<1, 3> &v, const std::vector<double> &q) const;
 
     /// Returns the degree of the functions of the field @p alpha, ascending if
     /// they are hierarchical (CrossSectionElement::function_degree()).
@@ -361,7 +361,7 @@ namespace lamella
     /// Completion of strains, or null.
     std::unique_ptr<const StrainCompletion> completion;
 
-    std::vector<SectionField> fields;
+    std::vector<SectionFunction> fields;
     /// Fields on each cell, ascending.
     std::vector<std::vector<unsigned int>> cell_fields;
     std::vector<unsigned int>              ply_of_cell;

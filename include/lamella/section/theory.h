@@ -73,7 +73,7 @@ namespace lamella
     double shear_factor = 1.;
     /// Flag of TBT: sections also rotate about the axis, keeping their shape, a
     /// sixth field (RigidField) of stiffness G times the polar moment. For
-    /// finite rotations (of_turning()).
+    /// finite rotations (of_rotating()).
     bool twists = false;
 
     /// Returns LE-@p order.
@@ -151,14 +151,14 @@ namespace lamella
     /// and deform in their own axes. Bodies of other theories are total
     /// Lagrangian.
     bool
-    has_turning_sections() const
+    has_rotating_sections() const
     {
       return is_classical() || is_of_solutions();
     }
     /// Returns the theory for finite rotations: TBT that twists for the
     /// classical theories (EBBT with shear factor 1), else this one.
     Theory
-    of_turning() const
+    of_rotating() const
     {
       Theory result = *this;
       if (!is_classical())

@@ -3,7 +3,7 @@
 #ifndef lamella_section_warping_h
 #define lamella_section_warping_h
 
-#include <lamella/section/field_space.h>
+#include <lamella/section/section_space.h>
 
 namespace lamella
 {

@@ -60,7 +60,7 @@ namespace lamella
     /// then refer to the current positions, work and energy balance are not
     /// evaluated, and the measures of Deformation are given.
     bool   is_large   = false;
-    double max_strain = 0., max_mean_strain = 0., max_element_turn = 0.,
+    double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.,
            shape_change = 0.;
     /// Estimates of the effects of large deflections; not set by check_state(),
     /// which solves nothing.
@@ -83,7 +83,7 @@ namespace lamella
    * collective. Does not throw on a failed check: see require_sound().
    */
   Checks
-  check_state(const Linearization                 &tangent,
+  check_state(const TangentOperator                 &tangent,
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,

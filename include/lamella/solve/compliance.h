@@ -4,7 +4,7 @@
 #define lamella_solve_compliance_h
 
 #include <lamella/contact/gap_constraints.h>
-#include <lamella/solve/linearization.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <vector>
 
@@ -30,7 +30,7 @@ namespace lamella
   {
   public:
     /// Refers to both arguments; @p linearization must have solvers.
-    Compliance(const Linearization &linearization, const GapConstraints &rows);
+    Compliance(const TangentOperator &tangent_operator, const GapConstraints &rows);
 
     /// Includes the @p wanted rows in the compliance. Free of cost for rows
     /// already included. The others are solved for together, in each body they
@@ -79,7 +79,7 @@ namespace lamella
       std::vector<unsigned int>   place;
     };
 
-    const Linearization         &linearization;
+    const TangentOperator         &tangent_operator;
     const GapConstraints         rows;
     std::vector<BodyConstraints> bodies;
 

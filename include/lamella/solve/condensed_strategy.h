@@ -42,7 +42,7 @@ namespace lamella
   {
   public:
     /// Refers to @p linearization, which must have solvers.
-    CondensedStrategy(const Linearization  &linearization,
+    CondensedStrategy(const TangentOperator  &tangent_operator,
                       const GapConstraints &rows);
 
     /// Solves @p problem. Also throws NumericsError as solve_complementarity()

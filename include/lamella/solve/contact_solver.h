@@ -78,7 +78,7 @@ namespace lamella
     /// Creates a solver about the state of @p linearization with the strategy
     /// @p which (make_strategy()). Refers to the structure and the rows; solves
     /// nothing.
-    ContactSolver(std::shared_ptr<const Linearization> linearization,
+    ContactSolver(std::shared_ptr<const TangentOperator> tangent_operator,
                   const GapConstraints                &rows,
                   const SolverParameters &parameters = SolverParameters(),
                   const Strategy          which      = Strategy::condensed);
@@ -178,18 +178,18 @@ namespace lamella
     }
 
     /// Returns the linearization.
-    const Linearization &
+    const TangentOperator &
     tangent() const
     {
-      return *linearization;
+      return *tangent_operator;
     }
 
     /// Returns the linearization for another solver, with other rows and the
     /// same stiffness.
-    std::shared_ptr<const Linearization>
+    std::shared_ptr<const TangentOperator>
     shared_tangent() const
     {
-      return linearization;
+      return tangent_operator;
     }
 
     /// Returns warnings about penalties and rounding, one sentence each.
@@ -346,7 +346,7 @@ namespace lamella
     [[noreturn]] void
     fail_on_springs(const State &state, const double rate) const;
 
-    const std::shared_ptr<const Linearization> linearization;
+    const std::shared_ptr<const TangentOperator> tangent_operator;
     const Structure                           &structure;
     const GapConstraints                       rows;
     const SolverParameters                     parameters;

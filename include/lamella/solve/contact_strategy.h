@@ -5,7 +5,7 @@
 
 #include <lamella/base/names.h>
 #include <lamella/solve/contact_problem.h>
-#include <lamella/solve/linearization.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <memory>
 #include <string>
@@ -32,7 +32,7 @@ namespace lamella
   };
 
   /**
-   * Contact solver about one state of a structure, that of its Linearization:
+   * Contact solver about one state of a structure, that of its TangentOperator:
    * finds the active set for a constant tangent, and solves linear systems with
    * a given active set. Refinement against the residual is done by
    * ContactSolver for all strategies.
@@ -43,9 +43,9 @@ namespace lamella
   class ContactStrategy
   {
   public:
-    ContactStrategy(const Linearization  &linearization,
+    ContactStrategy(const TangentOperator  &tangent_operator,
                     const GapConstraints &rows)
-      : linearization(linearization)
+      : tangent_operator(tangent_operator)
       , rows(rows)
     {}
     ContactStrategy(const ContactStrategy &) = delete;
@@ -123,7 +123,7 @@ namespace lamella
     }
 
   protected:
-    const Linearization &linearization;
+    const TangentOperator &tangent_operator;
     const GapConstraints rows;
     NumericalSoftness    numerical_softness;
   };
@@ -132,7 +132,7 @@ namespace lamella
   /// needs solvers for `condensed` only.
   std::unique_ptr<ContactStrategy>
   make_strategy(const Strategy        which,
-                const Linearization  &linearization,
+                const TangentOperator  &tangent_operator,
                 const GapConstraints &rows);
 } // namespace lamella
 

@@ -37,11 +37,11 @@ namespace lamella
   class FrictionNewton
   {
   public:
-    FrictionNewton(const Linearization     &linearization,
+    FrictionNewton(const TangentOperator     &tangent_operator,
                    const GapConstraints    &rows,
                    const NumericalSoftness &softness,
                    PenaltyMatrix           &matrix)
-      : linearization(linearization)
+      : tangent_operator(tangent_operator)
       , rows(rows)
       , softness(softness)
       , matrix(matrix)
@@ -135,7 +135,7 @@ namespace lamella
              Iterate               at,
              const Trial          &trial) const;
 
-    const Linearization     &linearization;
+    const TangentOperator     &tangent_operator;
     const GapConstraints     rows;
     const NumericalSoftness &softness;
     PenaltyMatrix           &matrix;

@@ -30,7 +30,7 @@ namespace lamella
   {
   public:
     /// Assembles K of @p linearization, which needs no solvers.
-    FullStrategy(const Linearization  &linearization,
+    FullStrategy(const TangentOperator  &tangent_operator,
                  const GapConstraints &rows);
 
     ContactSolution

@@ -21,7 +21,7 @@ namespace lamella
               const unsigned int                n_supports,
               const SolveParameters            &parameters,
               const Newton::Progress           &progress,
-              const Linearization::BodyMonitor &monitor,
+              const TangentOperator::BodyMonitor &monitor,
               dealii::TimerOutput              &timer);
 
     SolvedStep

@@ -6,7 +6,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/active_constraint_shift.h>
 #include <lamella/solve/contact_solver.h>
-#include <lamella/solve/linearization.h>
+#include <lamella/solve/tangent_operator.h>
 #include <lamella/solve/moving_contacts.h>
 
 #include <functional>
@@ -37,7 +37,7 @@ namespace lamella
     /// than surface DoFs it may be finer than the accuracy of the forces: below
     /// `floor` of the displacement the iterations end as for forces.
     double law = arithmetic::negligible, touching = arithmetic::rounding;
-    /// Relative step of the differences in Newton::turn_of_rows(), and the
+    /// Relative step of the differences in Newton::rotation_of_constraints(), and the
     /// share of a correction at which its iteration ends, in at most
     /// `max_follows` back substitutions.
     double       difference = arithmetic::alike, follows = 1e-3;
@@ -63,7 +63,7 @@ namespace lamella
     unsigned int max_cuts = 6;
     /// Largest rotation of a support in a step [rad], since a position does not
     /// determine the number of revolutions.
-    double turn = 2.;
+    double rotation = 2.;
   };
 
   /// Equilibrium state with finite rotations and its contact forces.
@@ -96,7 +96,7 @@ namespace lamella
    * elements at the support. Obstacles move along the initial normals.
    *
    * The geometric part of K uses the stress predicted by the last correction
-   * (GreenAnswer): 7 instead of 17 iterations in a cantilever that rolls up in
+   * (FiniteStrainSectionOperator): 7 instead of 17 iterations in a cantilever that rolls up in
    * one step. If a step fails, it is repeated with the actual stress, then in
    * halves.
    *
@@ -133,7 +133,7 @@ namespace lamella
     /// Callback for a line of text per iteration; no output by default.
     Progress progress;
     /// Callbacks of each factorization.
-    Linearization::BodyMonitor monitor;
+    TangentOperator::BodyMonitor monitor;
 
     /// Returns the unloaded state of a path to @p factor.
     Equilibrium
@@ -173,7 +173,7 @@ namespace lamella
 
     /// Returns the largest rotation angle of a support between the factors.
     double
-    largest_turn(const LoadFactor &from, const LoadFactor &to) const;
+    largest_rotation(const LoadFactor &from, const LoadFactor &to) const;
 
     /// Updates the friction history at the end of a step to @p state at @p to;
     /// the step @p began with these forces.
@@ -226,7 +226,7 @@ namespace lamella
     /// Returns the tangent of @p state at @p to, after the last @p correction,
     /// with a regularization @p aid if needed. Throws LostDigits if none
     /// suffices.
-    Linearization
+    TangentOperator
     tangent(const State       &state,
             const BlockVector &correction,
             const LoadFactor  &to,
@@ -292,7 +292,7 @@ namespace lamella
     /// Returns H @p w about the state @p u by central differences of B^T
     /// lambda; zero if a row loses its projection.
     BlockVector
-    turn_of_rows(const State       &state,
+    rotation_of_constraints(const State       &state,
                  const BlockVector &u,
                  const BlockVector &w,
                  const LoadFactor  &to) const;
@@ -312,14 +312,14 @@ namespace lamella
 
     /// Returns the unbalanced forces @p r, condensed by @p here.
     static BlockVector
-    condensed(const Linearization &here, BlockVector r);
+    condensed(const TangentOperator &here, BlockVector r);
 
     /// Stores in @p at, and reports, the residuals of forces and gaps: the
     /// condensed forces @p r at @p factor over loads or internal forces, or 0
     /// if they are rounding of the forces that the step @p began with. Returns
     /// true if they are within bounds.
     bool
-    measure(const Linearization &here,
+    measure(const TangentOperator &here,
             const BlockVector   &r,
             const LoadFactor    &factor,
             double              &began,
@@ -346,7 +346,7 @@ namespace lamella
     /// Returns true if the forces @p r on each body are within the rounding of
     /// the displacements @p u.
     bool
-    is_rounding(const Linearization &here,
+    is_rounding(const TangentOperator &here,
                 const BlockVector   &r,
                 const BlockVector   &u) const;
 

@@ -35,7 +35,7 @@ namespace lamella
   {
     undefined,
     linear,   ///< small rotations: the linear strain of Eq. 5
-    large,    ///< finite rotations: Green's strain (GreenBeam), Newton
+    large,    ///< finite rotations: Green's strain (TotalLagrangianBeam), Newton
     automatic ///< linear where its error is negligible, else large
   };
 

@@ -6,7 +6,7 @@
 #include <lamella/base/linear_algebra.h>
 #include <lamella/linear/factorization.h>
 #include <lamella/solve/contact_problem.h>
-#include <lamella/solve/linearization.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -36,7 +36,7 @@ namespace lamella
   /**
    * The matrix of the paper's Newton step (Eqs. 22 and 23) of a whole scene,
    *   K + K^p,   K^p = B_A^T diag(1/d) B_A,
-   * condensed by the supports, with K of a Linearization and the active rows
+   * condensed by the supports, with K of a TangentOperator and the active rows
    * B_A, each with its compliance d (length over force). With friction, terms
    * couple gaps and slips, and the matrix is not symmetric (FullStrategy).
    *
@@ -54,7 +54,7 @@ namespace lamella
   {
   public:
     /// Assembles K of @p linearization, which needs no solvers.
-    PenaltyMatrix(const Linearization  &linearization,
+    PenaltyMatrix(const TangentOperator  &tangent_operator,
                   const GapConstraints &rows);
 
     /// Factorizes K + K^p of @p terms unless already done. Throws NumericsError
@@ -98,7 +98,7 @@ namespace lamella
     constraints_of_all() const;
     /// Assembles K of all bodies with their springs, condensed.
     void
-    assemble_stiffness(const Linearization &linearization);
+    assemble_stiffness(const TangentOperator &tangent_operator);
     /// Sets the diagonal entries of eliminated DoFs to the largest of all
     /// others, and stores the diagonal.
     void

@@ -4,7 +4,7 @@
 #define lamella_solve_soundness_h
 
 #include <lamella/solve/checks.h>
-#include <lamella/solve/linearization.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <string>
 #include <vector>
@@ -33,7 +33,7 @@ namespace lamella
    * of rotated warping on the displacements is accepted.)
    */
   void
-  require_followed(const Linearization &here, const LoadFactor &at);
+  require_followed(const TangentOperator &here, const LoadFactor &at);
 
   /**
    * Returns warnings about a reliable state, one sentence each without a full

@@ -11,7 +11,7 @@
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/conditions/stabilization.h>
 #include <lamella/conditions/support.h>
-#include <lamella/conditions/turning_load.h>
+#include <lamella/conditions/follower_load.h>
 
 #include <algorithm>
 #include <memory>
@@ -37,7 +37,7 @@ namespace lamella
    * their expansion G and the prescribed displacements u_p. Solvers use the
    * condensed stiffness
    *   G^T (K + sum_k s_k r_k^T r_k) G,
-   * with the stabilizing springs of stiffness s_k and row r_k. A Linearization
+   * with the stabilizing springs of stiffness s_k and row r_k. A TangentOperator
    * is the tangent at a state with its solvers.
    *
    * Shares ownership of the bodies, and owns the reductions and springs.
@@ -88,10 +88,10 @@ namespace lamella
 
     /// Returns true if a support prescribes a rotation of points of @p body.
     bool
-    is_turned(const unsigned int body) const
+    has_follower_loads(const unsigned int body) const
     {
       return std::any_of(rows.begin(), rows.end(), [&](const auto &row) {
-        return row.row.body == body && row.turn;
+        return row.row.body == body && row.rotation;
       });
     }
 
@@ -124,7 +124,7 @@ namespace lamella
 
     /// Returns the load vector f(t, u) at load factor t = @p factor, not
     /// condensed: f . v is the work of all loads on the virtual displacement v
-    /// (Eq. 10). Only follower loads (TurningLoad) depend on @p u.
+    /// (Eq. 10). Only follower loads (FollowerLoad) depend on @p u.
     BlockVector
     load(const LoadFactor &factor, const BlockVector &u) const;
 
@@ -134,9 +134,9 @@ namespace lamella
 
     /// Returns true if a load on @p body depends on its state.
     bool
-    has_turning_loads(const unsigned int body) const
+    has_follower_loads(const unsigned int body) const
     {
-      return !turning[body].empty();
+      return !follower_loads[body].empty();
     }
 
     /// Returns true if a follower load has an unsymmetric derivative.
@@ -152,7 +152,7 @@ namespace lamella
 
     /// Calls @p use with the contributions of the follower loads to the tangent
     /// stiffness of @p body at load factor @p factor and its displacement @p u
-    /// (TurningLoad).
+    /// (FollowerLoad).
     void
     for_each_block_of_loads(
       const unsigned int                                 body,
@@ -174,9 +174,9 @@ namespace lamella
     bool
     is_heated() const;
 
-    /// Returns true if any body has finite rotations (Body::turns()).
+    /// Returns true if any body has finite rotations (Body::has_finite_rotations()).
     bool
-    turns() const;
+    has_finite_rotations() const;
 
     /// Returns integral epsilon_0 . C epsilon_0 / 2 dV over all bodies: the
     /// energy if they were heated and fully constrained.
@@ -217,7 +217,7 @@ namespace lamella
 
     /// Returns u_p(t) at load factor t = @p factor: the prescribed values, and
     /// zero in free DoFs. For small rotations; see
-    /// Linearization::way_to_supports() for finite ones.
+    /// TangentOperator::way_to_supports() for finite ones.
     BlockVector
     particular(const LoadFactor &factor) const;
 
@@ -251,9 +251,9 @@ namespace lamella
     BlockVector
     internal_forces(const BlockVector &u, const SpringRest &rest = {}) const;
 
-    /// Returns the state @p u updated by @p change (Body::updated()).
+    /// Returns the state @p u updated by @p change (Body::retract()).
     BlockVector
-    updated(const BlockVector &u, const BlockVector &change) const;
+    retract(const BlockVector &u, const BlockVector &change) const;
 
     /// Computes G^T r in place, zero in the eliminated DoFs: the residual of
     /// equilibrium. (The entries of eliminated DoFs before that are the
@@ -282,7 +282,7 @@ namespace lamella
     /// Throws InputError, with the @p names of supports, if one prescribes a
     /// finite rotation of points that another holds elsewhere.
     void
-    check_turns(const std::vector<std::string> &names) const;
+    check_rotations(const std::vector<std::string> &names) const;
 
     /// Throws InputError for the first body with a free rigid motion and no
     /// stabilization.
@@ -304,8 +304,8 @@ namespace lamella
     std::vector<OfHistory> histories;
     /// Follower loads of each body, with their histories.
     std::vector<
-      std::vector<std::pair<std::unique_ptr<TurningLoad>, unsigned int>>>
-                               turning;
+      std::vector<std::pair<std::unique_ptr<FollowerLoad>, unsigned int>>>
+                               follower_loads;
     BlockVector                initial_load;
     std::vector<double>        initial_energies;
     std::vector<LoadResultant> resultants;

@@ -104,8 +104,8 @@ namespace lamella
 
 
     /// The turn of @p support, if it has one.
-    std::optional<RigidTurn>
-    turn_of(const Support      &support,
+    std::optional<RigidRotation>
+    rotation_of(const Support      &support,
             const Scene        &scene,
             const CalculixMesh &mesh)
     {
@@ -117,7 +117,7 @@ namespace lamella
                          "a deck multiplies displacements with the load "
                          "factor, and those of a turn go round",
                          "Take Rotations = linear, or a Load with a Couple.");
-      return rigid_turn(support, mesh.bodies());
+      return rigid_rotation(support, mesh.bodies());
     }
   } // namespace
 
@@ -163,7 +163,7 @@ namespace lamella
   {
     const Support                 &support = scene.supports[s];
     const std::string              path    = "Support " + support.name;
-    const std::optional<RigidTurn> turn    = turn_of(support, scene, mesh);
+    const std::optional<RigidRotation> rotation    = rotation_of(support, scene, mesh);
     for (const Region &region : support.on)
       if (support.normal)
         for (const auto &[node, normal] : node_normals(mesh, region))
@@ -190,7 +190,7 @@ namespace lamella
             if (support.u[c])
               hold(node,
                    c,
-                   turn ? turn->rate(0., mesh.node(node))[c] : *support.u[c],
+                   rotation ? rotation->rate(0., mesh.node(node))[c] : *support.u[c],
                    s,
                    mesh);
   }

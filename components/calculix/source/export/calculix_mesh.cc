@@ -44,7 +44,7 @@ namespace lamella
             body.refinement = {};
           body.theory = Theory::solid(degree);
           // Who computes with them is CalculiX.
-          body.turns = false;
+          body.has_finite_rotations = false;
         }
       return solid;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_conditions_turning_load_h
-#define lamella_conditions_turning_load_h
+#ifndef lamella_conditions_follower_load_h
+#define lamella_conditions_follower_load_h
 
 #include <lamella/body/body.h>
 #include <lamella/conditions/load.h>
@@ -12,12 +12,12 @@
 namespace lamella
 {
   /// A load with state-dependent forces f(u) on a body with finite rotations
-  /// (Body::turns()). For small displacements it equals the dead load of
+  /// (Body::has_finite_rotations()). For small displacements it equals the dead load of
   /// add_load().
-  class TurningLoad
+  class FollowerLoad
   {
   public:
-    virtual ~TurningLoad() = default;
+    virtual ~FollowerLoad() = default;
 
     /// Returns whether df/du has a skew part.
     virtual bool
@@ -47,21 +47,21 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const = 0;
   };
 
-  using TurningLoads = std::vector<std::unique_ptr<TurningLoad>>;
+  using FollowerLoads = std::vector<std::unique_ptr<FollowerLoad>>;
 
   /// Returns whether @p load is a follower load: a couple or a following
   /// pressure.
   bool
-  turns_along(const Load &load);
+  rotates_along(const Load &load);
 
-  /// Returns whether @p load on @p body is a TurningLoad: a follower load on a
+  /// Returns whether @p load on @p body is a FollowerLoad: a follower load on a
   /// body with finite rotations, and any load if the body's generalized forces
-  /// depend on its state (Body::rows_turn()).
+  /// depend on its state (Body::constraints_rotate()).
   bool
   depends_on_state(const Load &load, const Body &body);
 
   /**
-   * Returns the TurningLoad of @p load on its region @p region of @p body:
+   * Returns the FollowerLoad of @p load on its region @p region of @p body:
    * - a pressure p(X) that follows, per deformed area with material coordinates
    *   s, t, by Gauss points of each facet:
    *     f . v = -integral p v . (x_,s x x_,t) ds dt;
@@ -73,16 +73,16 @@ namespace lamella
    * Throws InputError as add_load() does, and if a pressure varies within an
    * element by more than the Gauss points resolve.
    */
-  std::unique_ptr<TurningLoad>
-  turning_load(const Load &load, const Region &region, const Body &body);
+  std::unique_ptr<FollowerLoad>
+  follower_load(const Load &load, const Region &region, const Body &body);
 
   /// Returns the load of heat on @p body (Body::add_heat_at()).
-  std::unique_ptr<TurningLoad>
+  std::unique_ptr<FollowerLoad>
   turning_heat(const Body &body);
 
-  /// Returns the weight of @p body under @p acceleration as a TurningLoad.
-  std::unique_ptr<TurningLoad>
-  turning_weight(const dealii::Tensor<1, 3> &acceleration, const Body &body);
+  /// Returns the weight of @p body under @p acceleration as a FollowerLoad.
+  std::unique_ptr<FollowerLoad>
+  follower_weight(const dealii::Tensor<1, 3> &acceleration, const Body &body);
 } // namespace lamella
 
 #endif

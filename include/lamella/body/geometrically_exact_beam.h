@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_body_reissner_beam_h
-#define lamella_body_reissner_beam_h
+#ifndef lamella_body_geometrically_exact_beam_h
+#define lamella_body_geometrically_exact_beam_h
 
 #include <lamella/body/beam.h>
 #include <lamella/body/frame_strains.h>
@@ -21,7 +21,7 @@ namespace lamella
    * Strains are small in section axes and linear in
    *   e = (Gamma, kappa, kappa_y^2 / 2, a, a')                 (FrameStrains),
    * so the stresses s = D e have a constant matrix D, that of a Beam
-   * (SectionAnswer). With Saint-Venant's fields this is Simo's beam with the
+   * (SectionOperator). With Saint-Venant's fields this is Simo's beam with the
    * section's stiffness, including warping in shear and torsion, Poisson's
    * effect and couplings of a layup. TwistStretch gives the terms of kappa_y^2
    * / 2, Wagner's stiffening of a twisted strip. Other quadratic strains of the
@@ -31,7 +31,7 @@ namespace lamella
    * DoFs are those of the Beam. In a state u the rigid fields of a node are its
    * r and its rotation vector, of angle 0 to pi, scaled as for small rotations
    * (RigidField). In changes du and in forces they are spins on top of the
-   * state, about body axes; updated() combines both. Rows of displacements
+   * state, about body axes; retract() combines both. Rows of displacements
    * depend on the state (rows_at()). At u = 0 both are those of the Beam.
    *
    * Quaternions of nodes are interpolated along an element. Integrals use one
@@ -43,13 +43,13 @@ namespace lamella
    * times the axial stiffness against shear, which leaves a share (h / L)^2 of
    * 1e-5 of the deflection. A section that cannot twist rotates in one plane.
    */
-  class ReissnerBeam : public Beam
+  class GeometricallyExactBeam : public Beam
   {
   public:
     /// Constructs a beam whose nodes all carry all fields of @p section, that
-    /// of Theory::of_turning(), which may stay normal to the axis if
+    /// of Theory::of_rotating(), which may stay normal to the axis if
     /// @p stays_normal. theory() returns @p theory, or the section's if empty.
-    ReissnerBeam(const std::string             &name,
+    GeometricallyExactBeam(const std::string             &name,
                  std::shared_ptr<const Section> section,
                  std::shared_ptr<const Axis>    axis,
                  const Placement               &placement,
@@ -57,9 +57,9 @@ namespace lamella
                  const bool                     stays_normal = false);
 
     /// Constructs a beam as Beam does. Throws InputError for lists of fields
-    /// that are not dense (FieldSpace).
-    ReissnerBeam(const std::string                            &name,
-                 std::shared_ptr<const FieldSpace>             space,
+    /// that are not dense (SectionSpace).
+    GeometricallyExactBeam(const std::string                            &name,
+                 std::shared_ptr<const SectionSpace>             space,
                  std::shared_ptr<const Axis>                   axis,
                  const Placement                              &placement,
                  const std::vector<std::vector<unsigned int>> &fields_of_node,
@@ -67,19 +67,19 @@ namespace lamella
                  const bool stays_normal = false);
 
     bool
-    turns() const override
+    has_finite_rotations() const override
     {
       return true;
     }
     bool
-    rows_turn() const override
+    constraints_rotate() const override
     {
       return true;
     }
     /// Returns the state. Throws NumericsError if a section that cannot twist
     /// would have to.
     Vector
-    updated(const Vector &u, const Vector &change) const override;
+    retract(const Vector &u, const Vector &change) const override;
     double
     largest_spin(const Vector &change) const override;
     std::vector<Vector>
@@ -95,7 +95,7 @@ namespace lamella
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const override;
     dealii::Tensor<2, 3>
-    turn_at(const Location &location, const Vector &u) const override;
+    rotation_at(const Location &location, const Vector &u) const override;
     std::vector<dealii::Tensor<1, 3>>
     displacements(const std::vector<Location> &locations,
                   const Vector                &u) const override;
@@ -197,7 +197,7 @@ namespace lamella
     void
     make_laws(const bool stays_normal);
     std::shared_ptr<Law>
-    make_law(const SectionAnswer &answer) const;
+    make_law(const SectionOperator &answer) const;
     /// Sets the row and the column of kappa_y^2 / 2.
     void
     add_twist_stretch(Law &law) const;
@@ -365,7 +365,7 @@ namespace lamella
                       const double        y,
                       const SectionState &state) const;
     /// Returns R (X + Phi a) at @p at.
-    static TurnedVector
+    static RotatedVector
     turned_point(const PointFields &at, const Frame &frame);
     /// Returns the displacement at @p at, in body axes, per unit of each local
     /// unknown.

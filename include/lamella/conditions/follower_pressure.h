@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_conditions_following_pressure_h
-#define lamella_conditions_following_pressure_h
+#ifndef lamella_conditions_follower_pressure_h
+#define lamella_conditions_follower_pressure_h
 
 #include <lamella/body/facet_map.h>
-#include <lamella/conditions/moved_points.h>
+#include <lamella/conditions/current_points.h>
 #include <lamella/conditions/traction.h>
-#include <lamella/conditions/turning_load.h>
+#include <lamella/conditions/follower_load.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -15,10 +15,10 @@ namespace lamella
   /// A follower pressure p(X) per deformed area, against the current normal:
   ///   f . v = -integral p v . (x_,s x x_,t) ds dt
   /// by Gauss points of each facet, with material coordinates s and t.
-  class FollowingPressure : public TurningLoad
+  class FollowerPressure : public FollowerLoad
   {
   public:
-    FollowingPressure(const Load &load, const Region &region, const Body &body);
+    FollowerPressure(const Load &load, const Region &region, const Body &body);
     void
     add_forces(const double factor, const Vector &u, Vector &f) const override;
     void
@@ -47,7 +47,7 @@ namespace lamella
     {
       FacetMap                map;
       unsigned int            degree_s, degree_t;
-      MovedPoints             nodes;
+      CurrentPoints             nodes;
       std::vector<GaussPoint> points;
 
       FacetMap

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_body_green_beam_h
-#define lamella_body_green_beam_h
+#ifndef lamella_body_total_lagrangian_beam_h
+#define lamella_body_total_lagrangian_beam_h
 
 #include <lamella/body/beam.h>
-#include <lamella/section/green_answer.h>
+#include <lamella/section/finite_strain_section_operator.h>
 
 namespace lamella
 {
   /**
    * A beam with finite rotations in the total Lagrangian formulation, on the
    * fields and the axis of a Beam. Its internal forces follow from Green's
-   * strain and the second Piola-Kirchhoff stress (GreenAnswer),
+   * strain and the second Piola-Kirchhoff stress (FiniteStrainSectionOperator),
    *   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
    * over the undeformed body, and the tangent is their derivative, at u = 0 the
    * stiffness of the Beam. Displacements are additive: rows of displacements,
@@ -22,23 +22,23 @@ namespace lamella
    * second_order() is that of small rotations. E_yy and the transverse shears
    * of samples are least-squares polynomials of degree 2 through their values
    * at the stations. Their other parts oscillate between stations without
-   * physical meaning (GreenAnswer).
+   * physical meaning (FiniteStrainSectionOperator).
    *
    * Limited to B4 and theories whose strains are those of their displacements
    * (LE, TE-2 and up).
    */
-  class GreenBeam : public Beam
+  class TotalLagrangianBeam : public Beam
   {
   public:
     /// Constructs a beam as Beam does. Throws InputError for unsupported
     /// theories and axes.
-    GreenBeam(const std::string             &name,
+    TotalLagrangianBeam(const std::string             &name,
               std::shared_ptr<const Section> section,
               std::shared_ptr<const Axis>    axis,
               const Placement               &placement);
 
     bool
-    turns() const override
+    has_finite_rotations() const override
     {
       return true;
     }
@@ -54,7 +54,7 @@ namespace lamella
   protected:
     /// Returns the forces of Green's strain.
     SectionForces
-    section_forces(const SectionAnswer &answer,
+    section_forces(const SectionOperator &answer,
                    const FieldParts    &q) const override;
     FieldSample
     sample_at(const SectionPoint &point,
@@ -88,7 +88,7 @@ namespace lamella
     /// Returns the rotation of the middle of the section between the ends of
     /// axis element @p cell [rad].
     double
-    turn_along(const unsigned int cell, const Vector &u) const;
+    rotation_along(const unsigned int cell, const Vector &u) const;
 
     /// Return the blocks of axis element @p cell, one per section cell: without
     /// values, or with zeros.
@@ -115,17 +115,17 @@ namespace lamella
     void
     add_station(const unsigned int              cell,
                 const unsigned int              k,
-                const GreenAnswer::CellTangent &tangent,
+                const FiniteStrainSectionOperator::CellTangent &tangent,
                 StiffnessBlock                 &block) const;
 
     /// Subtracts the assumed-strain terms of the section's @p tangents from
-    /// @p block of the axis element @p cell (GreenAnswer::for_each_cell()).
+    /// @p block of the axis element @p cell (FiniteStrainSectionOperator::for_each_cell()).
     void
     take_off(const unsigned int                           cell,
-             const std::vector<GreenAnswer::CellTangent> &tangents,
+             const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents,
              StiffnessBlock                              &block) const;
 
-    const GreenAnswer green;
+    const FiniteStrainSectionOperator green;
   };
 } // namespace lamella
 

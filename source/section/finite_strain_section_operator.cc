@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/lagrange.h>
-#include <lamella/section/green_answer.h>
+#include <lamella/section/finite_strain_section_operator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ namespace lamella
 
 
 
-  GreenAnswer::GreenAnswer(const FieldSpace  &space,
+  FiniteStrainSectionOperator::FiniteStrainSectionOperator(const SectionSpace  &space,
                            const unsigned int n_stations)
     : space(space)
   {
@@ -101,7 +101,7 @@ namespace lamella
 
 
   std::vector<const std::vector<unsigned int> *>
-  GreenAnswer::fields_of_cells() const
+  FiniteStrainSectionOperator::fields_of_cells() const
   {
     std::vector<const std::vector<unsigned int> *> lists;
     for (const Cell &cell : cells)
@@ -112,7 +112,7 @@ namespace lamella
 
 
   std::vector<std::vector<Gradient>>
-  GreenAnswer::gradients(const Cell &cell, const FieldParts &q) const
+  FiniteStrainSectionOperator::gradients(const Cell &cell, const FieldParts &q) const
   {
     const unsigned int n = cell.fields->size(), n_points = cell.points.size();
     std::vector<std::vector<Gradient>> at_stations(
@@ -138,7 +138,7 @@ namespace lamella
 
 
   void
-  GreenAnswer::lower(std::vector<Voigt> &values) const
+  FiniteStrainSectionOperator::lower(std::vector<Voigt> &values) const
   {
     constexpr unsigned int yy  = 1;
     double                 sum = 0.;
@@ -151,7 +151,7 @@ namespace lamella
 
 
   std::vector<Vector>
-  GreenAnswer::first_stresses(const Cell                               &cell,
+  FiniteStrainSectionOperator::first_stresses(const Cell                               &cell,
                               const std::vector<std::vector<Gradient>> &H,
                               std::vector<double> &energy) const
   {
@@ -183,7 +183,7 @@ namespace lamella
 
 
   SectionForces
-  GreenAnswer::forces(const FieldParts &q) const
+  FiniteStrainSectionOperator::forces(const FieldParts &q) const
   {
     const unsigned int n_stations = q[FieldPart::value].n();
     SectionForces      result(space.n_fields(), n_stations);
@@ -210,7 +210,7 @@ namespace lamella
 
 
   Stretch
-  GreenAnswer::largest(const FieldParts &q) const
+  FiniteStrainSectionOperator::largest(const FieldParts &q) const
   {
     Stretch             found;
     double              area = 0.;
@@ -225,7 +225,7 @@ namespace lamella
             for (unsigned int k = 0; k < squares.size(); ++k)
               {
                 const Stretch here = stretch_of(H[k][p]);
-                found.turn         = std::max(found.turn, here.turn);
+                found.rotation         = std::max(found.rotation, here.rotation);
                 found.strain       = std::max(found.strain, here.strain);
                 squares[k] += weight * here.along * here.along;
               }
@@ -238,8 +238,8 @@ namespace lamella
 
 
 
-  GreenAnswer::CellTangent
-  GreenAnswer::tangent_of(
+  FiniteStrainSectionOperator::CellTangent
+  FiniteStrainSectionOperator::tangent_of(
     const Cell                                            &cell,
     const std::function<Tensor<2, 9>(const unsigned int)> &D)
   {
@@ -255,8 +255,8 @@ namespace lamella
 
 
 
-  GreenAnswer::CellTangent
-  GreenAnswer::tangent_at(const Cell                  &cell,
+  FiniteStrainSectionOperator::CellTangent
+  FiniteStrainSectionOperator::tangent_at(const Cell                  &cell,
                           const std::vector<Gradient> &H,
                           const std::vector<Voigt>    &second)
   {
@@ -283,7 +283,7 @@ namespace lamella
 
 
   void
-  GreenAnswer::for_each_cell(
+  FiniteStrainSectionOperator::for_each_cell(
     const FieldParts                                            &q,
     const FieldParts                                            &correction,
     const std::function<void(const std::vector<CellTangent> &)> &use) const
@@ -315,7 +315,7 @@ namespace lamella
 
 
   void
-  GreenAnswer::for_each_cell_of_stress(
+  FiniteStrainSectionOperator::for_each_cell_of_stress(
     const std::function<Voigt(const unsigned int, const dealii::Point<2> &)>
                                                    &stress,
     const std::function<void(const CellTangent &)> &use) const

@@ -3,8 +3,8 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/conditions/couple.h>
-#include <lamella/conditions/following_pressure.h>
-#include <lamella/conditions/moved_points.h>
+#include <lamella/conditions/follower_pressure.h>
+#include <lamella/conditions/current_points.h>
 #include <lamella/conditions/rows_to_dofs.h>
 
 namespace lamella
@@ -14,7 +14,7 @@ namespace lamella
   namespace
   {
     /// Forces that keep their direction on a body whose rows turn.
-    class DeadForces : public TurningLoad
+    class DeadForces : public FollowerLoad
     {
     public:
       DeadForces(const Body               &body,
@@ -61,13 +61,13 @@ namespace lamella
       }
 
     private:
-      const MovedPoints               points;
+      const CurrentPoints               points;
       const std::vector<Tensor<1, 3>> forces;
     };
 
 
 
-    class Heat : public TurningLoad
+    class Heat : public FollowerLoad
     {
     public:
       explicit Heat(const Body &body)
@@ -134,10 +134,10 @@ namespace lamella
 
 
 
-    class TurningCouple : public TurningLoad
+    class FollowerCouple : public FollowerLoad
     {
     public:
-      TurningCouple(const Load &load, const Region &region, const Body &body)
+      FollowerCouple(const Load &load, const Region &region, const Body &body)
         : couple(load, region, body)
         , points(body, locations_of(couple.points()))
       {}
@@ -163,13 +163,13 @@ namespace lamella
       moved(const Vector &u) const;
 
       const Couple      couple;
-      const MovedPoints points;
+      const CurrentPoints points;
     };
 
 
 
     std::vector<Point<3>>
-    TurningCouple::moved(const Vector &u) const
+    FollowerCouple::moved(const Vector &u) const
     {
       const std::vector<Tensor<1, 3>> by = points.displacements(u);
       std::vector<Point<3>>           x;
@@ -181,7 +181,7 @@ namespace lamella
 
 
     void
-    TurningCouple::add_forces(const double  factor,
+    FollowerCouple::add_forces(const double  factor,
                               const Vector &u,
                               Vector       &f) const
     {
@@ -194,7 +194,7 @@ namespace lamella
 
 
     void
-    TurningCouple::add_derivative(const double  factor,
+    FollowerCouple::add_derivative(const double  factor,
                                   const Vector &u,
                                   const Vector &w,
                                   Vector       &f) const
@@ -210,7 +210,7 @@ namespace lamella
 
 
     void
-    TurningCouple::for_each_stiffness_block(
+    FollowerCouple::for_each_stiffness_block(
       const double                                       factor,
       const Vector                                      &u,
       const bool                                         with_values,
@@ -220,14 +220,14 @@ namespace lamella
       if (!with_values)
         return use(to_dofs.pattern());
       const std::vector<Point<3>> x       = moved(u);
-      const Couple::Turning       turning = couple.turning(x);
+      const Couple::CoupleRotation       rotation = couple.rotation_of(x);
       StiffnessBlock              block   = to_dofs.pattern();
       const unsigned int          n       = block.rows.size();
       block.values.assign(n * n, 0.);
       for (unsigned int k = 0; k < 3; ++k)
         {
-          const auto spin    = to_dofs.form(turning.spin[k]),
-                     stretch = to_dofs.form(turning.stretch[k]);
+          const auto spin    = to_dofs.form(rotation.spin[k]),
+                     stretch = to_dofs.form(rotation.stretch[k]);
           for (unsigned int i = 0; i < n; ++i)
             for (unsigned int j = 0; j < n; ++j)
               block.values[i * n + j] +=
@@ -243,13 +243,13 @@ namespace lamella
     /// that @p load has on @p region of @p body where it is dead, whose
     /// integration adapts to what varies.
     void
-    check_start(const TurningLoad &turning,
+    check_start(const FollowerLoad &rotation,
                 const Load        &load,
                 const Region      &region,
                 const Body        &body)
     {
       Vector rest(body.n_dofs()), start(body.n_dofs()), dead(body.n_dofs());
-      turning.add_forces(1., rest, start);
+      rotation.add_forces(1., rest, start);
       add_point_forces(body, point_forces(load, region, body), dead);
       start -= dead;
       if (start.l2_norm() > arithmetic::alike * dead.l2_norm())
@@ -265,7 +265,7 @@ namespace lamella
 
 
   bool
-  turns_along(const Load &load)
+  rotates_along(const Load &load)
   {
     return load.couple || load.follows;
   }
@@ -277,29 +277,29 @@ namespace lamella
   {
     // Heat is one of the body (turning_heat()).
     return load.temperature.empty() &&
-           (body.rows_turn() || (body.turns() && turns_along(load)));
+           (body.constraints_rotate() || (body.has_finite_rotations() && rotates_along(load)));
   }
 
 
 
-  std::unique_ptr<TurningLoad>
-  turning_load(const Load &load, const Region &region, const Body &body)
+  std::unique_ptr<FollowerLoad>
+  follower_load(const Load &load, const Region &region, const Body &body)
   {
     if (load.couple)
-      return std::make_unique<TurningCouple>(load, region, body);
+      return std::make_unique<FollowerCouple>(load, region, body);
     if (!load.follows)
       {
         const PointForces at = point_forces(load, region, body);
         return std::make_unique<DeadForces>(body, at.locations, at.forces);
       }
-    auto pressure = std::make_unique<FollowingPressure>(load, region, body);
+    auto pressure = std::make_unique<FollowerPressure>(load, region, body);
     check_start(*pressure, load, region, body);
     return pressure;
   }
 
 
 
-  std::unique_ptr<TurningLoad>
+  std::unique_ptr<FollowerLoad>
   turning_heat(const Body &body)
   {
     return std::make_unique<Heat>(body);
@@ -307,8 +307,8 @@ namespace lamella
 
 
 
-  std::unique_ptr<TurningLoad>
-  turning_weight(const Tensor<1, 3> &acceleration, const Body &body)
+  std::unique_ptr<FollowerLoad>
+  follower_weight(const Tensor<1, 3> &acceleration, const Body &body)
   {
     std::vector<Location>     locations;
     std::vector<Tensor<1, 3>> forces;

@@ -5,7 +5,7 @@
 
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
-#include <lamella/body/reissner_beam.h>
+#include <lamella/body/geometrically_exact_beam.h>
 
 #include <algorithm>
 #include <array>
@@ -18,8 +18,8 @@ namespace lamella
 
   // ---- a section in a state
 
-  ReissnerBeam::SectionState
-  ReissnerBeam::section_state(const unsigned int cell, const Frame &frame) const
+  GeometricallyExactBeam::SectionState
+  GeometricallyExactBeam::section_state(const unsigned int cell, const Frame &frame) const
   {
     SectionState state{frame, strains(frame), {}, {}, {}};
     state.value.assign(section().n_fields(), 0.);
@@ -50,8 +50,8 @@ namespace lamella
 
 
 
-  ReissnerBeam::SectionState
-  ReissnerBeam::section_state(const AxisPoint &on_axis, const Vector &u) const
+  GeometricallyExactBeam::SectionState
+  GeometricallyExactBeam::section_state(const AxisPoint &on_axis, const Vector &u) const
   {
     return section_state(on_axis.cell,
                          frame_at(on_axis, element(on_axis.cell, u)));
@@ -60,7 +60,7 @@ namespace lamella
 
 
   Tensor<1, 3>
-  ReissnerBeam::from_center(const SectionPoint &point) const
+  GeometricallyExactBeam::from_center(const SectionPoint &point) const
   {
     // The slopes are (x - x_c) / h and (z - z_c) / h along y.
     const auto along = [&](const unsigned int alpha) {
@@ -77,7 +77,7 @@ namespace lamella
 
 
   Tensor<1, 3>
-  ReissnerBeam::displacement(const SectionPoint &point,
+  GeometricallyExactBeam::displacement(const SectionPoint &point,
                              const SectionState &state) const
   {
     const Tensor<2, 3> R = rotation_of(state.frame.Q);
@@ -92,8 +92,8 @@ namespace lamella
 
   // ---- points of it
 
-  ReissnerBeam::PointFields
-  ReissnerBeam::fields_at(const Location::Place &place) const
+  GeometricallyExactBeam::PointFields
+  GeometricallyExactBeam::fields_at(const Location::Place &place) const
   {
     const unsigned int n = section().n_cells(), cell = place.cell / n;
     const SectionPoint point =
@@ -114,7 +114,7 @@ namespace lamella
 
 
   Tensor<1, 3>
-  ReissnerBeam::warping(const PointFields &at, const Frame &frame)
+  GeometricallyExactBeam::warping(const PointFields &at, const Frame &frame)
   {
     Tensor<1, 3> sum;
     for (unsigned int a = 0; a < at.Phi.size(); ++a)
@@ -125,7 +125,7 @@ namespace lamella
 
 
   Tensor<2, 3>
-  ReissnerBeam::turn_at(const Location &location, const Vector &u) const
+  GeometricallyExactBeam::rotation_at(const Location &location, const Vector &u) const
   {
     const Location::Place &place = location.places[0];
     const AxisPoint        point =
@@ -138,7 +138,7 @@ namespace lamella
 
 
   std::vector<Tensor<1, 3>>
-  ReissnerBeam::displacements(const std::vector<Location> &locations,
+  GeometricallyExactBeam::displacements(const std::vector<Location> &locations,
                               const Vector                &u) const
   {
     // The nodes of a surface are few points of the section at few of the axis.
@@ -172,8 +172,8 @@ namespace lamella
 
 
 
-  TurnedVector
-  ReissnerBeam::turned_point(const PointFields &at, const Frame &frame)
+  RotatedVector
+  GeometricallyExactBeam::turned_point(const PointFields &at, const Frame &frame)
   {
     return turned_vector(frame.Q, at.X + warping(at, frame));
   }
@@ -181,10 +181,10 @@ namespace lamella
 
 
   std::vector<Tensor<1, 3>>
-  ReissnerBeam::by_local(const PointFields &at, const Element &element)
+  GeometricallyExactBeam::by_local(const PointFields &at, const Element &element)
   {
     const std::vector<double> &N = at.on_axis.N;
-    const TurnedVector of = turned_point(at, frame_at(at.on_axis, element));
+    const RotatedVector of = turned_point(at, frame_at(at.on_axis, element));
     std::vector<Tensor<1, 3>> result;
     for (unsigned int i = 0; i < N.size(); ++i)
       {
@@ -215,7 +215,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_rows(const Location::Place         &place,
+  GeometricallyExactBeam::add_rows(const Location::Place         &place,
                          const double                   share,
                          const Vector                  &u,
                          std::vector<LinearFunctional> &rows) const
@@ -235,7 +235,7 @@ namespace lamella
 
 
   std::vector<std::vector<LinearFunctional>>
-  ReissnerBeam::rows_at(const std::vector<Location> &locations,
+  GeometricallyExactBeam::rows_at(const std::vector<Location> &locations,
                         const Vector                &u) const
   {
     std::vector<std::vector<LinearFunctional>> result;
@@ -254,14 +254,14 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_force(const PointFields        &at,
+  GeometricallyExactBeam::add_force(const PointFields        &at,
                           const Tensor<1, 3>       &force,
                           const Element            &element,
                           LAPACKFullMatrix<double> &K)
   {
     const std::vector<double> &N = at.on_axis.N;
     const unsigned int         n = n_of_node + at.Phi.size();
-    const TurnedVector of = turned_point(at, frame_at(at.on_axis, element));
+    const RotatedVector of = turned_point(at, frame_at(at.on_axis, element));
     // Of the work F . R (X + Phi a) by Q, and by Q and what R turns.
     Tensor<1, 7> first;
     Tensor<2, 7> second;
@@ -291,7 +291,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_force_row(const PointFields        &at,
+  GeometricallyExactBeam::add_force_row(const PointFields        &at,
                               const Element            &element,
                               const Tensor<1, 7>       &row,
                               const unsigned int        spin,
@@ -319,7 +319,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::for_each_block_of_forces(
+  GeometricallyExactBeam::for_each_block_of_forces(
     const std::vector<Location>                       &locations,
     const std::vector<Tensor<1, 3>>                   &forces,
     const Vector                                      &u,
@@ -351,7 +351,7 @@ namespace lamella
 
 
   Voigt
-  ReissnerBeam::twist_strain(const SectionPoint &point) const
+  GeometricallyExactBeam::twist_strain(const SectionPoint &point) const
   {
     return &section() == deforming.get() ? twist_stretch->strain(point) :
                                            stretch_of_fiber(section(), point);
@@ -360,7 +360,7 @@ namespace lamella
 
 
   Voigt
-  ReissnerBeam::strain_at(const SectionPoint &point,
+  GeometricallyExactBeam::strain_at(const SectionPoint &point,
                           const SectionState &state) const
   {
     Voigt strain = state.e[n_strains - 1] * twist_strain(point);
@@ -376,7 +376,7 @@ namespace lamella
 
 
   FieldSample
-  ReissnerBeam::sample_of_section(const SectionPoint &point,
+  GeometricallyExactBeam::sample_of_section(const SectionPoint &point,
                                   const double        y,
                                   const SectionState &state) const
   {
@@ -395,14 +395,14 @@ namespace lamella
                 placement,
                 section().ply_axes(point.cell, point.position),
                 law);
-    sample.turn = placement.turn_in_scene(rotation_of(state.frame.Q));
+    sample.rotation = placement.rotation_in_scene(rotation_of(state.frame.Q));
     return sample;
   }
 
 
 
   FieldSample
-  ReissnerBeam::sample_at(const SectionPoint &point,
+  GeometricallyExactBeam::sample_at(const SectionPoint &point,
                           const AxisPoint    &on_axis,
                           const Vector       &u) const
   {
@@ -412,7 +412,7 @@ namespace lamella
 
 
   std::vector<FieldSample>
-  ReissnerBeam::samples_at(const std::vector<SectionPoint> &points,
+  GeometricallyExactBeam::samples_at(const std::vector<SectionPoint> &points,
                            const std::vector<AxisPoint>    &places,
                            const Vector                    &u) const
   {
@@ -429,7 +429,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_strains(const SectionState &state,
+  GeometricallyExactBeam::add_strains(const SectionState &state,
                             Deformation        &deformation) const
   {
     const auto &points  = section().integration_points();
@@ -455,7 +455,7 @@ namespace lamella
 
 
   Deformation
-  ReissnerBeam::deformation(const Vector &u) const
+  GeometricallyExactBeam::deformation(const Vector &u) const
   {
     Deformation result;
     for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)

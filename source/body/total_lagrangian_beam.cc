@@ -4,7 +4,7 @@
 #include <lamella/base/lagrange.h>
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
-#include <lamella/body/green_beam.h>
+#include <lamella/body/total_lagrangian_beam.h>
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ namespace lamella
   {
     /// @p section, if it is one whose strains are those of its displacements.
     std::shared_ptr<const Section>
-    turning(std::shared_ptr<const Section> section, const Axis &axis)
+    finite_strain_section(std::shared_ptr<const Section> section, const Axis &axis)
     {
       if (section->completes_strains() || axis.degree() != 3)
         throw InputError(
@@ -29,18 +29,18 @@ namespace lamella
 
 
 
-  GreenBeam::GreenBeam(const std::string             &name,
+  TotalLagrangianBeam::TotalLagrangianBeam(const std::string             &name,
                        std::shared_ptr<const Section> section,
                        std::shared_ptr<const Axis>    axis,
                        const Placement               &placement)
-    : Beam(name, turning(section, *axis), axis, placement)
+    : Beam(name, finite_strain_section(section, *axis), axis, placement)
     , green(fields(), along_axis().n_stations())
   {}
 
 
 
   SectionForces
-  GreenBeam::section_forces(const SectionAnswer &, const FieldParts &q) const
+  TotalLagrangianBeam::section_forces(const SectionOperator &, const FieldParts &q) const
   {
     return green.forces(q);
   }
@@ -50,7 +50,7 @@ namespace lamella
   // ---- where it is, and what it shows
 
   std::vector<Vector>
-  GreenBeam::rigid_motions_at(const Vector &u) const
+  TotalLagrangianBeam::rigid_motions_at(const Vector &u) const
   {
     std::vector<Vector> motions = rigid_motions();
     std::vector<double> moved(section().n_fields());
@@ -75,7 +75,7 @@ namespace lamella
 
 
   FieldParts
-  GreenBeam::parts_at(const SectionPoint &point,
+  TotalLagrangianBeam::parts_at(const SectionPoint &point,
                       const AxisPoint    &on_axis,
                       const Vector       &u) const
   {
@@ -87,23 +87,23 @@ namespace lamella
 
 
   double
-  GreenBeam::turn_along(const unsigned int cell, const Vector &u) const
+  TotalLagrangianBeam::rotation_along(const unsigned int cell, const Vector &u) const
   {
     const SectionPoint middle = section().evaluate(0, {0.5, 0.5});
-    const auto         turn   = [&](const double eta) {
+    const auto         rotation   = [&](const double eta) {
       return PolarDecomposition(
                gradient_at(middle,
                            parts_at(middle, axis().evaluate(cell, eta), u),
                            0))
-        .turn();
+        .rotation();
     };
-    return angle_of(transpose(turn(0.)) * turn(1.));
+    return angle_of(transpose(rotation(0.)) * rotation(1.));
   }
 
 
 
   Deformation
-  GreenBeam::deformation(const Vector &u) const
+  TotalLagrangianBeam::deformation(const Vector &u) const
   {
     Deformation result;
     const auto [begin, end] = axis().own_cells();
@@ -112,12 +112,12 @@ namespace lamella
         const FieldParts q = along_axis().on_element(cell, dofs().fields(0), u);
         const Stretch    stretch = green.largest(q);
         result.energy += along_axis().energy(cell, green.forces(q));
-        result.max_rotation = std::max(result.max_rotation, stretch.turn);
+        result.max_rotation = std::max(result.max_rotation, stretch.rotation);
         result.max_strain   = std::max(result.max_strain, stretch.strain);
         result.max_mean_strain =
           std::max(result.max_mean_strain, stretch.along);
-        result.max_element_turn =
-          std::max(result.max_element_turn, turn_along(cell, u));
+        result.max_element_rotation =
+          std::max(result.max_element_rotation, rotation_along(cell, u));
       }
     // E . C epsilon_0 is quadratic in u, as the forces of heat are linear.
     if (is_heated())
@@ -133,7 +133,7 @@ namespace lamella
 
 
   Voigt
-  GreenBeam::strain_at(const SectionPoint &point,
+  TotalLagrangianBeam::strain_at(const SectionPoint &point,
                        const AxisPoint    &on_axis,
                        const Gradient     &H,
                        const Vector       &u) const
@@ -164,7 +164,7 @@ namespace lamella
 
 
   FieldSample
-  GreenBeam::sample_at(const SectionPoint &point,
+  TotalLagrangianBeam::sample_at(const SectionPoint &point,
                        const AxisPoint    &on_axis,
                        const Vector       &u) const
   {
@@ -190,7 +190,7 @@ namespace lamella
   // ---- the tangent
 
   StiffnessBlock
-  GreenBeam::empty_block(const unsigned int               cell,
+  TotalLagrangianBeam::empty_block(const unsigned int               cell,
                          const std::vector<unsigned int> &on_section) const
   {
     StiffnessBlock block;
@@ -204,7 +204,7 @@ namespace lamella
 
 
   std::vector<StiffnessBlock>
-  GreenBeam::empty_blocks(const unsigned int cell) const
+  TotalLagrangianBeam::empty_blocks(const unsigned int cell) const
   {
     std::vector<StiffnessBlock> blocks;
     for (const auto *on_section : green.fields_of_cells())
@@ -215,7 +215,7 @@ namespace lamella
 
 
   std::vector<StiffnessBlock>
-  GreenBeam::zero_blocks(const unsigned int cell) const
+  TotalLagrangianBeam::zero_blocks(const unsigned int cell) const
   {
     std::vector<StiffnessBlock> blocks = empty_blocks(cell);
     for (StiffnessBlock &block : blocks)
@@ -226,7 +226,7 @@ namespace lamella
 
 
   void
-  GreenBeam::for_each_block_of_heat(
+  TotalLagrangianBeam::for_each_block_of_heat(
     const Vector &,
     const std::function<void(const StiffnessBlock &)> &use) const
   {
@@ -248,7 +248,7 @@ namespace lamella
                                     placement.to_scene({at[0], y, at[1]}))
                                .stress(Voigt());
               },
-              [&](const GreenAnswer::CellTangent &tangent) {
+              [&](const FiniteStrainSectionOperator::CellTangent &tangent) {
                 add_station(cell, k, tangent, *block++);
               });
           }
@@ -260,9 +260,9 @@ namespace lamella
 
 
   void
-  GreenBeam::add_station(const unsigned int              cell,
+  TotalLagrangianBeam::add_station(const unsigned int              cell,
                          const unsigned int              k,
-                         const GreenAnswer::CellTangent &tangent,
+                         const FiniteStrainSectionOperator::CellTangent &tangent,
                          StiffnessBlock                 &block) const
   {
     const unsigned int number = cell * along_axis().n_stations() + k;
@@ -289,8 +289,8 @@ namespace lamella
 
 
   void
-  GreenBeam::take_off(const unsigned int                           cell,
-                      const std::vector<GreenAnswer::CellTangent> &tangents,
+  TotalLagrangianBeam::take_off(const unsigned int                           cell,
+                      const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents,
                       StiffnessBlock                              &block) const
   {
     const double       length = axis().cell_end(cell) - axis().cell_begin(cell);
@@ -323,7 +323,7 @@ namespace lamella
 
 
   void
-  GreenBeam::add_values(const unsigned int           cell,
+  TotalLagrangianBeam::add_values(const unsigned int           cell,
                         const Vector                &u,
                         const Vector                &correction,
                         std::vector<StiffnessBlock> &blocks) const
@@ -335,7 +335,7 @@ namespace lamella
                      dq = loop.on_element(cell, all, correction);
     auto block          = blocks.begin();
     green.for_each_cell(
-      q, dq, [&](const std::vector<GreenAnswer::CellTangent> &tangents) {
+      q, dq, [&](const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents) {
         for (unsigned int k = 0; k < tangents.size(); ++k)
           add_station(cell, k, tangents[k], *block);
         take_off(cell, tangents, *block++);
@@ -345,7 +345,7 @@ namespace lamella
 
 
   void
-  GreenBeam::for_each_tangent_block(
+  TotalLagrangianBeam::for_each_tangent_block(
     const Vector                                      &u,
     const Vector                                      &correction,
     const bool                                         with_values,

@@ -3,7 +3,7 @@
 // The forces of a beam whose sections turn, and their derivative.
 
 #include <lamella/base/lagrange.h>
-#include <lamella/body/reissner_beam.h>
+#include <lamella/body/geometrically_exact_beam.h>
 
 #include <algorithm>
 
@@ -11,8 +11,8 @@ namespace lamella
 {
   using namespace dealii;
 
-  ReissnerBeam::ByNode
-  ReissnerBeam::by_node(const Element     &element,
+  GeometricallyExactBeam::ByNode
+  GeometricallyExactBeam::by_node(const Element     &element,
                         const AxisPoint   &point,
                         const unsigned int i)
   {
@@ -34,7 +34,7 @@ namespace lamella
 
 
   Vector
-  ReissnerBeam::stresses(const Law &law, const std::vector<double> &e)
+  GeometricallyExactBeam::stresses(const Law &law, const std::vector<double> &e)
   {
     const Vector strain(e.begin(), e.end());
     Vector       s(strain.size());
@@ -45,7 +45,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_forces(const Station       &station,
+  GeometricallyExactBeam::add_forces(const Station       &station,
                            const Element       &element,
                            const Vector        &s,
                            std::vector<double> &f)
@@ -72,7 +72,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_internal_forces(const Vector &u, Vector &f) const
+  GeometricallyExactBeam::add_internal_forces(const Vector &u, Vector &f) const
   {
     for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
       {
@@ -94,7 +94,7 @@ namespace lamella
   // ---- heat
 
   std::vector<Vector>
-  ReissnerBeam::heat_stresses(const unsigned int cell) const
+  GeometricallyExactBeam::heat_stresses(const unsigned int cell) const
   {
     std::vector<double> places;
     for (const Station &station : stations[cell])
@@ -116,7 +116,7 @@ namespace lamella
 
 
   std::vector<double>
-  ReissnerBeam::heat_on_twist(const std::vector<double> &places) const
+  GeometricallyExactBeam::heat_on_twist(const std::vector<double> &places) const
   {
     std::vector<double> sums(places.size(), 0.);
     for_each_point_of_heat(
@@ -131,7 +131,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_heat_at(const Vector &u, Vector &f) const
+  GeometricallyExactBeam::add_heat_at(const Vector &u, Vector &f) const
   {
     for (unsigned int cell = 0; cell < axis().n_cells() && is_heated(); ++cell)
       {
@@ -148,7 +148,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::for_each_block_of_heat(
+  GeometricallyExactBeam::for_each_block_of_heat(
     const Vector                                      &u,
     const std::function<void(const StiffnessBlock &)> &use) const
   {
@@ -180,8 +180,8 @@ namespace lamella
 
   // ---- the tangent
 
-  ReissnerBeam::OfFrame
-  ReissnerBeam::predicted(const Station             &station,
+  GeometricallyExactBeam::OfFrame
+  GeometricallyExactBeam::predicted(const Station             &station,
                           const Law                 &law,
                           const Element             &before,
                           const std::vector<double> &change)
@@ -216,7 +216,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_frame_tangent(const Station            &station,
+  GeometricallyExactBeam::add_frame_tangent(const Station            &station,
                                   const Law                &law,
                                   const Element            &element,
                                   const OfFrame            &s,
@@ -240,8 +240,8 @@ namespace lamella
 
 
 
-  std::vector<ReissnerBeam::ByNode>
-  ReissnerBeam::by_nodes(const Station &station, const Element &element)
+  std::vector<GeometricallyExactBeam::ByNode>
+  GeometricallyExactBeam::by_nodes(const Station &station, const Element &element)
   {
     std::vector<ByNode> by;
     for (unsigned int i = 0; i < element.q.size(); ++i)
@@ -252,7 +252,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_stress_tangent(const Station             &station,
+  GeometricallyExactBeam::add_stress_tangent(const Station             &station,
                                    const Element             &element,
                                    const FrameStrains        &of,
                                    const std::vector<ByNode> &by,
@@ -284,7 +284,7 @@ namespace lamella
 
 
   Tensor<2, 11>
-  ReissnerBeam::square_of_strains(const Law &law, const FrameStrains &of)
+  GeometricallyExactBeam::square_of_strains(const Law &law, const FrameStrains &of)
   {
     Tensor<2, 11> result;
     for (unsigned int c = 0; c < n_strains; ++c)
@@ -300,7 +300,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_rigid_tangent(const Tensor<2, 11>       &by_measures,
+  GeometricallyExactBeam::add_rigid_tangent(const Tensor<2, 11>       &by_measures,
                                   const std::vector<ByNode> &by,
                                   const unsigned int         j,
                                   const unsigned int         n,
@@ -322,7 +322,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_coupling(const Tensor<1, 11>       &coupled,
+  GeometricallyExactBeam::add_coupling(const Tensor<1, 11>       &coupled,
                              const std::vector<ByNode> &by,
                              const std::vector<double> &N,
                              const unsigned int         warping,
@@ -346,7 +346,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_warping_tangent(const unsigned int        cell,
+  GeometricallyExactBeam::add_warping_tangent(const unsigned int        cell,
                                     LAPACKFullMatrix<double> &K) const
   {
     // The first row of the warpings.
@@ -377,7 +377,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::for_each_tangent_block(
+  GeometricallyExactBeam::for_each_tangent_block(
     const Vector                                      &u,
     const Vector                                      &correction,
     const bool                                         with_values,
@@ -385,7 +385,7 @@ namespace lamella
   {
     Vector back = correction;
     back *= -1.;
-    const Vector came_from = with_values ? updated(u, back) : Vector();
+    const Vector came_from = with_values ? retract(u, back) : Vector();
     for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
       {
         const std::vector<LocalDof> numbers = local_dofs(cell);
@@ -410,8 +410,8 @@ namespace lamella
   }
 
 
-  ReissnerBeam::SectionState
-  ReissnerBeam::shown_state(const AxisPoint &on_axis, const Vector &u) const
+  GeometricallyExactBeam::SectionState
+  GeometricallyExactBeam::shown_state(const AxisPoint &on_axis, const Vector &u) const
   {
     const unsigned int        cell = on_axis.cell, n = stations[cell].size();
     const double              begin = axis().cell_begin(cell);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_section_field_space_h
-#define lamella_section_field_space_h
+#ifndef lamella_section_section_space_h
+#define lamella_section_section_space_h
 
 #include <lamella/linear/factor_row.h>
 #include <lamella/section/section.h>
@@ -32,15 +32,15 @@ namespace lamella
    * is computed once, in n_fields() x n_dense() numbers and as many squared.
    * Immutable; shares the section.
    */
-  class FieldSpace
+  class SectionSpace
   {
   public:
     /// Constructs a space of the section's fields without modes.
-    explicit FieldSpace(std::shared_ptr<const Section> section);
+    explicit SectionSpace(std::shared_ptr<const Section> section);
 
     /// Constructs a space with the modes @p columns, of n_fields() rows each.
     /// Not for sections of EBBT or TBT, without rotation about y.
-    FieldSpace(std::shared_ptr<const Section> section, FieldColumns columns);
+    SectionSpace(std::shared_ptr<const Section> section, FieldColumns columns);
 
     const Section &
     section() const
@@ -96,7 +96,7 @@ namespace lamella
     bool
     is_dense(const std::vector<unsigned int> &list) const;
 
-    /// Returns the level of elimination, coarse first (SectionField::level);
+    /// Returns the level of elimination, coarse first (SectionFunction::level);
     /// modes are warping.
     unsigned int
     level(const unsigned int alpha) const
@@ -114,7 +114,7 @@ namespace lamella
 
     /// Returns the field @p alpha in the fields of the section.
     Vector
-    in_section_fields(const unsigned int alpha) const;
+    in_section_functions(const unsigned int alpha) const;
 
     /// Changes @p coefficients of all n_fields() fields to those of the
     /// section's fields, adding modes to these and dropping the rest.

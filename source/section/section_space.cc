@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/linear/columns.h>
-#include <lamella/section/field_space.h>
+#include <lamella/section/section_space.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ namespace lamella
 
 
 
-  FieldSpace::FieldSpace(std::shared_ptr<const Section> section)
+  SectionSpace::SectionSpace(std::shared_ptr<const Section> section)
     : base(std::move(section))
     , modes(base->n_fields(), 0)
     , of_fields(measured())
@@ -55,7 +55,7 @@ namespace lamella
 
 
 
-  FieldSpace::FieldSpace(std::shared_ptr<const Section> section,
+  SectionSpace::SectionSpace(std::shared_ptr<const Section> section,
                          FieldColumns                   columns)
     : base(std::move(section))
     , modes(std::move(columns))
@@ -82,7 +82,7 @@ namespace lamella
 
 
   LAPACKFullMatrix<double>
-  FieldSpace::times_dense(const Matrix &S) const
+  SectionSpace::times_dense(const Matrix &S) const
   {
     LAPACKFullMatrix<double> fields(base->n_fields(), n_dense());
     for (unsigned int b = 0; b < n_dense(); ++b)
@@ -96,7 +96,7 @@ namespace lamella
 
 
   Vector
-  FieldSpace::in_section_fields(const unsigned int alpha) const
+  SectionSpace::in_section_functions(const unsigned int alpha) const
   {
     Vector result(base->n_fields());
     if (alpha < first_mode())
@@ -109,7 +109,7 @@ namespace lamella
 
 
   std::vector<double>
-  FieldSpace::measured() const
+  SectionSpace::measured() const
   {
     std::vector<double> squares(n_fields(), 0.);
     const auto          look_at = [&squares](const unsigned int  alpha,
@@ -153,7 +153,7 @@ namespace lamella
 
 
   void
-  FieldSpace::expand(std::vector<double> &coefficients) const
+  SectionSpace::expand(std::vector<double> &coefficients) const
   {
     AssertDimension(coefficients.size(), n_fields());
     const unsigned int n = base->n_fields();
@@ -166,7 +166,7 @@ namespace lamella
 
 
   void
-  FieldSpace::append_modes(std::vector<double> &work) const
+  SectionSpace::append_modes(std::vector<double> &work) const
   {
     const unsigned int n = base->n_fields();
     AssertDimension(work.size(), n);
@@ -180,7 +180,7 @@ namespace lamella
 
 
   bool
-  FieldSpace::is_dense(const std::vector<unsigned int> &list) const
+  SectionSpace::is_dense(const std::vector<unsigned int> &list) const
   {
     return n_modes() > 0 &&
            std::all_of(list.begin(), list.end(), [this](const unsigned int a) {
@@ -191,7 +191,7 @@ namespace lamella
 
 
   LAPACKFullMatrix<double>
-  FieldSpace::in_section(const std::vector<unsigned int> &list,
+  SectionSpace::in_section(const std::vector<unsigned int> &list,
                          const LAPACKFullMatrix<double>  &q) const
   {
     AssertDimension(q.m(), list.size());
@@ -209,7 +209,7 @@ namespace lamella
 
 
   LAPACKFullMatrix<double>
-  FieldSpace::on_list(const std::vector<unsigned int> &list,
+  SectionSpace::on_list(const std::vector<unsigned int> &list,
                       const LAPACKFullMatrix<double>  &work) const
   {
     const unsigned int n = base->n_fields();
@@ -233,7 +233,7 @@ namespace lamella
 
 
   std::vector<FactorRow>
-  FieldSpace::rows(const std::vector<bool> &carried) const
+  SectionSpace::rows(const std::vector<bool> &carried) const
   {
     AssertDimension(carried.size(), n_fields());
     const unsigned int     n = base->n_fields();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_section_section_answer_h
-#define lamella_section_section_answer_h
+#ifndef lamella_section_section_operator_h
+#define lamella_section_section_operator_h
 
 #include <lamella/linear/factor_row.h>
-#include <lamella/section/field_space.h>
+#include <lamella/section/section_space.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
@@ -49,9 +49,9 @@ namespace lamella
   };
 
   /// Returns the forces on the fields @p list of @p space from @p forces on all
-  /// fields of its section (FieldSpace::on_list()).
+  /// fields of its section (SectionSpace::on_list()).
   SectionForces
-  on_list(const FieldSpace                &space,
+  on_list(const SectionSpace                &space,
           const std::vector<unsigned int> &list,
           const SectionForces             &forces);
 
@@ -65,18 +65,18 @@ namespace lamella
    * the energy per length (q . W_0 + q' . W_1) / 2, and their derivatives, the
    * S_pq. Assumed transverse shear strains have a q of their own (FieldPart).
    *
-   * Implementations depend on the section and the list (make_section_answer())
+   * Implementations depend on the section and the list (make_section_operator())
    * and agree up to rounding. All compute strains first: the slopes of the axis
    * and of the sections of a slender beam in rigid motion cancel while they are
    * small. The section is linear, so stiffness() holds for all q. Refers to the
    * space.
    */
-  class SectionAnswer
+  class SectionOperator
   {
   public:
     /// Constructs the operator of the fields @p list of @p space, ascending.
     /// Rotations use every @p stride-th point of the section.
-    SectionAnswer(const FieldSpace         &space,
+    SectionOperator(const SectionSpace         &space,
                   std::vector<unsigned int> list,
                   const unsigned int        stride = 1)
       : space(space)
@@ -84,7 +84,7 @@ namespace lamella
       , stride(stride)
     {}
 
-    virtual ~SectionAnswer() = default;
+    virtual ~SectionOperator() = default;
 
     /// Returns the list, in the numbers of the space.
     const std::vector<unsigned int> &
@@ -110,7 +110,7 @@ namespace lamella
     largest_rotation(const FieldParts &q) const;
 
   protected:
-    const FieldSpace               &space;
+    const SectionSpace               &space;
     const std::vector<unsigned int> list;
 
   private:
@@ -118,11 +118,11 @@ namespace lamella
   };
 
   /// Returns the operator of the fields @p list of @p space, ascending, with or
-  /// without assumed transverse shear strains on the axis: a ProductAnswer if
-  /// all fields span the whole section and couple anyway, else a PointAnswer. A
+  /// without assumed transverse shear strains on the axis: a ProductSectionOperator if
+  /// all fields span the whole section and couple anyway, else a PointwiseSectionOperator. A
   /// list that is not empty begins with the section's rigid fields.
-  std::unique_ptr<const SectionAnswer>
-  make_section_answer(const FieldSpace         &space,
+  std::unique_ptr<const SectionOperator>
+  make_section_operator(const SectionSpace         &space,
                       std::vector<unsigned int> list,
                       const bool                assumed_shear);
 } // namespace lamella

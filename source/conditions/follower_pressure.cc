@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/gauss_lobatto_basis.h>
-#include <lamella/conditions/following_pressure.h>
+#include <lamella/conditions/follower_pressure.h>
 #include <lamella/conditions/rows_to_dofs.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -29,7 +29,7 @@ namespace lamella
 
 
 
-  FollowingPressure::FollowingPressure(const Load   &load,
+  FollowerPressure::FollowerPressure(const Load   &load,
                                        const Region &region,
                                        const Body   &body)
   {
@@ -42,7 +42,7 @@ namespace lamella
 
 
   void
-  FollowingPressure::evaluate(const SurfaceFacet &facet, GaussPoint &point)
+  FollowerPressure::evaluate(const SurfaceFacet &facet, GaussPoint &point)
   {
     const unsigned int n_s = facet.trace_degree_s + 1,
                        n_t = facet.trace_degree_t + 1;
@@ -63,7 +63,7 @@ namespace lamella
 
 
   std::vector<Location>
-  FollowingPressure::nodes_of(const Body &body, const SurfaceFacet &facet)
+  FollowerPressure::nodes_of(const Body &body, const SurfaceFacet &facet)
   {
     const QGaussLobatto<1> s(facet.trace_degree_s + 1),
       t(facet.trace_degree_t + 1);
@@ -77,15 +77,15 @@ namespace lamella
 
 
 
-  FollowingPressure::Facet
-  FollowingPressure::facet_of(const Body         &body,
+  FollowerPressure::Facet
+  FollowerPressure::facet_of(const Body         &body,
                               const SurfaceFacet &facet,
                               const Traction     &traction)
   {
     Facet result{FacetMap(body, facet),
                  facet.trace_degree_s,
                  facet.trace_degree_t,
-                 MovedPoints(body, nodes_of(body, facet)),
+                 CurrentPoints(body, nodes_of(body, facet)),
                  {}};
     // Functions times the normal, of degrees 3 n - 1, and of a pressure that
     // varies two more.
@@ -113,7 +113,7 @@ namespace lamella
 
 
   FacetMap
-  FollowingPressure::Facet::moved(const Vector &u) const
+  FollowerPressure::Facet::moved(const Vector &u) const
   {
     return map.moved(degree_s, degree_t, nodes.displacements(u));
   }
@@ -121,7 +121,7 @@ namespace lamella
 
 
   std::vector<Tensor<1, 3>>
-  FollowingPressure::forces_on(const Facet    &facet,
+  FollowerPressure::forces_on(const Facet    &facet,
                                const FacetMap &now,
                                const double    factor)
   {
@@ -140,7 +140,7 @@ namespace lamella
 
 
   void
-  FollowingPressure::add_forces(const double  factor,
+  FollowerPressure::add_forces(const double  factor,
                                 const Vector &u,
                                 Vector       &f) const
   {
@@ -151,7 +151,7 @@ namespace lamella
 
 
   FullMatrix<double>
-  FollowingPressure::Facet::stiffness(const FacetMap &at,
+  FollowerPressure::Facet::stiffness(const FacetMap &at,
                                       const double    factor) const
   {
     const unsigned int n = (degree_s + 1) * (degree_t + 1);
@@ -180,7 +180,7 @@ namespace lamella
 
 
   void
-  FollowingPressure::add_derivative(const double  factor,
+  FollowerPressure::add_derivative(const double  factor,
                                     const Vector &u,
                                     const Vector &w,
                                     Vector       &f) const
@@ -202,7 +202,7 @@ namespace lamella
 
 
   void
-  FollowingPressure::for_each_stiffness_block(
+  FollowerPressure::for_each_stiffness_block(
     const double                                       factor,
     const Vector                                      &u,
     const bool                                         with_values,

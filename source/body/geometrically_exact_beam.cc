@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A beam whose sections turn: its sections' law and its state. Its forces are
-// in reissner_forces.cc, what it shows at points in reissner_points.cc.
+// in geometrically_exact_forces.cc, what it shows at points in geometrically_exact_points.cc.
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
-#include <lamella/body/reissner_beam.h>
+#include <lamella/body/geometrically_exact_beam.h>
 #include <lamella/section/shape_change.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -32,16 +32,16 @@ namespace lamella
 
     /// The field that turns the section about each axis, and the sign of its
     /// amplitude for a right-handed turn.
-    constexpr std::array<unsigned int, 3> turns_about{
+    constexpr std::array<unsigned int, 3> rotates_about{
       {RigidField::slope_z, RigidField::rotation_y, RigidField::slope_x}};
-    constexpr std::array<double, 3> sign_of_turn{{-1., 1., 1.}};
+    constexpr std::array<double, 3> sign_of_rotation{{-1., 1., 1.}};
 
 
 
-    std::shared_ptr<const FieldSpace>
+    std::shared_ptr<const SectionSpace>
     no_modes(std::shared_ptr<const Section> section)
     {
-      return std::make_shared<FieldSpace>(std::move(section));
+      return std::make_shared<SectionSpace>(std::move(section));
     }
 
     /// @p section, or where it is rigid one of the same mesh that is not.
@@ -65,13 +65,13 @@ namespace lamella
 
 
 
-  ReissnerBeam::ReissnerBeam(const std::string             &name,
+  GeometricallyExactBeam::GeometricallyExactBeam(const std::string             &name,
                              std::shared_ptr<const Section> section,
                              std::shared_ptr<const Axis>    axis,
                              const Placement               &placement,
                              const std::string             &theory,
                              const bool                     stays_normal)
-    : ReissnerBeam(name,
+    : GeometricallyExactBeam(name,
                    no_modes(section),
                    axis,
                    placement,
@@ -82,9 +82,9 @@ namespace lamella
 
 
 
-  ReissnerBeam::ReissnerBeam(
+  GeometricallyExactBeam::GeometricallyExactBeam(
     const std::string                            &name,
-    std::shared_ptr<const FieldSpace>             space,
+    std::shared_ptr<const SectionSpace>             space,
     std::shared_ptr<const Axis>                   axis,
     const Placement                              &placement,
     const std::vector<std::vector<unsigned int>> &fields_of_node,
@@ -110,7 +110,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::make_stations()
+  GeometricallyExactBeam::make_stations()
   {
     const QGauss<1> rule(axis().degree());
     for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
@@ -126,14 +126,14 @@ namespace lamella
 
 
   void
-  ReissnerBeam::make_laws(const bool stays_normal)
+  GeometricallyExactBeam::make_laws(const bool stays_normal)
   {
     // Of a section that does, stiffness against shear over that against
     // stretch.
     constexpr double     normal = 1e4;
-    const SectionAnswer *before = nullptr;
+    const SectionOperator *before = nullptr;
     along_axis().for_each_element(
-      [&](const unsigned int, const SectionAnswer &answer) {
+      [&](const unsigned int, const SectionOperator &answer) {
         if (&answer == before)
           {
             laws.push_back(laws.back());
@@ -161,7 +161,7 @@ namespace lamella
         for (unsigned int c = 0; c < 3; ++c)
           {
             set(c, list, translations[c], 1.);
-            set(3 + c, list, turns_about[c], h * sign_of_turn[c]);
+            set(3 + c, list, rotates_about[c], h * sign_of_rotation[c]);
           }
       }
 
@@ -207,8 +207,8 @@ namespace lamella
 
 
 
-  std::shared_ptr<ReissnerBeam::Law>
-  ReissnerBeam::make_law(const SectionAnswer &answer) const
+  std::shared_ptr<GeometricallyExactBeam::Law>
+  GeometricallyExactBeam::make_law(const SectionOperator &answer) const
   {
     const std::vector<unsigned int> &list = answer.fields();
     const FrameFields                frame(list, h);
@@ -234,7 +234,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_twist_stretch(Law &law) const
+  GeometricallyExactBeam::add_twist_stretch(Law &law) const
   {
     constexpr unsigned int   w = n_frame;
     LAPACKFullMatrix<double> on_derivatives(section().n_fields(), 1);
@@ -251,7 +251,7 @@ namespace lamella
 
 
   std::vector<double>
-  ReissnerBeam::on_strains(const std::vector<unsigned int> &list,
+  GeometricallyExactBeam::on_strains(const std::vector<unsigned int> &list,
                            const FieldParts                &work,
                            const unsigned int               k) const
   {
@@ -274,20 +274,20 @@ namespace lamella
   // ---- the state
 
   Tensor<1, 3>
-  ReissnerBeam::rotation(const unsigned int node, const Vector &u) const
+  GeometricallyExactBeam::rotation(const unsigned int node, const Vector &u) const
   {
     Tensor<1, 3> theta;
     for (unsigned int c = 0; c < 3; ++c)
-      if (turns_about[c] < section().n_fields())
-        theta[c] = sign_of_turn[c] / h *
-                   u[dofs().first(node) + dofs().place(node, turns_about[c])];
+      if (rotates_about[c] < section().n_fields())
+        theta[c] = sign_of_rotation[c] / h *
+                   u[dofs().first(node) + dofs().place(node, rotates_about[c])];
     return theta;
   }
 
 
 
   Vector
-  ReissnerBeam::updated(const Vector &u, const Vector &change) const
+  GeometricallyExactBeam::retract(const Vector &u, const Vector &change) const
   {
     Vector result = u;
     result += change;
@@ -297,9 +297,9 @@ namespace lamella
           rotation_vector_of(turned_by(quaternion_of(rotation(node, change)),
                                        quaternion_of(rotation(node, u))));
         for (unsigned int c = 0; c < 3; ++c)
-          if (turns_about[c] < section().n_fields())
-            result[dofs().first(node) + dofs().place(node, turns_about[c])] =
-              h * sign_of_turn[c] * theta[c];
+          if (rotates_about[c] < section().n_fields())
+            result[dofs().first(node) + dofs().place(node, rotates_about[c])] =
+              h * sign_of_rotation[c] * theta[c];
           else if (std::abs(theta[c]) > arithmetic::alike)
             throw NumericsError(
               "Body " + name() + " (" + theory() +
@@ -313,7 +313,7 @@ namespace lamella
 
 
   double
-  ReissnerBeam::largest_spin(const Vector &change) const
+  GeometricallyExactBeam::largest_spin(const Vector &change) const
   {
     double largest = 0.;
     for (unsigned int node = 0; node < dofs().n_nodes(); ++node)
@@ -324,7 +324,7 @@ namespace lamella
 
 
   std::vector<Vector>
-  ReissnerBeam::rigid_motions_at(const Vector &u) const
+  GeometricallyExactBeam::rigid_motions_at(const Vector &u) const
   {
     std::vector<Vector> motions = rigid_motions();
     for (unsigned int m = 0; m < 3; ++m)
@@ -348,8 +348,8 @@ namespace lamella
 
 
 
-  ReissnerBeam::Element
-  ReissnerBeam::element(const unsigned int cell, const Vector &u) const
+  GeometricallyExactBeam::Element
+  GeometricallyExactBeam::element(const unsigned int cell, const Vector &u) const
   {
     Element result;
     for (const unsigned int node : axis().nodes_of_cell(cell))
@@ -373,8 +373,8 @@ namespace lamella
 
 
 
-  ReissnerBeam::Frame
-  ReissnerBeam::frame_at(const AxisPoint &point, const Element &element)
+  GeometricallyExactBeam::Frame
+  GeometricallyExactBeam::frame_at(const AxisPoint &point, const Element &element)
   {
     Frame              result;
     const unsigned int m = element.a.front().size();
@@ -399,7 +399,7 @@ namespace lamella
 
 
   std::vector<double>
-  ReissnerBeam::strains(const Frame &frame, const FrameStrains &of)
+  GeometricallyExactBeam::strains(const Frame &frame, const FrameStrains &of)
   {
     std::vector<double> e(of.value.begin(), of.value.end());
     e.insert(e.end(), frame.a.begin(), frame.a.end());
@@ -410,7 +410,7 @@ namespace lamella
 
 
   std::vector<double>
-  ReissnerBeam::strains(const Frame &frame)
+  GeometricallyExactBeam::strains(const Frame &frame)
   {
     return strains(frame, frame_strains(frame.Q, frame.dQ, frame.dr));
   }
@@ -419,8 +419,8 @@ namespace lamella
 
   // ---- local numbers: of each node r, spin and warpings
 
-  std::vector<ReissnerBeam::LocalDof>
-  ReissnerBeam::local_dofs(const unsigned int cell) const
+  std::vector<GeometricallyExactBeam::LocalDof>
+  GeometricallyExactBeam::local_dofs(const unsigned int cell) const
   {
     std::vector<LocalDof> result;
     for (const unsigned int node : axis().nodes_of_cell(cell))
@@ -435,7 +435,7 @@ namespace lamella
         for (unsigned int c = 0; c < 3; ++c)
           add(translations[c], 1.);
         for (unsigned int c = 0; c < 3; ++c)
-          add(turns_about[c], h * sign_of_turn[c]);
+          add(rotates_about[c], h * sign_of_rotation[c]);
         for (const unsigned int alpha : laws[cell]->warpings)
           add(alpha, 1.);
       }
@@ -445,7 +445,7 @@ namespace lamella
 
 
   void
-  ReissnerBeam::add_local(const std::vector<LocalDof> &dofs,
+  GeometricallyExactBeam::add_local(const std::vector<LocalDof> &dofs,
                           const std::vector<double>   &local,
                           Vector                      &f)
   {
@@ -457,7 +457,7 @@ namespace lamella
 
 
   StiffnessBlock
-  ReissnerBeam::block_of(const std::vector<LocalDof>    &dofs,
+  GeometricallyExactBeam::block_of(const std::vector<LocalDof>    &dofs,
                          const LAPACKFullMatrix<double> &local)
   {
     StiffnessBlock            block;

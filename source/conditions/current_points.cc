@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/conditions/moved_points.h>
+#include <lamella/conditions/current_points.h>
 
 namespace lamella
 {
   using namespace dealii;
 
-  MovedPoints::MovedPoints(const Body &body, std::vector<Location> locations)
+  CurrentPoints::CurrentPoints(const Body &body, std::vector<Location> locations)
     : body(body)
     , locations(std::move(locations))
   {
-    if (!body.rows_turn())
+    if (!body.constraints_rotate())
       fixed = body.rows(this->locations, Quantity::displacement);
   }
 
 
 
   std::vector<std::vector<LinearFunctional>>
-  MovedPoints::rows(const Vector &u) const
+  CurrentPoints::rows(const Vector &u) const
   {
-    return body.rows_turn() ? body.rows_at(locations, u) : fixed;
+    return body.constraints_rotate() ? body.rows_at(locations, u) : fixed;
   }
 
 
 
   std::vector<Tensor<1, 3>>
-  MovedPoints::displacements(const Vector &u) const
+  CurrentPoints::displacements(const Vector &u) const
   {
-    return body.rows_turn() ? body.displacements(locations, u) : changes(u, u);
+    return body.constraints_rotate() ? body.displacements(locations, u) : changes(u, u);
   }
 
 
 
   void
-  MovedPoints::add_forces(const std::vector<Tensor<1, 3>> &forces,
+  CurrentPoints::add_forces(const std::vector<Tensor<1, 3>> &forces,
                           const Vector                    &u,
                           Vector                          &f) const
   {
@@ -46,7 +46,7 @@ namespace lamella
 
 
   std::vector<Tensor<1, 3>>
-  MovedPoints::changes(const Vector &u, const Vector &w) const
+  CurrentPoints::changes(const Vector &u, const Vector &w) const
   {
     const auto                at = rows(u);
     std::vector<Tensor<1, 3>> by(at.size());
@@ -59,7 +59,7 @@ namespace lamella
 
 
   void
-  MovedPoints::add_turned(const std::vector<Tensor<1, 3>> &forces,
+  CurrentPoints::add_turned(const std::vector<Tensor<1, 3>> &forces,
                           const double                     factor,
                           const Vector                    &u,
                           const Vector                    &w,
@@ -73,7 +73,7 @@ namespace lamella
 
 
   void
-  MovedPoints::for_each_turned_block(
+  CurrentPoints::for_each_turned_block(
     const std::vector<Tensor<1, 3>>                   &forces,
     const double                                       factor,
     const Vector                                      &u,

@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/solve/linearization.h>
+#include <lamella/solve/tangent_operator.h>
 #include <lamella/solve/lost_digits.h>
 
 #include <deal.II/lac/precondition.h>
@@ -15,7 +15,7 @@ namespace lamella
 {
   using dealii::Tensor;
 
-  Linearization::Linearization(const Structure   &structure,
+  TangentOperator::TangentOperator(const Structure   &structure,
                                const BlockVector &u,
                                const LoadFactor  &factor)
     : structure(structure)
@@ -24,7 +24,7 @@ namespace lamella
   {
     const Bodies &bodies = structure.bodies();
     if (std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
-          return body->rows_turn();
+          return body->constraints_rotate();
         }))
       move_supports();
   }
@@ -32,7 +32,7 @@ namespace lamella
 
 
   void
-  Linearization::move_supports()
+  TangentOperator::move_supports()
   {
     const Bodies &bodies = structure.bodies();
     moved_rows           = structure.prescribed();
@@ -41,7 +41,7 @@ namespace lamella
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         moved_reductions.push_back(nullptr);
-        if (!bodies[b]->rows_turn())
+        if (!bodies[b]->constraints_rotate())
           continue;
         // Rows that depend on others at rest hold no more where these have
         // turned: what little is left of them then would hold warpings.
@@ -65,7 +65,7 @@ namespace lamella
 
 
   void
-  Linearization::condense(BlockVector &r) const
+  TangentOperator::condense(BlockVector &r) const
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
@@ -77,7 +77,7 @@ namespace lamella
 
 
   BlockVector
-  Linearization::way_to_supports(const LoadFactor &from,
+  TangentOperator::way_to_supports(const LoadFactor &from,
                                  const LoadFactor &to) const
   {
     BlockVector u = structure.particular(to);
@@ -85,11 +85,11 @@ namespace lamella
     const std::vector<PrescribedFunctional> &rows = prescribed();
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
-        const bool turns = !moved_reductions.empty() && moved_reductions[b];
-        if (turns || structure.is_turned(b))
+        const bool moves = !moved_reductions.empty() && moved_reductions[b];
+        if (moves || structure.has_follower_loads(b))
           u.block(b) = reduction(b).influence([&](const unsigned int k) {
             const double s  = from.of(rows[k].history),
-                         is = turns ? measured[k] :
+                         is = moves ? measured[k] :
                                       rows[k].row.row(state.block(b));
             return rows[k].value_at(s) - is +
                    (to.of(rows[k].history) - s) * rows[k].rate_at(s);
@@ -128,14 +128,14 @@ namespace lamella
       const std::vector<LinearFunctional> rows = body.rows_at({location}, u)[0];
       for (unsigned int c = 0; c < 3; ++c)
         turned[c] = rows[c](warpings);
-      return (turned - transpose(body.turn_at(location, u)) * turned).norm();
+      return (turned - transpose(body.rotation_at(location, u)) * turned).norm();
     }
 
 
 
     /// missed_most() of body number @p b, whose state is @p u, in a structure
     /// of the size @p size.
-    Linearization::Missed
+    TangentOperator::Missed
     missed_of(const Body                              &body,
               const unsigned int                       b,
               const Vector                            &u,
@@ -171,8 +171,8 @@ namespace lamella
 
 
 
-  Linearization::Missed
-  Linearization::missed_most(const LoadFactor &at) const
+  TangentOperator::Missed
+  TangentOperator::missed_most(const LoadFactor &at) const
   {
     Missed                                   worst;
     const std::vector<PrescribedFunctional> &rows = structure.prescribed();
@@ -199,7 +199,7 @@ namespace lamella
   {
     /// What @p monitor is to be told of the making of the solver of @p body.
     SolverMonitor
-    of_body(const Body &body, const Linearization::BodyMonitor &monitor)
+    of_body(const Body &body, const TangentOperator::BodyMonitor &monitor)
     {
       SolverMonitor result;
       if (monitor.assembled)
@@ -214,14 +214,14 @@ namespace lamella
 
 
 
-  Linearization::Linearization(const Structure   &structure,
+  TangentOperator::TangentOperator(const Structure   &structure,
                                const BlockVector &u,
                                const SolverKind   asked,
                                const BodyMonitor &monitor,
                                const BlockVector &correction,
                                const LoadFactor  &factor,
                                const std::vector<std::vector<SpringTerm>> &more)
-    : Linearization(structure, u, factor)
+    : TangentOperator(structure, u, factor)
   {
     const Vector none;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -254,7 +254,7 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  Linearization::make_solver(const unsigned int             body,
+  TangentOperator::make_solver(const unsigned int             body,
                              const SolverKind               asked,
                              const Vector                  &correction,
                              const std::vector<SpringTerm> &springs,
@@ -263,7 +263,7 @@ namespace lamella
     const Body        &one         = *structure.bodies()[body];
     const Vector      &u           = state.block(body);
     const Constraints &constraints = reduction(body).constraints();
-    if (!structure.has_turning_loads(body))
+    if (!structure.has_follower_loads(body))
       return one.make_tangent_solver(
         u, correction, constraints, springs, asked, monitor);
     StiffnessTerms terms       = one.tangent_terms(u, correction, springs);
@@ -278,7 +278,7 @@ namespace lamella
 
 
   StiffnessTerms
-  Linearization::terms(const unsigned int body) const
+  TangentOperator::terms(const unsigned int body) const
   {
     return structure.bodies()[body]->tangent_terms(
       state.block(body), Vector(), structure.spring_terms(body));
@@ -287,7 +287,7 @@ namespace lamella
 
 
   BlockVector
-  Linearization::apply(const BlockVector &w) const
+  TangentOperator::apply(const BlockVector &w) const
   {
     BlockVector f = structure.zero();
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -305,7 +305,7 @@ namespace lamella
 
 
   const LinearSolver &
-  Linearization::solver(const unsigned int body) const
+  TangentOperator::solver(const unsigned int body) const
   {
     Assert(body < solvers.size(), dealii::ExcMessage("It has no solvers."));
     return *solvers[body];
@@ -314,7 +314,7 @@ namespace lamella
 
 
   BlockVector
-  Linearization::skew_part(const BlockVector &w) const
+  TangentOperator::skew_part(const BlockVector &w) const
   {
     BlockVector f = structure.zero();
     structure.add_derivative_of_loads(factor, state, w, f);
@@ -330,14 +330,14 @@ namespace lamella
 
 
   BlockVector
-  Linearization::solve(BlockVector r) const
+  TangentOperator::solve(BlockVector r) const
   {
     r = solve_symmetric(std::move(r));
     if (!structure.has_skew_loads())
       return r;
     struct
     {
-      const Linearization &K;
+      const TangentOperator &K;
       void
       vmult(BlockVector &to, const BlockVector &from) const
       {
@@ -364,7 +364,7 @@ namespace lamella
 
 
   BlockVector
-  Linearization::solve_symmetric(BlockVector r) const
+  TangentOperator::solve_symmetric(BlockVector r) const
   {
     condense(r);
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -378,7 +378,7 @@ namespace lamella
 
 
   double
-  Linearization::largest_stiffness(const unsigned int body) const
+  TangentOperator::largest_stiffness(const unsigned int body) const
   {
     if (body < solvers.size())
       return solvers[body]->largest_diagonal();
@@ -395,7 +395,7 @@ namespace lamella
 
 
   double
-  Linearization::condition_estimate() const
+  TangentOperator::condition_estimate() const
   {
     double largest = 0.;
     for (const auto &one : solvers)
@@ -405,12 +405,12 @@ namespace lamella
 
 
 
-  std::shared_ptr<const Linearization>
+  std::shared_ptr<const TangentOperator>
   linearized(const Structure                  &structure,
              const SolverKind                  asked,
-             const Linearization::BodyMonitor &monitor)
+             const TangentOperator::BodyMonitor &monitor)
   {
-    return std::make_shared<const Linearization>(structure,
+    return std::make_shared<const TangentOperator>(structure,
                                                  structure.zero(),
                                                  asked,
                                                  monitor);
@@ -418,9 +418,9 @@ namespace lamella
 
 
 
-  std::shared_ptr<const Linearization>
+  std::shared_ptr<const TangentOperator>
   linearized_without_solvers(const Structure &structure)
   {
-    return std::make_shared<const Linearization>(structure, structure.zero());
+    return std::make_shared<const TangentOperator>(structure, structure.zero());
   }
 } // namespace lamella

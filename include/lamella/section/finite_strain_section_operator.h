@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_section_green_answer_h
-#define lamella_section_green_answer_h
+#ifndef lamella_section_finite_strain_section_operator_h
+#define lamella_section_finite_strain_section_operator_h
 
 #include <lamella/section/finite_strain.h>
-#include <lamella/section/section_answer.h>
+#include <lamella/section/section_operator.h>
 
 #include <functional>
 #include <vector>
@@ -19,7 +19,7 @@ namespace lamella
    * strains, per length of the beam (integrals over the undeformed section)
    *   energy = int E . C E / 2 dA,   W = int dE/dq^T S dA,
    *   dW/dq = int (dE/dq)^T C dE/dq + S_ij (dH_i/dq)^T dH_j/dq dA.
-   * At q = 0 these are the matrices of SectionAnswer, over the same points.
+   * At q = 0 these are the matrices of SectionOperator, over the same points.
    *
    * In elements of degree 3, bending has degree 2 and the squares in E_yy have
    * degree 4. Terms that cannot cancel cause locking and stress oscillations.
@@ -32,13 +32,13 @@ namespace lamella
    * affine maps of the section: LE, TE-2 and up. Fields of LE are sparse; the
    * derivative comes cell by cell. Refers to the space.
    */
-  class GreenAnswer
+  class FiniteStrainSectionOperator
   {
   public:
     /// Constructs the operator for @p n_stations stations per element. Asserts
     /// that the section completes no strains (StrainCompletion) and the space
     /// has no modes.
-    GreenAnswer(const FieldSpace &space, const unsigned int n_stations);
+    FiniteStrainSectionOperator(const SectionSpace &space, const unsigned int n_stations);
 
     /// Returns the forces on all fields, at the stations @p q of an element.
     SectionForces
@@ -139,7 +139,7 @@ namespace lamella
     std::vector<std::vector<Gradient>>
     gradients(const Cell &cell, const FieldParts &q) const;
 
-    const FieldSpace   &space;
+    const SectionSpace   &space;
     std::vector<Cell>   cells;
     std::vector<double> weights, modes;
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_solve_linearization_h
-#define lamella_solve_linearization_h
+#ifndef lamella_solve_tangent_operator_h
+#define lamella_solve_tangent_operator_h
 
 #include <lamella/solve/structure.h>
 
@@ -20,7 +20,7 @@ namespace lamella
    *
    * Refers to the structure, which must outlive it. Collective.
    */
-  class Linearization
+  class TangentOperator
   {
   public:
     /// Callbacks for each body: at the beginning and end of its work, after the
@@ -36,7 +36,7 @@ namespace lamella
 
     /// Creates the tangent at @p u without solvers, for assembly by the `full`
     /// strategy.
-    Linearization(const Structure   &structure,
+    TangentOperator(const Structure   &structure,
                   const BlockVector &u,
                   const LoadFactor  &factor = LoadFactor());
 
@@ -47,7 +47,7 @@ namespace lamella
     /// solvers only. Throws LostDigits if a stiffness is not positive definite
     /// in doubles, InputError as Body::solver_kind() does, and what @p monitor
     /// throws.
-    Linearization(const Structure   &structure,
+    TangentOperator(const Structure   &structure,
                   const BlockVector &u,
                   const SolverKind   asked,
                   const BodyMonitor &monitor    = {},
@@ -83,7 +83,7 @@ namespace lamella
 
     /// Returns the prescribed displacements from load factor @p from, that of
     /// the state, to @p to. With finite rotations of rows or supports
-    /// (RigidTurn) this is the first-order increment to the new supports:
+    /// (RigidRotation) this is the first-order increment to the new supports:
     /// second-order terms would compress a beam that has not bent yet.
     BlockVector
     way_to_supports(const LoadFactor &from, const LoadFactor &to) const;
@@ -169,13 +169,13 @@ namespace lamella
 
   /// Returns the tangent at u = 0 with solvers, valid for all states of linear
   /// bodies.
-  std::shared_ptr<const Linearization>
+  std::shared_ptr<const TangentOperator>
   linearized(const Structure                  &structure,
              const SolverKind                  asked   = SolverKind::automatic,
-             const Linearization::BodyMonitor &monitor = {});
+             const TangentOperator::BodyMonitor &monitor = {});
 
   /// Returns the tangent at u = 0 without solvers, for the `full` strategy.
-  std::shared_ptr<const Linearization>
+  std::shared_ptr<const TangentOperator>
   linearized_without_solvers(const Structure &structure);
 } // namespace lamella
 

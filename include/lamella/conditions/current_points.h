@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_conditions_moved_points_h
-#define lamella_conditions_moved_points_h
+#ifndef lamella_conditions_current_points_h
+#define lamella_conditions_current_points_h
 
 #include <lamella/body/body.h>
 
@@ -13,10 +13,10 @@ namespace lamella
   ///   f(u) = sum over k of R_k(u)^T F_k,   R_k the rows of point k at u
   /// (Body::rows_at()). Rows that do not depend on u are cached. Keeps a
   /// reference to the body.
-  class MovedPoints
+  class CurrentPoints
   {
   public:
-    MovedPoints(const Body &body, std::vector<Location> locations);
+    CurrentPoints(const Body &body, std::vector<Location> locations);
 
     /// Returns R_k(u), three rows per point.
     std::vector<std::vector<LinearFunctional>>

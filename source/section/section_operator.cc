@@ -21,7 +21,7 @@ namespace lamella
 
 
   SectionForces
-  on_list(const FieldSpace                &space,
+  on_list(const SectionSpace                &space,
           const std::vector<unsigned int> &list,
           const SectionForces             &forces)
   {
@@ -35,7 +35,7 @@ namespace lamella
 
 
   double
-  SectionAnswer::largest_rotation(const FieldParts &q) const
+  SectionOperator::largest_rotation(const FieldParts &q) const
   {
     FieldParts all;
     for (unsigned int p = 0; p < FieldPart::n; ++p)
@@ -71,15 +71,15 @@ namespace lamella
 
 
 
-  std::unique_ptr<const SectionAnswer>
-  make_section_answer(const FieldSpace         &space,
+  std::unique_ptr<const SectionOperator>
+  make_section_operator(const SectionSpace         &space,
                       std::vector<unsigned int> list,
                       const bool                assumed_shear)
   {
-    if (ProductAnswer::is_possible(space, list, assumed_shear))
-      return std::make_unique<ProductAnswer>(space,
+    if (ProductSectionOperator::is_possible(space, list, assumed_shear))
+      return std::make_unique<ProductSectionOperator>(space,
                                              std::move(list),
                                              assumed_shear);
-    return std::make_unique<PointAnswer>(space, std::move(list));
+    return std::make_unique<PointwiseSectionOperator>(space, std::move(list));
   }
 } // namespace lamella

@@ -3,7 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
-#include <lamella/body/green_solid.h>
+#include <lamella/body/total_lagrangian_solid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace lamella
 {
   using namespace dealii;
 
-  GreenSolid::GreenSolid(const std::string                 &name,
+  TotalLagrangianSolid::TotalLagrangianSolid(const std::string                 &name,
                          std::shared_ptr<const SectionMesh> section,
                          const AxisMesh                    &axis,
                          const Placement                   &placement,
@@ -30,7 +30,7 @@ namespace lamella
   // ---- where it is, and what it shows
 
   std::vector<Vector>
-  GreenSolid::rigid_motions_at(const Vector &u) const
+  TotalLagrangianSolid::rigid_motions_at(const Vector &u) const
   {
     std::vector<Vector> motions = rigid_motions();
     for (unsigned int m = 3; m < 6; ++m)
@@ -53,7 +53,7 @@ namespace lamella
 
 
   Gradient
-  GreenSolid::gradient_at(const unsigned int     cell,
+  TotalLagrangianSolid::gradient_at(const unsigned int     cell,
                           const HexahedronPoint &point,
                           const Vector          &u) const
   {
@@ -68,20 +68,20 @@ namespace lamella
 
 
   double
-  GreenSolid::turn_along(const unsigned int cell, const Vector &u) const
+  TotalLagrangianSolid::rotation_along(const unsigned int cell, const Vector &u) const
   {
-    const auto turn = [&](const double along) {
+    const auto rotation = [&](const double along) {
       const HexahedronPoint point =
         hexahedron().evaluate(nodes_of(cell), {0.5, along, 0.5});
-      return PolarDecomposition(gradient_at(cell, point, u)).turn();
+      return PolarDecomposition(gradient_at(cell, point, u)).rotation();
     };
-    return angle_of(transpose(turn(0.)) * turn(1.));
+    return angle_of(transpose(rotation(0.)) * rotation(1.));
   }
 
 
 
   Deformation
-  GreenSolid::deformation(const Vector &u) const
+  TotalLagrangianSolid::deformation(const Vector &u) const
   {
     Deformation result;
     const auto [begin, end] = hexahedra().owned_cells();
@@ -96,15 +96,15 @@ namespace lamella
             result.energy +=
               point.JxW *
               law(cell, point.position).energy_density(green_strain(H));
-            result.max_rotation = std::max(result.max_rotation, here.turn);
+            result.max_rotation = std::max(result.max_rotation, here.rotation);
             result.max_strain   = std::max(result.max_strain, here.strain);
             volume += point.JxW;
             squares += point.JxW * here.along * here.along;
           }
         result.max_mean_strain =
           std::max(result.max_mean_strain, std::sqrt(squares / volume));
-        result.max_element_turn =
-          std::max(result.max_element_turn, turn_along(cell, u));
+        result.max_element_rotation =
+          std::max(result.max_element_rotation, rotation_along(cell, u));
       }
     // E . C epsilon_0 is quadratic in u, as the forces of heat are linear.
     if (is_heated())
@@ -120,7 +120,7 @@ namespace lamella
 
 
   FieldSample
-  GreenSolid::sample_place(const Location::Place &place, const Vector &u) const
+  TotalLagrangianSolid::sample_place(const Location::Place &place, const Vector &u) const
   {
     const HexahedronPoint point =
       hexahedron().evaluate(nodes_of(place.cell), place.unit);
@@ -143,7 +143,7 @@ namespace lamella
   // ---- forces and the tangent
 
   void
-  GreenSolid::add_internal_forces(const Vector &u, Vector &f) const
+  TotalLagrangianSolid::add_internal_forces(const Vector &u, Vector &f) const
   {
     Vector share(n_dofs());
     const auto [begin, end] = hexahedra().owned_cells();
@@ -170,7 +170,7 @@ namespace lamella
 
 
   std::vector<double>
-  GreenSolid::tangent_of(
+  TotalLagrangianSolid::tangent_of(
     const unsigned int                                          cell,
     const std::function<Tensor<2, 9>(const HexahedronPoint &)> &D) const
   {
@@ -203,7 +203,7 @@ namespace lamella
 
 
   void
-  GreenSolid::for_each_tangent_block(
+  TotalLagrangianSolid::for_each_tangent_block(
     const Vector                                      &u,
     const Vector                                      &correction,
     const bool                                         with_values,
@@ -230,7 +230,7 @@ namespace lamella
 
 
   void
-  GreenSolid::for_each_block_of_heat(
+  TotalLagrangianSolid::for_each_block_of_heat(
     const Vector &,
     const std::function<void(const StiffnessBlock &)> &use) const
   {

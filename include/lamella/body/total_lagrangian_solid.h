@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_body_green_solid_h
-#define lamella_body_green_solid_h
+#ifndef lamella_body_total_lagrangian_solid_h
+#define lamella_body_total_lagrangian_solid_h
 
 #include <lamella/body/solid.h>
 #include <lamella/section/finite_strain.h>
@@ -15,11 +15,11 @@ namespace lamella
   /// and the tangent is the derivative. Samples have E, and R^T sigma R as
   /// stress. Only degree 2: the incompatible modes of degree 1 are those of
   /// small strains.
-  class GreenSolid : public Solid
+  class TotalLagrangianSolid : public Solid
   {
   public:
     /// Constructs a solid as Solid does. Throws InputError for degree 1.
-    GreenSolid(const std::string                 &name,
+    TotalLagrangianSolid(const std::string                 &name,
                std::shared_ptr<const SectionMesh> section,
                const AxisMesh                    &axis,
                const Placement                   &placement,
@@ -27,7 +27,7 @@ namespace lamella
                const SolidRefinement             &refinement = {});
 
     bool
-    turns() const override
+    has_finite_rotations() const override
     {
       return true;
     }
@@ -64,7 +64,7 @@ namespace lamella
 
     /// Returns the rotation of @p cell between its ends along the axis [rad].
     double
-    turn_along(const unsigned int cell, const Vector &u) const;
+    rotation_along(const unsigned int cell, const Vector &u) const;
 
     /// Returns int grad N_i . D . grad N_k dV over @p cell, row by row, with
     /// @p D the derivative of the first stress at integration points.
