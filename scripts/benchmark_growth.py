@@ -9,7 +9,7 @@ from benchmark_tools import best, linear_seconds, run, seconds_of, show, table, 
 from measure_tools import axis
 
 BEAMS = "laminated_beams.prm"
-BLOCKS = "../tests/scenes/pressed_blocks.prm"
+BLOCKS = "../tests/scenes/blocks_in_contact.prm"
 # A process that computes next to nothing.
 NOTHING = ("cantilever.prm", ["Theory=EBBT", "Body beam/Kinematics/Axis elements=1"])
 # What is fitted, its mark and color.
@@ -181,7 +181,7 @@ def contact(bench):
         demands.append(wanted(f"run over linear solution, {name}, {active} active rows",
                               1.3 if active <= 100 else 2, ratio))
     return ["Two blocks pressed together over their whole faces "
-            "(`tests/scenes/pressed_blocks.prm`), and the paper's scenes as shipped, "
+            "(`tests/scenes/blocks_in_contact.prm`), and the paper's scenes as shipped, "
             "strategy `condensed`. The linear solution is setup, assembly, "
             "factorization and solve of the same run; the run is that and contact. "
             "The fastest of four.",

@@ -109,7 +109,7 @@ def cost():
                 f"Section block/Cells per ply={deep}"] + axis(along)
         # `full` takes minutes with a thousand rows.
         for strategy in ("condensed", "full") if across < 10 else ("condensed",):
-            run = Run("../tests/scenes/pressed_blocks.prm",
+            run = Run("../tests/scenes/blocks_in_contact.prm",
                       mesh + [f"Contact strategy={strategy}"])
             seconds = run.summary["seconds"]
             if strategy == "condensed":

@@ -295,24 +295,24 @@ namespace lamella
 
   unsigned int
   nodes_of_pieces(const Beam               &beam,
-                  const std::vector<Touch> &touches,
+                  const std::vector<LocalInteraction> &interactions,
                   const EndFieldRules      &rules)
   {
     const auto   section = beam.fields().shared_section();
     unsigned int nodes   = 0;
-    for (unsigned int t = 0; t < touches.size(); ++t)
+    for (unsigned int t = 0; t < interactions.size(); ++t)
       {
-        // Touches that hold a section together have one piece.
+        // LocalInteractions that hold a section together have one piece.
         const bool is_first =
-          std::none_of(touches.begin(),
-                       touches.begin() + t,
+          std::none_of(interactions.begin(),
+                       interactions.begin() + t,
                        [&](const auto &o) {
                          return o.holds_section &&
-                                std::abs(o.begin - touches[t].begin) <
+                                std::abs(o.begin - interactions[t].begin) <
                                   arithmetic::same_place * beam.axis().length();
                        });
-        if (touches[t].holds_section && is_first)
-          for (const ConstrainedSection &held : constrained_sections(touches, t, beam.axis()))
+        if (interactions[t].holds_section && is_first)
+          for (const ConstrainedSection &held : constrained_sections(interactions, t, beam.axis()))
             if (const auto piece = make_piece(section, held, rules);
                 piece->n_dofs() <= rules.most_dofs)
               nodes += piece->axis().n_nodes();

@@ -127,17 +127,17 @@ namespace lamella
 
 
   unsigned int
-  FieldsOfSection::group_of(const Touch &touch)
+  FieldsOfSection::group_of(const LocalInteraction &interaction)
   {
-    Group group{touch.loads,
-                touch.smooth,
-                touch.element,
-                touch.holds && !touch.holds_section,
+    Group group{interaction.loads,
+                interaction.smooth,
+                interaction.element,
+                interaction.holds && !interaction.holds_section,
                 {},
                 {},
                 0.,
-                touch.holds_section};
-    if (touch.holds_section)
+                interaction.holds_section};
+    if (interaction.holds_section)
       {
         group.loads = tractions_of_warpings();
         group.smooth.clear();
@@ -190,7 +190,7 @@ namespace lamella
 
 
   std::vector<unsigned int>
-  FieldsOfSection::groups_of(const Touch                    &touch,
+  FieldsOfSection::groups_of(const LocalInteraction                    &interaction,
                              const std::vector<ConstrainedSection> &held)
   {
     std::vector<unsigned int> result;
@@ -199,8 +199,8 @@ namespace lamella
         const auto &zones = zones_of(one);
         result.insert(result.end(), zones.begin(), zones.end());
       }
-    if (!touch.is_free && result.empty())
-      result.push_back(group_of(touch));
+    if (!interaction.is_free && result.empty())
+      result.push_back(group_of(interaction));
     return result;
   }
 

@@ -2,7 +2,7 @@
 
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/plan.h>
-#include <lamella/adapt/touch.h>
+#include <lamella/adapt/interaction.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/surface_names.h>
 
@@ -295,10 +295,10 @@ namespace lamella
                    const double               size,
                    std::vector<ShortElement> &places)
     {
-      for (const Touch &touch :
-           find_touches(beam, number, bodies, {}, loads, {}))
-        for (const double edge : {touch.begin, touch.end})
-          if (!touch.heats && edge > 0. && edge < beam.axis().length())
+      for (const LocalInteraction &interaction :
+           find_interactions(beam, number, bodies, {}, loads, {}))
+        for (const double edge : {interaction.begin, interaction.end})
+          if (!interaction.heats && edge > 0. && edge < beam.axis().length())
             places.push_back({edge, size});
     }
 

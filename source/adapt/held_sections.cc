@@ -14,22 +14,22 @@ namespace lamella
   using namespace dealii;
 
   std::vector<ConstrainedSection>
-  constrained_sections(const std::vector<Touch> &touches,
+  constrained_sections(const std::vector<LocalInteraction> &interactions,
                 const unsigned int        t,
                 const Axis               &axis)
   {
-    const double y         = touches[t].begin,
+    const double y         = interactions[t].begin,
                  tolerance = arithmetic::same_place * axis.length();
     ConstrainedSection held;
-    held.element = touches[t].element;
-    for (const Touch &touch : touches)
-      if ((touch.holds_section || touch.is_free) &&
-          std::abs(touch.begin - y) < tolerance)
+    held.element = interactions[t].element;
+    for (const LocalInteraction &interaction : interactions)
+      if ((interaction.holds_section || interaction.is_free) &&
+          std::abs(interaction.begin - y) < tolerance)
         {
           held.rows.insert(held.rows.end(),
-                           touch.held.begin(),
-                           touch.held.end());
-          held.by.push_back(touch.name);
+                           interaction.held.begin(),
+                           interaction.held.end());
+          held.by.push_back(interaction.name);
         }
     std::vector<ConstrainedSection> result;
     for (const bool forward : {true, false})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/loaded_parts.h>
-#include <lamella/adapt/touch.h>
+#include <lamella/adapt/interaction.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/surface_names.h>
 
@@ -96,7 +96,7 @@ namespace lamella
         largest = std::max(largest, one.l2_norm());
       const Vector *before = nullptr;
       for (unsigned int k = 0; k < y.size(); ++k)
-        if (f[k].l2_norm() > TouchRules().strong * largest)
+        if (f[k].l2_norm() > InteractionRules().strong * largest)
           {
             if (before != nullptr && *before * f[k] < 0.)
               ends.push_back(y[k]);

@@ -3,7 +3,7 @@
 #include <lamella/adapt/fields_of_section.h>
 #include <lamella/adapt/plan.h>
 #include <lamella/adapt/theory_pieces.h>
-#include <lamella/adapt/touch_notes.h>
+#include <lamella/adapt/interaction_notes.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/independent_rows.h>
@@ -37,11 +37,11 @@ namespace lamella
     /// What touches a body, with the groups that each belongs to, and where its
     /// stresses are asked for; its plan, and the fields that its nodes get by
     /// it: no lists where it keeps all.
-    struct TouchedBody
+    struct InteractionsOfBody
     {
       unsigned int                           number;
       PlanFacts                              facts;
-      std::vector<Touch>                     touches;
+      std::vector<LocalInteraction>                     interactions;
       std::vector<std::pair<double, double>> asked;
       std::vector<std::vector<unsigned int>> groups  = {};
       BodyPlan                               planned = {};
@@ -53,18 +53,18 @@ namespace lamella
     /// The groups that each node of @p beam is near.
     std::vector<std::set<unsigned int>>
     near_groups(const Beam            &beam,
-                const TouchedBody     &touched,
+                const InteractionsOfBody     &loaded,
                 const FieldsOfSection &fields)
     {
       std::vector<std::set<unsigned int>> result;
       for (const double y : beam.axis().nodes())
         {
           result.emplace_back();
-          for (unsigned int t = 0; t < touched.touches.size(); ++t)
-            for (const unsigned int group : touched.groups[t])
+          for (unsigned int t = 0; t < loaded.interactions.size(); ++t)
+            for (const unsigned int group : loaded.groups[t])
               if (const double influence_length = fields.influence_length_of(group);
-                  y > touched.touches[t].begin - influence_length &&
-                  y < touched.touches[t].end + influence_length)
+                  y > loaded.interactions[t].begin - influence_length &&
+                  y < loaded.interactions[t].end + influence_length)
                 result.back().insert(group);
         }
       return result;
@@ -187,13 +187,13 @@ namespace lamella
     /// What holds @p beam at the touch number @p t of @p body.
     std::vector<ConstrainedSection>
     looked_at_sections(const Beam          &beam,
-                       const TouchedBody   &body,
+                       const InteractionsOfBody   &body,
                        const unsigned int   t,
                        const EndFieldRules &rules)
     {
       const double near = rules.looked_at * beam.section().extents().second,
-                   y    = body.touches[t].begin;
-      auto held         = constrained_sections(body.touches, t, beam.axis());
+                   y    = body.interactions[t].begin;
+      auto held         = constrained_sections(body.interactions, t, beam.axis());
       for (ConstrainedSection &one : held)
         {
           one.body = beam.name();
@@ -213,21 +213,21 @@ namespace lamella
     /// fields, which cost a solution, unless @p wants_responses.
     std::vector<std::vector<unsigned int>>
     groups_of(const Beam        &beam,
-              const TouchedBody &body,
+              const InteractionsOfBody &body,
               FieldsOfSection   &fields,
               const FieldRules  &rules,
               const bool         wants_responses)
     {
       std::vector<std::vector<unsigned int>> groups;
-      for (unsigned int t = 0; t < body.touches.size(); ++t)
-        if (const Touch &touch = body.touches[t];
-            (touch.holds_section || touch.is_free) && wants_responses)
+      for (unsigned int t = 0; t < body.interactions.size(); ++t)
+        if (const LocalInteraction &interaction = body.interactions[t];
+            (interaction.holds_section || interaction.is_free) && wants_responses)
           groups.push_back(fields.groups_of(
-            touch, looked_at_sections(beam, body, t, rules.ends->limits())));
-        else if (touch.is_free)
+            interaction, looked_at_sections(beam, body, t, rules.ends->limits())));
+        else if (interaction.is_free)
           groups.emplace_back();
         else
-          groups.push_back({fields.group_of(touch)});
+          groups.push_back({fields.group_of(interaction)});
       return groups;
     }
 
@@ -236,7 +236,7 @@ namespace lamella
     /// The plan of @p body, which is @p beam, and its lists.
     void
     choose_lists(const Beam            &beam,
-                 TouchedBody           &body,
+                 InteractionsOfBody           &body,
                  const BodyDescription &description,
                  FieldsOfSection       &fields,
                  const FieldRules      &rules)
@@ -282,13 +282,13 @@ namespace lamella
     /// loads sections all along.
     std::pair<std::vector<Beam::SectionHeat>, std::vector<Vector>>
     loads_all_along(const std::vector<const Beam *> &beams,
-                    const std::vector<TouchedBody>  &touched,
+                    const std::vector<InteractionsOfBody>  &loaded,
                     const Tensor<1, 3>              &gravity,
                     const FieldRules                &rules)
     {
       std::vector<Beam::SectionHeat> heat;
       std::vector<Vector>            weights;
-      for (const TouchedBody &body : touched)
+      for (const InteractionsOfBody &body : loaded)
         {
           const Beam &beam = *beams[body.number];
           for (const Beam::SectionHeat &one : spanning_heat(beam, rules))
@@ -305,7 +305,7 @@ namespace lamella
     /// fields of its section, or what has no fields.
     void
     note_choice(const Beam               &beam,
-                const TouchedBody        &body,
+                const InteractionsOfBody        &body,
                 const BodyDescription    &description,
                 const std::string        &why,
                 std::vector<std::string> &notes)
@@ -319,9 +319,9 @@ namespace lamella
           " carry all fields of the section (" +
           beam.section().theory().name() + ")");
       if (theory.order == 0 && description.pieces.empty())
-        note_missing_fields(beam, body.touches, notes);
+        note_missing_fields(beam, body.interactions, notes);
       else if (why.empty())
-        note_heat_of_guides(beam, body.touches, notes);
+        note_heat_of_guides(beam, body.interactions, notes);
     }
 
 
@@ -370,20 +370,20 @@ namespace lamella
     replace(Bodies                             &bodies,
             const std::vector<BodyDescription> &descriptions,
             const Tensor<1, 3>                 &gravity,
-            std::vector<TouchedBody>           &touched,
+            std::vector<InteractionsOfBody>           &loaded,
             const FieldRules                   &rules,
             std::vector<std::string>           &notes)
     {
       const std::vector<const Beam *> beams = beams_of(bodies);
       const auto [heat, weights] =
-        loads_all_along(beams, touched, gravity, rules);
+        loads_all_along(beams, loaded, gravity, rules);
       FieldsOfSection fields(
-        beams[touched[0].number]->fields().shared_section(),
-        descriptions[touched[0].number].theory,
+        beams[loaded[0].number]->fields().shared_section(),
+        descriptions[loaded[0].number].theory,
         rules,
         heat,
         weights);
-      for (TouchedBody &body : touched)
+      for (InteractionsOfBody &body : loaded)
         {
           const Beam &beam = *beams[body.number];
           // One that is going to keep all fields of its section wants none.
@@ -392,7 +392,7 @@ namespace lamella
           body.groups = groups_of(beam, body, fields, rules, responds);
         }
 
-      for (TouchedBody &body : touched)
+      for (InteractionsOfBody &body : loaded)
         {
           const Beam            &beam        = *beams[body.number];
           const BodyDescription &description = descriptions[body.number];
@@ -400,7 +400,7 @@ namespace lamella
           note_choice(beam, body, description, body.planned.why_fields, notes);
         }
       const auto space = fields.space();
-      for (const TouchedBody &body : touched)
+      for (const InteractionsOfBody &body : loaded)
         if (const unsigned int b = body.number; !body.lists.empty())
           bodies[b] = with_lists(*beams[b], space, descriptions[b], body.lists);
         else if (descriptions[b].has_finite_rotations)
@@ -424,8 +424,8 @@ namespace lamella
 
 
     /// What of the scene is on @p beam, which is the body number @p b.
-    TouchedBody
-    touched_body(const Beam                          &beam,
+    InteractionsOfBody
+    interactions_of_body(const Beam                          &beam,
                  const unsigned int                   b,
                  const Bodies                        &bodies,
                  const BodyDescription               &description,
@@ -435,13 +435,13 @@ namespace lamella
                  const std::vector<StressPlace>      &asked,
                  const FieldRules                    &rules)
     {
-      TouchedBody body{
+      InteractionsOfBody body{
         b,
         facts_of(beam, b, description, supports, rules),
-        find_touches(beam, b, bodies, supports, loads, contacts, rules.touches),
+        find_interactions(beam, b, bodies, supports, loads, contacts, rules.interactions),
         asked_of(b, asked)};
-      for (const Touch &end : heated_free_ends(beam, body.touches))
-        body.touches.push_back(end);
+      for (const LocalInteraction &end : heated_free_ends(beam, body.interactions))
+        body.interactions.push_back(end);
       return body;
     }
   } // namespace
@@ -464,11 +464,11 @@ namespace lamella
                 std::vector<std::string>            *why)
   {
     const std::vector<const Beam *> beams = beams_of(bodies);
-    std::map<std::pair<std::string, Theory>, std::vector<TouchedBody>> touched;
+    std::map<std::pair<std::string, Theory>, std::vector<InteractionsOfBody>> loaded;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.is_of_solutions())
-        touched[{descriptions[b].section, descriptions[b].theory}].push_back(
-          touched_body(*beams[b],
+        loaded[{descriptions[b].section, descriptions[b].theory}].push_back(
+          interactions_of_body(*beams[b],
                        b,
                        bodies,
                        descriptions[b],
@@ -481,14 +481,14 @@ namespace lamella
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.hierarchical)
         note_coarse_rows(*beams[b], b, descriptions[b].pieces, contacts, notes);
-    for (auto &[key, of_section] : touched)
+    for (auto &[key, of_section] : loaded)
       replace(bodies, descriptions, gravity, of_section, rules, notes);
     // Not before all touches are found, which the fields of whole sections say.
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (is_chosen(descriptions[b]) && descriptions[b].theory.is_layerwise())
         bodies[b] = by_degrees(descriptions[b], *beams[b]);
-    for (const auto &[key, of_section] : touched)
-      for (const TouchedBody &body : of_section)
+    for (const auto &[key, of_section] : loaded)
+      for (const InteractionsOfBody &body : of_section)
         if (why != nullptr)
           (*why)[body.number] = words_of_fields(body.facts, body.planned);
     return notes;

@@ -64,7 +64,7 @@ namespace lamella
     bool
     is_touched_all_along(const BodySize &size, const PlanRules &rules)
     {
-      return size.touched > rules.long_contact;
+      return size.loaded > rules.long_contact;
     }
 
 
@@ -86,7 +86,7 @@ namespace lamella
   why_layers(const BodySize &size, const PlanRules &rules)
   {
     if (is_touched_all_along(size, rules))
-      return "contacts may touch " + to_text(100. * size.touched, 3) +
+      return "contacts may touch " + to_text(100. * size.loaded, 3) +
              " % of its length, and there would be a response to each row";
     const double dofs = dofs_of_layers(size, 2);
     return dofs <= rules.cheap_dofs ?

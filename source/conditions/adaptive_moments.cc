@@ -78,7 +78,7 @@ namespace lamella
       Force
       sum_on_grid(const double finer);
       void
-      judge_grid();
+      assess_grid();
       /// How far values at the edges of a box are beyond those inside, and how
       /// much they vary from the middle along each parameter.
       struct Edges
@@ -159,7 +159,7 @@ namespace lamella
     /// rule, others tell how far it is to be believed.
     template <int dim>
     void
-    Integration<dim>::judge_grid()
+    Integration<dim>::assess_grid()
     {
       Force all;
       for (const std::vector<Force> &moments : result.of_cells)
@@ -366,7 +366,7 @@ namespace lamella
             sum[k] += piece.moments[k];
         }
       if (!constant)
-        judge_grid();
+        assess_grid();
       return std::move(result);
     }
   } // namespace

@@ -98,7 +98,7 @@ namespace lamella
 
     /// The places that @p support holds on @p region of @p body.
     std::vector<Location>
-    held_places(const Body &body, const Region &region, const Support &support)
+    slip_reference_points(const Body &body, const Region &region, const Support &support)
     {
       return region_locations(body,
                               region,
@@ -118,7 +118,7 @@ namespace lamella
                        const unsigned int                 number,
                        std::vector<PrescribedFunctional> &rows)
     {
-      const std::vector<Location> places = held_places(body, region, support);
+      const std::vector<Location> places = slip_reference_points(body, region, support);
       auto all = body.rows(places, Quantity::displacement);
       // The place of a given point comes out of its position, with rounding:
       // without what that leaves at other nodes the rows of a node stay its
@@ -170,7 +170,7 @@ namespace lamella
         }
       else
         for (const Location &place :
-             held_places(*bodies[region.body], region, support))
+             slip_reference_points(*bodies[region.body], region, support))
           points.push_back(place.position);
     const BoundingBox<3> box(points);
     rotation.about         = box.center();

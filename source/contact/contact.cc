@@ -117,7 +117,7 @@ namespace lamella
   {
     lines.reset();
     if (interface.discretization == Discretization::line_to_roller)
-      lines = std::make_unique<RollerLines>(*undeformed.surface(false),
+      lines = std::make_unique<CylinderContactLines>(*undeformed.surface(false),
                                             *undeformed.obstacle(),
                                             interface);
   }
@@ -172,7 +172,7 @@ namespace lamella
   Contact::integrate(const ContactSides    &sides,
                      const MasterPoints             master_points,
                      std::vector<GapPoint> &on,
-                     HeldPlaces *const      held) const
+                     SlipReferencePoints *const      held) const
   {
     return integrate_gaps(sides,
                           interface.points_on_second,
@@ -258,12 +258,12 @@ namespace lamella
     std::vector<GapPoint> on = points;
     if (lines != nullptr)
       lines->follow(*then.surface(false), *then.obstacle(), on);
-    held = held_places(then, interface.points_on_second, master_points(), search_radius, on);
+    held = slip_reference_points(then, interface.points_on_second, master_points(), search_radius, on);
   }
 
 
 
-  ContactMemory
+  ContactHistory
   Contact::memory() const
   {
     return {paired_at, paired_factor, points, interface.discretization};
@@ -272,7 +272,7 @@ namespace lamella
 
 
   void
-  Contact::recall(const ContactMemory &known,
+  Contact::restore(const ContactHistory &known,
                   const BlockVector   &u,
                   const LoadFactor    &factor)
   {
@@ -662,8 +662,8 @@ namespace lamella
 
 
 
-  StalePairing
-  Contact::stays_paired(const BlockVector               &u,
+  PairingChange
+  Contact::pairing_is_valid(const BlockVector               &u,
                         const LoadFactor                &factor,
                         const std::vector<unsigned int> &active)
   {
@@ -676,7 +676,7 @@ namespace lamella
     std::vector<GapPoint> on       = points;
     const auto            now      = integrate(at, MasterPoints::projected, on);
     const std::vector<double> off  = wandering(on);
-    StalePairing              stale;
+    PairingChange              stale;
     for (unsigned int k = 0; k < now.size(); ++k)
       {
         const ContactInterface::Point &point = interface.points[k];
@@ -724,7 +724,7 @@ namespace lamella
     for (const unsigned int k : active)
       places.push_back(place_of(interface.points[k]));
     const ContactSides at(undeformed, u, factor);
-    return RollerLines::curvature(*at.obstacle(),
+    return CylinderContactLines::curvature(*at.obstacle(),
                                   *undeformed.surface(false),
                                   *at.surface(false),
                                   places) > wrapping_onset;
@@ -743,8 +743,8 @@ namespace lamella
 
 
 
-  std::optional<SunkEnd>
-  Contact::sunk_end(const BlockVector &u, const LoadFactor &factor) const
+  std::optional<EndPenetration>
+  Contact::end_penetration(const BlockVector &u, const LoadFactor &factor) const
   {
     // What `adjust` has taken out of gaps is no depth.
     if (interface.obstacle != nullptr || !taken_out.empty())
@@ -764,8 +764,8 @@ namespace lamella
 
 
 
-  std::optional<SunkPlace>
-  Contact::sunk_place(const BlockVector &u, const LoadFactor &factor) const
+  std::optional<CylinderPenetration>
+  Contact::cylinder_penetration(const BlockVector &u, const LoadFactor &factor) const
   {
     const Obstacle *const obstacle = interface.obstacle.get();
     if (lines != nullptr || !taken_out.empty() ||
@@ -779,11 +779,11 @@ namespace lamella
           return {};
         const auto &[facet, st]  = node->at;
         const MeshSurface &faced = *undeformed.surface(!node->second);
-        return SunkPlace{faced.facets()[facet].map(st).position,
+        return CylinderPenetration{faced.facets()[facet].map(st).position,
                          node->depth,
                          !node->second};
       }
-    return RollerLines::deepest_in(*now.obstacle(),
+    return CylinderContactLines::deepest_in(*now.obstacle(),
                                    *undeformed.surface(false),
                                    *now.surface(false));
   }
@@ -791,14 +791,14 @@ namespace lamella
 
 
   bool
-  Contact::goes_through(const BlockVector &before,
+  Contact::passes_through(const BlockVector &before,
                         const LoadFactor  &from,
                         const BlockVector &u,
                         const LoadFactor  &to) const
   {
     const ContactSides then(undeformed, before, from), now(undeformed, u, to);
     if (interface.obstacle != nullptr)
-      return lamella::goes_through({*then.surface(false), *then.obstacle()},
+      return lamella::passes_through({*then.surface(false), *then.obstacle()},
                                    {*now.surface(false), *now.obstacle()});
     // What `adjust` has taken out of gaps is no depth.
     if (!taken_out.empty() || !may_go_through(then, now))
@@ -810,7 +810,7 @@ namespace lamella
       {
         BlockVector next = before;
         next.sadd(1. - double(k) / parts, double(k) / parts, u);
-        if (lamella::goes_through(ContactSides(undeformed, reached, to),
+        if (lamella::passes_through(ContactSides(undeformed, reached, to),
                                   ContactSides(undeformed, next, to)))
           return true;
         reached = next;

@@ -214,7 +214,7 @@ namespace lamella
                  const MasterPoints             master_points,
                  const double           search_radius,
                  std::vector<GapPoint> &points,
-                 HeldPlaces *const      held)
+                 SlipReferencePoints *const      held)
   {
     Sums sums(sides, on_second, functions, n_rows);
     for (unsigned int q = 0; q < points.size(); ++q)
@@ -232,14 +232,14 @@ namespace lamella
 
 
 
-  HeldPlaces
-  held_places(const ContactSides    &sides,
+  SlipReferencePoints
+  slip_reference_points(const ContactSides    &sides,
               const bool             on_second,
               const MasterPoints             master_points,
               const double           search_radius,
               std::vector<GapPoint> &points)
   {
-    HeldPlaces held(points.size());
+    SlipReferencePoints held(points.size());
     for (unsigned int q = 0; q < points.size(); ++q)
       if (const auto at = master_point(sides, on_second, master_points, search_radius, points[q]))
         held[q] = held_place(sides, points[q], *at);

@@ -65,7 +65,7 @@ namespace lamella
 
 
   bool
-  goes_through(const BesideRoller &before, const BesideRoller &after)
+  passes_through(const BesideRoller &before, const BesideRoller &after)
   {
     const Obstacle &roller = before.roller;
     if (roller.shape != Obstacle::Shape::cylinder)
@@ -179,7 +179,7 @@ namespace lamella
 
 
   bool
-  goes_through(const ContactSides &before, const ContactSides &after)
+  passes_through(const ContactSides &before, const ContactSides &after)
   {
     const Passage passage(before, after);
     // Behind it may have been by that much, too.

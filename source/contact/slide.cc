@@ -45,7 +45,7 @@ namespace lamella
     /// roller the arc, along its tangent at the hit.
     Tensor<1, 3>
     way_on(const Obstacle   &obstacle,
-           const HeldPlace  &then,
+           const SlipReferencePoint  &then,
            const SurfaceHit &hit)
     {
       const Tensor<1, 3> way =
@@ -92,12 +92,12 @@ namespace lamella
 
 
 
-  HeldPlace
+  SlipReferencePoint
   held_place(const ContactSides &sides,
              const GapPoint     &point,
              const MasterPoint   &at)
   {
-    HeldPlace held;
+    SlipReferencePoint held;
     held.point = point;
     if (sides.obstacle() != nullptr)
       {
@@ -112,7 +112,7 @@ namespace lamella
   Tensor<1, 3>
   slide(const ContactSides &sides,
         const bool          on_second,
-        const HeldPlace    &then,
+        const SlipReferencePoint    &then,
         const GapPoint     &now,
         const MasterPoint   &at)
   {

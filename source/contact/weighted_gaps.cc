@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/inverse_map.h>
-#include <lamella/contact/hat_functions.h>
+#include <lamella/contact/multiplier_basis.h>
 #include <lamella/contact/segments.h>
 #include <lamella/contact/weighted_gaps.h>
 
@@ -59,7 +59,7 @@ namespace lamella
       run();
 
     private:
-      using Cell = HatFunctions::Cell;
+      using Cell = MultiplierBasis::Cell;
 
       /// A point of the slave side.
       struct SlavePoint
@@ -111,7 +111,7 @@ namespace lamella
                 const MasterPoint    &opposite);
 
       const Sides &sides;
-      HatFunctions hats;
+      MultiplierBasis hats;
       Gaps         result;
       /// Of each facet what faces the other side, in its unit square.
       std::vector<std::vector<Polygon>> parts;

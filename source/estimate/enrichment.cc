@@ -169,7 +169,7 @@ namespace lamella
 
     /// Returns the share of the length of the beam @p body with gap rows.
     double
-    touched_share(const BuiltScene  &model,
+    loaded_share(const BuiltScene  &model,
                   const Beam        &whole,
                   const unsigned int body)
     {
@@ -208,7 +208,7 @@ namespace lamella
             size.fields  = beam->section().n_fields();
             size.cells   = beam->section().n_cells();
             size.corners = n_corners(*beam);
-            size.touched = touched_share(model, *beam, sizes.size() - 1);
+            size.touched = loaded_share(model, *beam, sizes.size() - 1);
             size.slenderness =
               beam->axis().length() / beam->section().extents().second;
           }

@@ -8,7 +8,7 @@
 #include <lamella/estimate/bars_from_half.h>
 #include <lamella/estimate/estimation.h>
 #include <lamella/estimate/goal_bars.h>
-#include <lamella/estimate/held_places.h>
+#include <lamella/estimate/slip_reference_points.h>
 #include <lamella/estimate/operations.h>
 
 #include <algorithm>

@@ -243,7 +243,7 @@ namespace lamella
             const GapConstraint &row = model.model().rows()[active[k]];
             row.add_to(left, result.force[k]);
             right[k] = -derivative.force[k] - row.jump(result.u) -
-                       law_softness(row) * result.force[k];
+                       law_compliance(row) * result.force[k];
           }
       }
     return result;

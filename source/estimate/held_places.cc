@@ -4,7 +4,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>
 #include <lamella/estimate/axis_marks.h>
-#include <lamella/estimate/held_places.h>
+#include <lamella/estimate/slip_reference_points.h>
 #include <lamella/estimate/run_goals.h>
 
 #include <algorithm>
@@ -110,7 +110,7 @@ namespace lamella
     std::optional<Scene>
     with_short_elements(Scene                 scene,
                         const Simulation     &run,
-                        const HeldPlaceRules &rules)
+                        const SlipReferenceRules &rules)
     {
       const auto beams = beams_of(run.model().structure().bodies());
       bool       any   = false;
@@ -138,7 +138,7 @@ namespace lamella
   missed_at_held_places(const Simulation     &run,
                         std::ostream         &out,
                         ModelCache           &cache,
-                        const HeldPlaceRules &rules)
+                        const SlipReferenceRules &rules)
   {
     const Scene scene = for_estimates(run);
     if (!can_be_told(scene))

@@ -103,7 +103,7 @@ namespace lamella
         const unsigned int r = active[k];
         rows[r].add_to(residual, forces[r]);
         mismatch[k] =
-          -(rows[r].gap(u, factor) + law_softness(rows[r]) * forces[r]);
+          -(rows[r].gap(u, factor) + law_compliance(rows[r]) * forces[r]);
       }
   }
 

@@ -22,10 +22,10 @@ namespace lamella
 
 
     std::size_t
-    n_load_vectors(const std::vector<Touch> &touches)
+    n_load_vectors(const std::vector<LocalInteraction> &touches)
     {
       std::size_t n = 0;
-      for (const Touch &touch : touches)
+      for (const LocalInteraction &touch : touches)
         if (!touch.holds_section)
           n += touch.loads.size();
       return n;
@@ -64,7 +64,7 @@ namespace lamella
         sum += cost.axes * sizes[b].nodes * cost.of_block * m * m * m;
         // The body is LE-N, since it may have responses: a beam.
         const Beam  &beam    = *beams[b];
-        const auto   touches = find_touches(beam,
+        const auto   touches = find_interactions(beam,
                                           b,
                                           bodies,
                                           scene.supports,

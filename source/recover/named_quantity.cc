@@ -2,7 +2,7 @@
 
 #include <lamella/base/entry.h>
 #include <lamella/body/fields.h>
-#include <lamella/contact/pressed_patch.h>
+#include <lamella/contact/contact_patch.h>
 #include <lamella/recover/named_quantity.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/body/fields.h>
-#include <lamella/contact/pressed_patch.h>
+#include <lamella/contact/contact_patch.h>
 #include <lamella/recover/named_quantity.h>
 
 #include <nlohmann/json.hpp>
@@ -274,7 +274,7 @@ namespace lamella
       }
     if (column == "dissipated")
       return traction.dissipated(quantity.strip);
-    const PressedPatch patch(traction, quantity.strip);
+    const ContactPatch patch(traction, quantity.strip);
     if (column == "pressure")
       return patch.pressure();
     return column == "width" ? patch.width() : patch.width(column.back() - 'x');
@@ -372,7 +372,7 @@ namespace lamella
             largest = std::max(largest, std::abs(resultant.second[c]));
     for (const auto &[name, traction] : tractions)
       {
-        const PressedPatch patch(traction);
+        const ContactPatch patch(traction);
         if (kind == 'd')
           largest = std::max(largest, traction.dissipated());
         if (kind == 'p')

@@ -16,13 +16,13 @@ namespace lamella
     const unsigned int iterations = state.iterations;
     state                         = State();
     state.iterations              = iterations;
-    memory                        = StrategyMemory();
+    memory                        = StrategyHistory();
     probes.clear();
     lines.clear();
     cuts.clear();
     contacts.clear();
     plies_along.clear();
-    for (KuhnTucker &contact : checks.contacts)
+    for (KktResidual &contact : checks.contacts)
       contact.of_rows.clear();
   }
 
@@ -324,7 +324,7 @@ namespace lamella
 
 
 
-  const KuhnTucker &
+  const KktResidual &
   Results::contact(const std::string &name) const
   {
     std::vector<std::string> names;

@@ -98,7 +98,7 @@ namespace lamella
                   const unsigned int k)
     {
       const ContactFacts  &contact = results.contacts[k];
-      const KuhnTucker    &kkt     = results.last().checks.contacts[k];
+      const KktResidual    &kkt     = results.last().checks.contacts[k];
       const StatusChanges &change  = results.last().changes[k];
       const std::string    force   = unit(results.units.force),
                         length     = unit(results.units.length),

@@ -65,7 +65,7 @@ namespace boost
     template <typename Archive>
     void
     serialize(Archive                 &archive,
-              lamella::StrategyMemory &memory,
+              lamella::StrategyHistory &memory,
               const unsigned int)
     {
       archive &memory.stiffening &memory.rows;
@@ -86,7 +86,7 @@ namespace boost
     template <typename Archive>
     void
     serialize(Archive                &archive,
-              lamella::ContactMemory &memory,
+              lamella::ContactHistory &memory,
               const unsigned int)
     {
       serialize_blocks(archive, memory.u);

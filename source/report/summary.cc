@@ -3,7 +3,7 @@
 #include <lamella/base/memory.h>
 #include <lamella/base/version.h>
 #include <lamella/body/fields.h>
-#include <lamella/contact/pressed_patch.h>
+#include <lamella/contact/contact_patch.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/recover/strength_sweep.h>
@@ -29,7 +29,7 @@ namespace lamella
     contact_json(const Results &results, const unsigned int k)
     {
       const ContactFacts       &contact = results.contacts[k];
-      const KuhnTucker         &kkt = results.steps.back().checks.contacts[k];
+      const KktResidual         &kkt = results.steps.back().checks.contacts[k];
       std::vector<unsigned int> closed, opened;
       for (const StepResults &step : results.steps)
         {
@@ -65,7 +65,7 @@ namespace lamella
       if (const auto &points = results.steps.back().contacts; k < points.size())
         {
           const ContactTraction traction = traction_of(contact, points[k]);
-          const PressedPatch    patch(traction);
+          const ContactPatch    patch(traction);
           json["pressure"] = patch.pressure();
           json["width"]    = patch.width();
         }

@@ -79,13 +79,13 @@ namespace lamella
       std::string line;
       for (const Resultant &reaction : state.checks.reactions)
         line += components(reaction.force);
-      for (const KuhnTucker &contact : state.checks.contacts)
+      for (const KktResidual &contact : state.checks.contacts)
         line += components(contact.force);
       for (const std::vector<FieldRow> &plies : state.probes)
         line += components(plies.front().sample.displacement);
       for (const Resultant &reaction : state.checks.reactions)
         line += components(reaction.moment);
-      for (const KuhnTucker &contact : state.checks.contacts)
+      for (const KktResidual &contact : state.checks.contacts)
         line += components(contact.moment);
       return line;
     }

@@ -243,17 +243,17 @@ namespace lamella
         if (touches(c, solved))
           continue;
         const ContactInterface &contact = built.interfaces()[c];
-        const auto              sunk =
-          built.contact_lives()[c]->sunk_place(solved.state.u,
+        const auto              penetration =
+          built.contact_lives()[c]->cylinder_penetration(solved.state.u,
                                                solved.load_factor);
         const unsigned int number =
-          sunk && sunk->of_second ? *contact.second_body : contact.first_body;
+          penetration && penetration->of_second ? *contact.second_body : contact.first_body;
         const Body &body = *structure.bodies()[number];
-        if (!sunk || sunk->depth <
+        if (!penetration || penetration->depth <
                        std::max(worth_failing * solved.checks.max_displacement,
                                 arithmetic::as_written * body.size()))
           continue;
-        throw_undetected_penetration(contact, *sunk, number);
+        throw_undetected_penetration(contact, *penetration, number);
       }
   }
 
@@ -261,7 +261,7 @@ namespace lamella
 
   void
   StepRecorder::throw_undetected_penetration(const ContactInterface &contact,
-                                             const SunkPlace        &sunk,
+                                             const CylinderPenetration        &penetration,
                                              const unsigned int      body) const
   {
     // Nodes of B4 beside the common end of two elements are 0.28 of their
@@ -270,20 +270,20 @@ namespace lamella
     const double longest =
       contact.obstacle == nullptr ?
         0. :
-        std::sqrt(1.5 * contact.obstacle->radius * sunk.depth);
+        std::sqrt(1.5 * contact.obstacle->radius * penetration.depth);
     throw UndetectedPenetration(
       "contact " + contact.name + ": nothing touches, but '" +
-        (sunk.of_second ? structure.bodies()[contact.first_body]->name() :
+        (penetration.of_second ? structure.bodies()[contact.first_body]->name() :
                           contact.second_name) +
-        "' is inside of the body at " + to_text(sunk.position) +
-        ", between its points, by " + to_text(sunk.depth, 2) + ". Give body '" +
+        "' is inside of the body at " + to_text(penetration.position) +
+        ", between its points, by " + to_text(penetration.depth, 2) + ". Give body '" +
         structure.bodies()[body]->name() + "' Axis elements = auto, or " +
         (longest > 0. ? "elements of at most " + to_text(longest, 2) :
                         std::string("shorter elements")) +
         " there (Axis breaks)" +
         (longest > 0. ? "; or take Discretization = line to roller." : "."),
       body,
-      scene.bodies[body].placement.to_body(sunk.position)[1],
+      scene.bodies[body].placement.to_body(penetration.position)[1],
       longest);
   }
 
@@ -314,14 +314,14 @@ namespace lamella
 
 
 
-  std::optional<SunkEnd>
-  StepRecorder::sunk_end(const unsigned int c, const SolvedStep &solved) const
+  std::optional<EndPenetration>
+  StepRecorder::end_penetration(const unsigned int c, const SolvedStep &solved) const
   {
     // Shares of the cell's depth and of the displacements: gaps of faces are
     // averages. Penetrations of the latter change a contact force by 0.1 %.
     constexpr double worth_saying = 1e-2, of_displacements = 1e-3;
     const auto       end =
-      built.contact_lives()[c]->sunk_end(solved.state.u, solved.load_factor);
+      built.contact_lives()[c]->end_penetration(solved.state.u, solved.load_factor);
     // The penetration of a penalty is no lack of constraints.
     if (end && end->depth >
                  std::min(worth_saying * end->cell,
@@ -341,7 +341,7 @@ namespace lamella
     auto have_rows = ends_with_rows(built.interfaces(), structure.bodies());
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
       {
-        const auto end = sunk_end(c, solved);
+        const auto end = end_penetration(c, solved);
         if (!end)
           continue;
         const ContactInterface &contact = built.interfaces()[c];
@@ -387,7 +387,7 @@ namespace lamella
     largest *= std::abs(solved.load_factor.of_scene());
     for (const Resultant &reaction : solved.checks.reactions)
       largest = std::max(largest, reaction.force.norm() * size);
-    for (const KuhnTucker &contact : solved.checks.contacts)
+    for (const KktResidual &contact : solved.checks.contacts)
       largest = std::max(largest, contact.force.norm() * size);
     // Loads that balance on their own, and heat, leave rounding.
     const double of_nodes =
@@ -415,7 +415,7 @@ namespace lamella
         arithmetic::as_written * structure.heat_load().l2_norm());
     for (const Resultant &reaction : checks.reactions)
       largest = std::max(largest, reaction.force.norm());
-    for (const KuhnTucker &contact : checks.contacts)
+    for (const KktResidual &contact : checks.contacts)
       largest = std::max(largest, contact.force.norm());
     const double of_moments =
       checks.is_large ? largest_moment(solved) : largest * structure.size();

@@ -68,7 +68,7 @@ namespace lamella
 
 
     std::string
-    doubt_of_softness(const SectionMesh &section, const Units &units)
+    doubt_of_compliance(const SectionMesh &section, const Units &units)
     {
       // Lower limit of plies, metals, glass and wood [Pa]; density of foams
       // [kg / m^3] and Poisson's ratio of rubbers, which may be softer.
@@ -177,7 +177,7 @@ namespace lamella
           std::vector<std::string> of_section{doubt_of_angles(*mesh)};
           if (!scene.units.stress.empty())
             {
-              of_section.push_back(doubt_of_softness(*mesh, scene.units));
+              of_section.push_back(doubt_of_compliance(*mesh, scene.units));
               const std::string size = doubt_of_size(*mesh, scene.units);
               // One of the two warnings suffices.
               of_section.push_back(

@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/processes.h>
-#include <lamella/contact/roller_lines.h>
+#include <lamella/contact/cylinder_contact_lines.h>
 #include <lamella/scene/rotation_rules.h>
 
 #include <algorithm>

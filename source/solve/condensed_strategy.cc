@@ -17,7 +17,7 @@ namespace lamella
   {
     // Of the row's compliance, and of 1/penalty for a row between points that
     // supports hold, which has none.
-    constexpr double smallest_softness = 1e-10, smallest_of_given = 1e-8;
+    constexpr double smallest_compliance = 1e-10, smallest_of_given = 1e-8;
     // How many rows take part from the start, at least.
     constexpr std::size_t first_rows = 8;
     // Rows that may idle beside active ones, and how many of these: below that
@@ -58,12 +58,12 @@ namespace lamella
 
 
   double
-  CondensedStrategy::softness(const unsigned int number) const
+  CondensedStrategy::compliance(const unsigned int number) const
   {
     const GapConstraint &row   = rows[rows.row_of(number)];
-    const double         given = numerical_softness(row),
+    const double         given = numerical_compliance(row),
                  least =
-                   std::max(smallest_softness * compliance.diagonal(number),
+                   std::max(smallest_compliance * compliance.diagonal(number),
                             smallest_of_given * given);
     return row.enforcement == Enforcement::exact ? least :
                                                    std::max(given, least);
@@ -110,7 +110,7 @@ namespace lamella
             system[j * n + i] += along[a] * C[slip * all.size() + i];
       }
     for (std::size_t i = 0; i < n; ++i)
-      system[i * n + i] += softness(numbers[i]);
+      system[i * n + i] += compliance(numbers[i]);
     return system;
   }
 
@@ -125,18 +125,18 @@ namespace lamella
       {
         // Rows that depend on each other may share a force in any way, each of
         // which rubs otherwise: what rounding adds there must not be amplified.
-        constexpr double          dependent = 10. * smallest_softness;
+        constexpr double          dependent = 10. * smallest_compliance;
         std::vector<double>       sizes;
         const std::vector<double> system = system_of(closed);
         for (const unsigned int number : closed.numbers)
-          sizes.push_back(compliance.diagonal(number) + softness(number));
+          sizes.push_back(compliance.diagonal(number) + compliance(number));
         lambda = solve_dependent(system, sizes, lambda, dependent);
         return;
       }
     compliance.include(closed.numbers);
     std::vector<double> d;
     for (const unsigned int number : closed.numbers)
-      d.push_back(softness(number));
+      d.push_back(compliance(number));
     if (!factor || factorized_for != closed.numbers || factorized_with != d)
       {
         factor.emplace(system_of(closed), n, "The compliance of contact");
@@ -199,9 +199,9 @@ namespace lamella
     for (std::size_t i = 0; i < n; ++i)
       {
         const unsigned int r = part[i];
-        const double       d = softness(r);
+        const double       d = compliance(r);
         small.q[i] =
-          problem.gap[r] - (d - law_softness(rows[r])) * problem.estimate[r];
+          problem.gap[r] - (d - law_compliance(rows[r])) * problem.estimate[r];
         for (std::size_t j = 0; j < n; ++j)
           small.q[i] -= small.matrix[j * n + i] * problem.force[part[j]];
         small.matrix[i * n + i] += d;
@@ -242,7 +242,7 @@ namespace lamella
     small.about = W.by_points(forces);
     for (std::size_t i = 0; i < part.size(); ++i)
       {
-        const double a = law_softness(rows[part[i]]);
+        const double a = law_compliance(rows[part[i]]);
         small.q.push_back(a * small.about[i]);
         small.q[i][0] += problem.gap[part[i]];
         for (unsigned int t = 0; t < rows[part[i]].slips.size(); ++t)
@@ -348,7 +348,7 @@ namespace lamella
     touching.erase(std::remove_if(touching.begin(),
                                   touching.end(),
                                   [this](const auto &found) {
-                                    return law_softness(rows[found.second]) >
+                                    return law_compliance(rows[found.second]) >
                                            0.;
                                   }),
                    touching.end());
@@ -413,7 +413,7 @@ namespace lamella
     joining.resize(std::min(joining.size(), first_rows));
 
     std::set<unsigned int> left;
-    bool                   all_that_touch = false;
+    bool                   all_interactions = false;
     while (true)
       {
         for (const auto &[violation, r] : joining)
@@ -427,10 +427,10 @@ namespace lamella
           g[r] += rows[r].jump(solution.du);
         joining = rows_below(-problem.closed, part, g);
         monitor(round_of(solution, joining));
-        if (joining.empty() && !all_that_touch && !solution.active.empty())
+        if (joining.empty() && !all_interactions && !solution.active.empty())
           {
             joining        = touching_rows(problem, part, g);
-            all_that_touch = true;
+            all_interactions = true;
           }
         else
           joining.resize(
@@ -444,18 +444,18 @@ namespace lamella
 
 
 
-  StrategyMemory
+  StrategyHistory
   CondensedStrategy::memory() const
   {
-    return {numerical_softness.stiffening, compliance.batches()};
+    return {numerical_compliance.stiffening, compliance.batches()};
   }
 
 
 
   void
-  CondensedStrategy::recall(const StrategyMemory &memory)
+  CondensedStrategy::restore(const StrategyHistory &memory)
   {
-    numerical_softness.stiffening = memory.stiffening;
+    numerical_compliance.stiffening = memory.stiffening;
     for (const std::vector<unsigned int> &batch : memory.rows)
       compliance.include(batch);
   }

@@ -5,7 +5,7 @@
 namespace lamella
 {
   double
-  law_softness(const GapConstraint &row)
+  law_compliance(const GapConstraint &row)
   {
     return row.enforcement == Enforcement::penalty ? 1. / row.penalty : 0.;
   }
@@ -13,7 +13,7 @@ namespace lamella
 
 
   double
-  NumericalSoftness::operator()(const GapConstraint &row) const
+  NumericalCompliance::operator()(const GapConstraint &row) const
   {
     return row.enforcement == Enforcement::penalty ?
              1. / row.penalty :
@@ -23,7 +23,7 @@ namespace lamella
 
 
   bool
-  NumericalSoftness::stiffen()
+  NumericalCompliance::increase_penalty()
   {
     constexpr double factor = 10., bound = 1000.;
     if (stiffening >= bound)

@@ -86,7 +86,7 @@ namespace lamella
         const State settled       = state;
         state.contact_corrections = refine(state, factor, 1);
 
-        const Misses missed = judge(state, factor);
+        const ContactViolations missed = find_violations(state, factor);
         const bool   slow   = missed.gap > parameters.slow * before;
         if (missed.is_right_set() ?
               keeps_law(state, factor, missed.gap, slow) :
@@ -97,7 +97,7 @@ namespace lamella
                          united(united(missed.opening, missed.closing),
                                 missed.rubbing));
         if (slow)
-          strategy->stiffen();
+          strategy->increase_penalty();
         before  = missed.gap;
         last    = found.active;
         problem = problem_about(state, factor);
@@ -152,7 +152,7 @@ namespace lamella
                                         const unsigned int r,
                                         const double       closed,
                                         const double       small,
-                                        Misses            &found) const
+                                        ContactViolations            &found) const
   {
     const Tensor<1, 2> v     = slip_in_step(rows[r], r, state, factor),
                        shear = along_tangents(rows[r], state.friction.shear[r]),
@@ -169,8 +169,8 @@ namespace lamella
 
 
 
-  ContactSolver::Misses
-  ContactSolver::misses(const State      &state,
+  ContactSolver::ContactViolations
+  ContactSolver::violations(const State      &state,
                         const LoadFactor &factor,
                         const double      closed) const
   {
@@ -180,7 +180,7 @@ namespace lamella
       largest = std::max(largest, std::abs(lambda));
     const double slid =
       std::max(closed, length_of(parameters.good_enough, state, factor));
-    Misses found;
+    ContactViolations found;
     for (const unsigned int r : state.active)
       {
         if (state.force[r] < 0.)
@@ -188,7 +188,7 @@ namespace lamella
         else
           found.gap =
             std::max(found.gap,
-                     std::abs(g[r] + law_softness(rows[r]) * state.force[r]));
+                     std::abs(g[r] + law_compliance(rows[r]) * state.force[r]));
         if (!rows[r].slips.empty())
           add_misses_of_friction(
             state, factor, r, slid, parameters.good_enough * largest, found);
@@ -202,10 +202,10 @@ namespace lamella
 
 
 
-  ContactSolver::Misses
-  ContactSolver::judge(const State &state, const LoadFactor &factor) const
+  ContactSolver::ContactViolations
+  ContactSolver::find_violations(const State &state, const LoadFactor &factor) const
   {
-    return misses(state,
+    return violations(state,
                   factor,
                   length_of(std::max(parameters.rounding,
                                      state.contact_corrections.back()),
@@ -240,7 +240,7 @@ namespace lamella
     state.active.clear();
     state.contact_corrections = refine(state, factor, 1);
     state.active              = settled.active;
-    const Misses left         = misses(state, factor, good_enough);
+    const ContactViolations left         = violations(state, factor, good_enough);
     return left.closing.empty() && left.gap <= good_enough;
   }
 
@@ -255,7 +255,7 @@ namespace lamella
     for (unsigned int round = 0; round < parameters.max_set_corrections;
          ++round)
       {
-        const Misses found = judge(at, factor);
+        const ContactViolations found = find_violations(at, factor);
         if (found.is_right_set())
           {
             if (found.gap > length_of(parameters.good_enough, at, factor))
@@ -453,7 +453,7 @@ namespace lamella
         residual[i] =
           number == r ?
             -(rows[r].gap(state.u, factor) +
-              law_softness(rows[r]) * state.force[r]) :
+              law_compliance(rows[r]) * state.force[r]) :
             -slip_in_step(rows[r], r, state, factor)[number - rows.slip(r, 0)];
       }
     return residual;

@@ -114,7 +114,7 @@ namespace lamella
       CoulombSolution
       by_cones(const PointVectors &start) const;
       CoulombSolution
-      by_softness(const PointVectors &start,
+      by_compliance(const PointVectors &start,
                   const double        first,
                   const double        falls) const;
 
@@ -545,7 +545,7 @@ namespace lamella
 
 
     CoulombSolution
-    CoulombSearch::by_softness(const PointVectors &start,
+    CoulombSearch::by_compliance(const PointVectors &start,
                                const double        first,
                                const double        falls) const
     {
@@ -627,12 +627,12 @@ namespace lamella
           is_it("sweeps from nothing", from(none)) ||
           is_it("cones", by_cones(best.force)) ||
           is_it("softness",
-                by_softness(best.force, rules.first_softness, rules.falls)) ||
+                by_compliance(best.force, rules.first_compliance, rules.falls)) ||
           is_it("softness from nothing",
-                by_softness(none, rules.second_softness, rules.falls)))
+                by_compliance(none, rules.second_compliance, rules.falls)))
         return best;
       is_it("softness that falls slowly",
-            by_softness(none, rules.second_softness, rules.falls_slowly));
+            by_compliance(none, rules.second_compliance, rules.falls_slowly));
       return best;
     }
   } // namespace
@@ -681,7 +681,7 @@ namespace lamella
     std::string  by;
     for (unsigned int round = 0; round < rules.max_rounds; ++round)
       {
-        const CoulombSearch search(softened(problem, rules.softness, lambda),
+        const CoulombSearch search(softened(problem, rules.compliance, lambda),
                                    rules);
         CoulombSolution     found = search.chain(search.scaled(lambda));
         const double        left  = found.error;

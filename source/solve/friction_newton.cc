@@ -104,7 +104,7 @@ namespace lamella
     PointVectors v(rows.size());
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
-        const double d = softness(rows[r]), a = law_softness(rows[r]);
+        const double d = compliance(rows[r]), a = law_compliance(rows[r]);
         v[r][0] = problem.gap[r] + rows[r].jump(at.du) + d * at.force[r][0] -
                   (d - a) * problem.estimate[r];
         for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
@@ -158,7 +158,7 @@ namespace lamella
                                  const Trial       &trial,
                                  Law               &law) const
   {
-    const double d = softness(rows[r]), mu = rows[r].friction,
+    const double d = compliance(rows[r]), mu = rows[r].friction,
                  length      = tangential_norm(trial.z[r]),
                  k           = trial.bound[r] / length,
                  soft        = 1. - k + k * trial.rho[r] * d,
@@ -190,7 +190,7 @@ namespace lamella
                             const Trial       &trial,
                             Law               &law) const
   {
-    const double d   = softness(rows[r]);
+    const double d   = compliance(rows[r]);
     law.change[r][0] = -trial.v[r][0] / d;
     law.terms.push_back({r, r, 1. / d});
     if (trial.states[r] == PointState::slip)

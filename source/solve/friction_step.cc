@@ -32,7 +32,7 @@ namespace lamella
   {
     return slip_of(row, state.u, factor) +
            along_tangents(row,
-                          law_softness(row) * state.friction.shear[r] -
+                          law_compliance(row) * state.friction.shear[r] -
                             state.friction.before[r]);
   }
 
@@ -185,9 +185,9 @@ namespace lamella
                                0.,
                      lost  = add_loss(rows[r], r, mean, slid, then, now);
         now.opening[r] =
-          rows[r].gap(state.u, factor) + law_softness(rows[r]) * state.force[r];
+          rows[r].gap(state.u, factor) + law_compliance(rows[r]) * state.force[r];
         now.before[r] = in_scene(rows[r], slip_of(rows[r], state.u, factor)) +
-                        law_softness(rows[r]) * now.shear[r];
+                        law_compliance(rows[r]) * now.shear[r];
         now.path_gap -= mean * (now.opening[r] - then.opening[r]) +
                         0.5 * (now.shear[r] + then.shear[r]) *
                           (now.before[r] - then.before[r]) +
@@ -221,7 +221,7 @@ namespace lamella
                  before.friction,
                  state.friction);
         state.friction.before[r] =
-          law_softness(rows[r]) * state.friction.shear[r];
+          law_compliance(rows[r]) * state.friction.shear[r];
       }
   }
 } // namespace lamella

@@ -29,20 +29,20 @@ namespace lamella
 
 
 
-  StrategyMemory
+  StrategyHistory
   FullStrategy::memory() const
   {
-    return {numerical_softness.stiffening, {matrix.known_rows()}};
+    return {numerical_compliance.stiffening, {matrix.known_rows()}};
   }
 
 
 
   void
-  FullStrategy::recall(const StrategyMemory &memory)
+  FullStrategy::restore(const StrategyHistory &memory)
   {
-    numerical_softness.stiffening = memory.stiffening;
+    numerical_compliance.stiffening = memory.stiffening;
     for (const std::vector<unsigned int> &known : memory.rows)
-      matrix.recall(known);
+      matrix.restore(known);
   }
 
 
@@ -55,22 +55,22 @@ namespace lamella
                       Vector                  &dlambda)
   {
     const std::vector<unsigned int> &numbers  = closed.numbers;
-    const auto                       softness = [&](const unsigned int number) {
-      return numerical_softness(rows[rows.row_of(number)]);
+    const auto                       compliance = [&](const unsigned int number) {
+      return numerical_compliance(rows[rows.row_of(number)]);
     };
     std::vector<PenaltyTerm> terms;
     for (const unsigned int number : numbers)
-      terms.push_back({number, number, 1. / softness(number)});
+      terms.push_back({number, number, 1. / compliance(number)});
     for (const auto &[r, along] : closed.sliding)
       for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
-        terms.push_back({rows.slip(r, a), r, along[a] / softness(r)});
+        terms.push_back({rows.slip(r, a), r, along[a] / compliance(r)});
     matrix.factorize(terms);
 
     du = r_u;
     std::vector<double> pushed(rows.size(), 0.);
     for (unsigned int k = 0; k < numbers.size(); ++k)
       {
-        const double force = r_lambda[k] / softness(numbers[k]);
+        const double force = r_lambda[k] / compliance(numbers[k]);
         rows.constraint(numbers[k]).add_to(du, force);
         if (numbers[k] < rows.size())
           pushed[numbers[k]] = force;
@@ -81,7 +81,7 @@ namespace lamella
     dlambda.reinit(numbers.size());
     for (unsigned int k = 0; k < numbers.size(); ++k)
       dlambda[k] = (r_lambda[k] - rows.constraint(numbers[k]).jump(du)) /
-                   softness(numbers[k]);
+                   compliance(numbers[k]);
   }
 
 
@@ -92,7 +92,7 @@ namespace lamella
   FullStrategy::solve(const ContactProblem &problem, const Monitor &monitor)
   {
     if (!problem.slip.empty())
-      return FrictionNewton(tangent_operator, rows, numerical_softness, matrix)
+      return FrictionNewton(tangent_operator, rows, numerical_compliance, matrix)
         .solve(problem, monitor);
     // Of the displacements: what one solution with K + K^p is accurate to.
     constexpr double accurate = arithmetic::rounding_of_solutions;
@@ -153,7 +153,7 @@ namespace lamella
       {
         const unsigned int r = at.active[k];
         r_lambda[k]          = -(problem.gap[r] + rows[r].jump(at.du) +
-                        law_softness(rows[r]) * at.force[r]);
+                        law_compliance(rows[r]) * at.force[r]);
       }
     BlockVector du;
     Vector      dlambda;
@@ -172,7 +172,7 @@ namespace lamella
   {
     std::vector<double> overlap;
     for (unsigned int r = 0; r < rows.size(); ++r)
-      overlap.push_back((numerical_softness(rows[r]) - law_softness(rows[r])) *
+      overlap.push_back((numerical_compliance(rows[r]) - law_compliance(rows[r])) *
                           at.force[r] -
                         problem.gap[r] - rows[r].jump(at.du));
     return overlap;
@@ -245,7 +245,7 @@ namespace lamella
     at.active.clear();
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
-        at.force[r] = std::max(0., overlap[r]) / numerical_softness(rows[r]);
+        at.force[r] = std::max(0., overlap[r]) / numerical_compliance(rows[r]);
         if (overlap[r] > 0.)
           at.active.push_back(r);
       }

@@ -69,7 +69,7 @@ namespace lamella
   void
   LargeStep::go_on_from(const State &last, const LoadFactor &factor)
   {
-    newton.recall(last, factor);
+    newton.restore(last, factor);
     reached = last.u;
   }
 
@@ -83,7 +83,7 @@ namespace lamella
     if (before.u.n_blocks() == 0)
       return newton.at_rest(to);
     if (reached.n_blocks() == 0 || !(before.u == reached))
-      newton.recall(before, from);
+      newton.restore(before, from);
     Equilibrium start;
     start.state  = before;
     start.factor = from;

@@ -80,7 +80,7 @@ namespace lamella
       double largest = 0.;
       for (const Resultant &reaction : checks.reactions)
         largest = std::max(largest, reaction.force.norm());
-      for (const KuhnTucker &contact : checks.contacts)
+      for (const KktResidual &contact : checks.contacts)
         largest = std::max(largest, contact.force.norm());
       return largest;
     }

@@ -12,8 +12,8 @@ namespace lamella
 {
   using namespace dealii;
 
-  PressedPlaces::Key
-  PressedPlaces::key(const unsigned int c, const ContactInterface::Point &point)
+  MultiplierTransfer::Key
+  MultiplierTransfer::key(const unsigned int c, const ContactInterface::Point &point)
   {
     const Location::Place &place = point.node.places.front();
     return {{double(c),
@@ -25,7 +25,7 @@ namespace lamella
 
 
 
-  PressedPlaces::PressedPlaces(const std::vector<ContactInterface> &contacts,
+  MultiplierTransfer::MultiplierTransfer(const std::vector<ContactInterface> &contacts,
                                const State                         &state)
   {
     const GapConstraints rows(contacts);
@@ -53,7 +53,7 @@ namespace lamella
 
 
   void
-  PressedPlaces::give(const std::vector<ContactInterface> &contacts,
+  MultiplierTransfer::give(const std::vector<ContactInterface> &contacts,
                       State                               &state) const
   {
     const GapConstraints rows(contacts);
@@ -87,7 +87,7 @@ namespace lamella
 
 
   void
-  PressedPlaces::keep_dissipated(const std::vector<ContactInterface> &contacts,
+  MultiplierTransfer::keep_dissipated(const std::vector<ContactInterface> &contacts,
                                  FrictionState                       &of) const
   {
     unsigned int first = 0;
@@ -160,10 +160,10 @@ namespace lamella
 
 
 
-  std::vector<ContactMemory>
+  std::vector<ContactHistory>
   MovingContacts::memory() const
   {
-    std::vector<ContactMemory> known;
+    std::vector<ContactHistory> known;
     for (const auto &contact : lives)
       known.push_back(contact->memory());
     return known;
@@ -172,13 +172,13 @@ namespace lamella
 
 
   void
-  MovingContacts::recall(const std::vector<ContactMemory> &known,
+  MovingContacts::restore(const std::vector<ContactHistory> &known,
                          const BlockVector                &u,
                          const LoadFactor                 &factor)
   {
     AssertDimension(known.size(), lives.size());
     for (unsigned int c = 0; c < lives.size(); ++c)
-      lives[c]->recall(known[c], u, factor);
+      lives[c]->restore(known[c], u, factor);
     numbered = GapConstraints(all);
   }
 
@@ -221,20 +221,20 @@ namespace lamella
       else if (ends_have_rows(c))
         {
           state.force[row] = 0.;
-          let_go.insert(c);
+          release.insert(c);
           lost = "Contact " + all[c].name +
                  " is lost: what bore a force is past an end of the other "
                  "side, and nothing took over.";
         }
       else
-        lose_facing(c);
+        release_facing(c);
     state.active = facing;
   }
 
 
 
   void
-  MovingContacts::lose_facing(const unsigned int c)
+  MovingContacts::release_facing(const unsigned int c)
   {
     const std::string how =
       ": what bears a force faces nothing, past an end of the other side "
@@ -251,7 +251,7 @@ namespace lamella
   void
   MovingContacts::begin_step(State &state, const LoadFactor &factor)
   {
-    let_go.clear();
+    release.clear();
     lost.clear();
     // Its shear forces are where they were.
     move_rows(state, factor);
@@ -316,7 +316,7 @@ namespace lamella
         largest        = std::max(largest,
                            state.force[row] == 0. ?
                                     -g :
-                                    std::abs(g + law_softness(numbered[row]) *
+                                    std::abs(g + law_compliance(numbered[row]) *
                                             state.force[row]));
         if (state.force[row] != 0. && !state.friction.empty())
           largest = std::max(largest,
@@ -328,9 +328,9 @@ namespace lamella
 
 
   bool
-  MovingContacts::see_what_touches(State &state, const LoadFactor &factor)
+  MovingContacts::find_loads(State &state, const LoadFactor &factor)
   {
-    const PressedPlaces pressed(all, state);
+    const MultiplierTransfer transfer(all, state);
     bool                any = false;
     for (unsigned int c = 0; c < all.size(); ++c)
       {
@@ -339,7 +339,7 @@ namespace lamella
                               lives[c]->wraps_around(state.u, factor, active) &&
                               lives[c]->switch_to_points();
         if (!switches &&
-            lives[c]->stays_paired(state.u, factor, active).unseen == 0)
+            lives[c]->pairing_is_valid(state.u, factor, active).unseen == 0)
           continue;
         any = true;
         pair(c, state, factor);
@@ -347,7 +347,7 @@ namespace lamella
     if (any)
       {
         numbered = GapConstraints(all);
-        pressed.give(all, state);
+        transfer.give(all, state);
       }
     return any;
   }
@@ -361,11 +361,11 @@ namespace lamella
                                const LoadFactor  &to)
   {
     for (unsigned int c = 0; c < lives.size(); ++c)
-      if (lives[c]->goes_through(before, from, state.u, to))
+      if (lives[c]->passes_through(before, from, state.u, to))
         lose(c,
              ": its body went through '" + all[c].second_name +
                "' in one step.");
-    for (const unsigned int c : let_go)
+    for (const unsigned int c : release)
       if (!is_pressed(c, state))
         throw NumericsError(lost);
   }

@@ -268,7 +268,7 @@ namespace lamella
 
   bool
   Newton::step(const LoadFactor    &to,
-               const PressedPlaces &pressed,
+               const MultiplierTransfer &transfer,
                const bool           predicted,
                Equilibrium         &at)
   {
@@ -305,11 +305,11 @@ namespace lamella
             (balances || (is_still(last.du) &&
                           is_rounding(here, condensed(here, r), state.u))))
           {
-            if (contacts.none() || !contacts.see_what_touches(state, to))
+            if (contacts.none() || !contacts.find_loads(state, to))
               {
                 contacts.require_kept(before, at.factor, state, to);
                 require_minimum(before, last, state, to);
-                end_friction(pressed, to, state);
+                end_friction(transfer, to, state);
                 at.factor   = to;
                 at.rounding = balances && at.residual > 0. ? 0. : change;
                 return true;
@@ -329,7 +329,7 @@ namespace lamella
 
 
   void
-  Newton::end_friction(const PressedPlaces &began,
+  Newton::end_friction(const MultiplierTransfer &began,
                        const LoadFactor    &to,
                        State               &state) const
   {
@@ -344,18 +344,18 @@ namespace lamella
   Newton::attempt(const LoadFactor &to, Equilibrium &at)
   {
     const Equilibrium   before = at;
-    const PressedPlaces pressed(contacts.interfaces(), before.state);
+    const MultiplierTransfer transfer(contacts.interfaces(), before.state);
     const auto          back = [&] {
       const unsigned int iterations = at.state.iterations;
       at                            = before;
       at.state.iterations           = iterations;
-      pressed.give(contacts.interfaces(), at.state);
+      transfer.give(contacts.interfaces(), at.state);
     };
     for (const bool predicted : {true, false})
       {
         try
           {
-            if (step(to, pressed, predicted, at))
+            if (step(to, transfer, predicted, at))
               return true;
           }
         catch (const NumericsError &error)
@@ -364,8 +364,8 @@ namespace lamella
             progress(last_failure);
           }
         // That says more than what comes of it.
-        if (!contacts.why_lost().empty())
-          lost_contact = contacts.why_lost();
+        if (!contacts.reason_of_loss().empty())
+          lost_contact = contacts.reason_of_loss();
         back();
       }
     return false;

@@ -197,9 +197,9 @@ namespace lamella
         if (leaning)
           leaning->take_springs_off(sum_of(before, moved), to, state);
         state.u += du;
-        const ContactSolution pressed = press(*strategy, rows, to, state);
-        du += pressed.du;
-        unstable = pressed.is_unstable;
+        const ContactSolution transfer = press(*strategy, rows, to, state);
+        du += transfer.du;
+        unstable = transfer.is_unstable;
         if (leaning)
           leaning->put_springs_on(sum_of(before, du), to, state);
         du = follow_rows(*strategy, before, du, aid.firmer, to, state);

@@ -369,7 +369,7 @@ namespace lamella
 
 
   void
-  PenaltyMatrix::recall(const std::vector<unsigned int> &known_rows)
+  PenaltyMatrix::restore(const std::vector<unsigned int> &known_rows)
   {
     known.insert(known_rows.begin(), known_rows.end());
     factor.reset();

@@ -107,7 +107,7 @@ namespace lamella
 
 
     void
-    require_contact_law(const KuhnTucker &contact,
+    require_contact_law(const KktResidual &contact,
                         const double      displacement,
                         const double      rounding)
     {
@@ -158,7 +158,7 @@ namespace lamella
     require_no_springs(checks);
     require_settled(state);
     require_balance(checks);
-    for (const KuhnTucker &contact : checks.contacts)
+    for (const KktResidual &contact : checks.contacts)
       require_contact_law(contact, checks.max_displacement, state.rounding());
     if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
       throw NumericsError("The solution is not a finite number. Check the "
@@ -180,7 +180,7 @@ namespace lamella
   {
     void
     add_contact_warnings(const ContactInterface   &contact,
-                         const KuhnTucker         &kkt,
+                         const KktResidual         &kkt,
                          const double              displacement,
                          const bool                is_large,
                          std::vector<std::string> &warnings)

@@ -29,7 +29,7 @@ is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
                                       one ply, as in an interface
     contact:NAME:COLUMN:sum           over all pairs at the last step; also max,
                                       min
-    kuhn_tucker:NAME                  how far the pairs of a contact are from
+    kkt_residual:NAME                  how far the pairs of a contact are from
                                       Eq. 18, pair by pair out of its table: a
                                       force that pulls over the largest force,
                                       a gap that is the wrong way (open under a
@@ -257,7 +257,7 @@ def contact_value(run, name, column, how):
     return reduce_column(values, how, ("sum", "max", "min"))
 
 
-def kuhn_tucker(run, name):
+def kkt_residual(run, name):
     rows = run.table(f"contact_{name}.csv")
     forces, gaps = numbers(rows, "force"), numbers(rows, "gap")
     largest = max(map(abs, forces))
@@ -325,8 +325,8 @@ def evaluate(key, run, again):
         return line_value(run, *parts)
     if kind == "contact" and len(parts) == 3:
         return contact_value(run, *parts)
-    if kind == "kuhn_tucker" and rest:
-        return kuhn_tucker(run, rest)
+    if kind == "kkt_residual" and rest:
+        return kkt_residual(run, rest)
     if kind == "history" and rest:
         column, _, step = rest.partition("@")
         return number(run.table("history.csv", step)[-1], column)

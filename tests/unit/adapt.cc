@@ -135,10 +135,10 @@ namespace
     std::vector<ConstrainedSection>
     held(const std::vector<Support> &supports) const
     {
-      const auto touches = find_touches(beam, 0, bodies, supports, {}, {});
+      const auto interactions = find_interactions(beam, 0, bodies, supports, {}, {});
       std::vector<ConstrainedSection> result;
-      for (unsigned int t = 0; t < touches.size(); ++t)
-        for (const ConstrainedSection &one : constrained_sections(touches, t, beam.axis()))
+      for (unsigned int t = 0; t < interactions.size(); ++t)
+        for (const ConstrainedSection &one : constrained_sections(interactions, t, beam.axis()))
           result.push_back(one);
       return result;
     }
@@ -225,14 +225,14 @@ BOOST_AUTO_TEST_CASE(heated_ends)
   BOOST_TEST(heat_of(plain, 0.3).traction.linfty_norm() > 0.);
 
   // Two ends that nothing holds, one that a support does.
-  const auto touches = find_touches(
+  const auto interactions = find_interactions(
     strip.beam,
     0,
     strip.bodies,
     {{"clamp", {{0, Region::Kind::surface, "start", {}}}, {{0., 0., 0.}}}},
     {},
     {});
-  const auto free = heated_free_ends(strip.beam, touches);
+  const auto free = heated_free_ends(strip.beam, interactions);
   BOOST_REQUIRE(free.size() == 1);
   BOOST_TEST(free[0].begin == length);
   BOOST_TEST(heated_free_ends(strip.beam, {}).size() == 2);
@@ -247,28 +247,28 @@ BOOST_AUTO_TEST_CASE(touches_are_load_vectors_of_the_section)
   const Support point{"point",
                       {{0, Region::Kind::point, "", {{1., 5., 0.}}}},
                       {{0., {}, 0.}}};
-  const auto    touches =
-    find_touches(beam, 0, bodies, {clamp(), point}, {patch()}, {});
+  const auto    interactions =
+    find_interactions(beam, 0, bodies, {clamp(), point}, {patch()}, {});
   // The clamps at both ends are two.
-  BOOST_REQUIRE(touches.size() == 4);
+  BOOST_REQUIRE(interactions.size() == 4);
   for (const unsigned int k : {0, 1})
     {
-      BOOST_TEST(touches[k].holds_section);
-      BOOST_TEST(touches[k].begin == (k == 0 ? 0. : length));
-      BOOST_TEST(touches[k].end == touches[k].begin);
-      BOOST_TEST(std::abs(touches[k].element - length / 24.) < 1e-12);
+      BOOST_TEST(interactions[k].holds_section);
+      BOOST_TEST(interactions[k].begin == (k == 0 ? 0. : length));
+      BOOST_TEST(interactions[k].end == interactions[k].begin);
+      BOOST_TEST(std::abs(interactions[k].element - length / 24.) < 1e-12);
     }
-  BOOST_TEST(touches[2].name == "support point");
-  BOOST_TEST(touches[2].loads.size() == 2);
-  BOOST_TEST(std::abs(touches[2].begin - 5.) < 1e-12);
+  BOOST_TEST(interactions[2].name == "support point");
+  BOOST_TEST(interactions[2].loads.size() == 2);
+  BOOST_TEST(std::abs(interactions[2].begin - 5.) < 1e-12);
   // The pressure is the same at all x: one vector, on the elements from 10 to
   // 11.67.
-  BOOST_TEST(touches[3].loads.size() == 1);
-  BOOST_TEST(std::abs(touches[3].begin - 10.) < 1e-12);
-  BOOST_TEST(std::abs(touches[3].end - 35. / 3.) < 1e-12);
+  BOOST_TEST(interactions[3].loads.size() == 1);
+  BOOST_TEST(std::abs(interactions[3].begin - 10.) < 1e-12);
+  BOOST_TEST(std::abs(interactions[3].end - 35. / 3.) < 1e-12);
   // Its work on a translation along z is its resultant per work of the vector
   // on itself: of all fields only those of z have a part in it.
-  const Vector &f = touches[3].loads[0];
+  const Vector &f = interactions[3].loads[0];
   BOOST_TEST(std::abs(f[RigidField::translation_x]) < 1e-12);
   BOOST_TEST(std::abs(f[RigidField::translation_z]) > 0.1);
 }

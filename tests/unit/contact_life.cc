@@ -280,7 +280,7 @@ BOOST_AUTO_TEST_CASE(flat_faces_that_have_not_moved_keep_their_rows)
           BOOST_TEST(std::abs(contact.rows()[k].initial_gap -
                               before[k].initial_gap) < 1e-12);
         }
-      BOOST_TEST(contact.stays_paired(u, 0., {}).none());
+      BOOST_TEST(contact.pairing_is_valid(u, 0., {}).none());
     }
 }
 
@@ -300,7 +300,7 @@ BOOST_AUTO_TEST_CASE(a_turn_of_both_bodies_changes_no_gap)
         contact.move(u, 0.);
         for (const GapConstraint &row : contact.rows())
           BOOST_TEST(std::abs(row.gap(u, 0.) - distance) < 1e-10);
-        BOOST_TEST(contact.stays_paired(u, 0., {}).none());
+        BOOST_TEST(contact.pairing_is_valid(u, 0., {}).none());
         // Nor does a small turn on top of it, about any axis of the scene.
         for (unsigned int axis = 0; axis < 3; ++axis)
           {
@@ -334,11 +334,11 @@ BOOST_AUTO_TEST_CASE(what_slides_far_faces_other_places)
       for (unsigned int k = 0; k < contact.rows().size(); ++k)
         all.push_back(k);
       // Rows of the undeformed, and rows that were moved to another place.
-      BOOST_TEST(contact.stays_paired(u, 0., all).wandered > 0u);
+      BOOST_TEST(contact.pairing_is_valid(u, 0., all).wandered > 0u);
       contact.move(zero(bodies), 0.);
-      BOOST_TEST(contact.stays_paired(u, 0., all).wandered > 0u);
+      BOOST_TEST(contact.pairing_is_valid(u, 0., all).wandered > 0u);
       contact.move(u, 0.);
-      BOOST_TEST(contact.stays_paired(u, 0., all).wandered == 0u);
+      BOOST_TEST(contact.pairing_is_valid(u, 0., all).wandered == 0u);
       // The same gaps as those of a search where it stands: exactly at nodes;
       // in the mean but for where the points are. Nodes at the sides of the
       // lower one, which has become narrower here and there, face nothing, by
@@ -387,12 +387,12 @@ BOOST_AUTO_TEST_CASE(what_is_left_behind_is_lost_and_what_comes_is_not_seen)
       std::vector<unsigned int> all;
       for (unsigned int k = 0; k < contact.rows().size(); ++k)
         all.push_back(k);
-      const StalePairing stale = contact.stays_paired(u, 0., all);
+      const PairingChange stale = contact.pairing_is_valid(u, 0., all);
       BOOST_TEST(stale.unseen > 0u);
       BOOST_TEST(stale.lost > 0u);
       contact.pair(u, 0.);
       all.resize(std::min<std::size_t>(all.size(), contact.rows().size()));
-      BOOST_TEST(contact.stays_paired(u, 0., all).none());
+      BOOST_TEST(contact.pairing_is_valid(u, 0., all).none());
       for (const GapConstraint &row : contact.rows())
         BOOST_TEST(std::abs(row.gap(u, 0.) + 0.1 * distance) < 1e-10);
     }

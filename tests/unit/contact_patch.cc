@@ -37,7 +37,7 @@ namespace
 
 
   /// Bodies in contact, solved.
-  struct Touching
+  struct UnpairedContact
   {
     std::unique_ptr<Structure>    structure;
     std::vector<ContactInterface> contacts;
@@ -45,13 +45,13 @@ namespace
     Checks                        checks;
   };
 
-  Touching
+  UnpairedContact
   solve(Bodies                      bodies,
         const ContactPair          &contact,
         const std::vector<Support> &supports,
         const std::vector<Load>    &loads = {})
   {
-    Touching result;
+    UnpairedContact result;
     result.contacts = {make_interface(contact, bodies)};
     result.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
@@ -107,7 +107,7 @@ namespace
 
   /// The largest error of a point's pressure, relative.
   double
-  pressure_error(const Touching &touching)
+  pressure_error(const UnpairedContact &touching)
   {
     double worst = 0.;
     for (unsigned int k = 0; k < touching.contacts[0].rows.size(); ++k)
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_through_meshes_that_do_not_match)
     for (const Theory &theory : {layer_wise(2), layer_wise(3), taylor(2)})
       for (const SlaveSide slave_side : {SlaveSide::first, SlaveSide::second})
         {
-          const Touching touching =
+          const UnpairedContact touching =
             solve(two_blocks(placement, theory, nu),
                   blocks_contact(Discretization::surface_to_surface,
                                  slave_side),
@@ -175,10 +175,10 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
           ContactPair contact =
             blocks_contact(Discretization::surface_to_surface, slave_side);
           contact.enforcement        = Enforcement::exact;
-          const Touching    touching = solve(two_blocks(placement, theory, nu),
+          const UnpairedContact    touching = solve(two_blocks(placement, theory, nu),
                                           contact,
                                           walls_and_press(moved));
-          const KuhnTucker &kkt      = touching.checks.contacts[0];
+          const KktResidual &kkt      = touching.checks.contacts[0];
           BOOST_TEST((kkt.force + 6. * p * placement.axes[2]).norm() <
                      1e-9 * p);
           const Point<3> center = placement.to_body(kkt.center_of_pressure);
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(node_to_surface_leaves_an_error)
        {std::make_tuple(SlaveSide::first, 0.2096, -0.0299),
         std::make_tuple(SlaveSide::second, 0.1311, -0.0075)})
     {
-      const Touching touching =
+      const UnpairedContact touching =
         solve(two_blocks(Placement(), layer_wise(2), 0.),
               blocks_contact(Discretization::node_to_surface, slave_side),
               walls_and_press(moved));
@@ -359,14 +359,14 @@ BOOST_AUTO_TEST_CASE(crossed_beams)
           "lower", rectangle(0.5, 0.4, {0.}, 3), layer_wise(2), 6., 10));
         ContactPair contact     = pair_of("bottom", "top", discretization);
         contact.penalty         = {PenaltyKind::automatic, 1000.};
-        const Touching touching = solve(
+        const UnpairedContact touching = solve(
           std::move(bodies),
           contact,
           {{"clamps",
             {{0, Kind::surface, "ends", {}}, {1, Kind::surface, "ends", {}}},
             {{0., 0., 0.}}}},
           {{"weight", {{0, Kind::surface, "top", {}}}, {}, "0.01"}});
-        const KuhnTucker &kkt = touching.checks.contacts[0];
+        const KktResidual &kkt = touching.checks.contacts[0];
         BOOST_TEST(kkt.active > 3);
         BOOST_TEST(kkt.force[2] < 0.);
         BOOST_TEST(std::abs(kkt.force[0]) < 1e-12 * std::abs(kkt.force[2]));
@@ -415,7 +415,7 @@ BOOST_AUTO_TEST_CASE(a_block_on_a_floor_that_rises)
         ContactPair contact =
           blocks_contact(discretization, SlaveSide::automatic);
         contact.obstacle                  = make_floor(placement, -0.01);
-        const Touching          touching  = solve(std::move(bodies),
+        const UnpairedContact          touching  = solve(std::move(bodies),
                                         contact,
                                         {{"walls",
                                                     {{0, Kind::surface, "left", {}},

@@ -7,7 +7,7 @@
 #include "contact_fixtures.h"
 
 #include <lamella/contact/contact_traction.h>
-#include <lamella/contact/pressed_patch.h>
+#include <lamella/contact/contact_patch.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_smaller_face)
       BOOST_TEST(std::abs(p_at(1.4, 1.2) - 2.) < 1e-10);
       BOOST_TEST(p_at(0.99, 1.5) == 0.);
       BOOST_TEST(p_at(1.5, 2.01) == 0.);
-      const PressedPatch patch(traction);
+      const ContactPatch patch(traction);
       BOOST_TEST(std::abs(patch.width(0) - 1.) < 1e-13);
       BOOST_TEST(std::abs(patch.width(1) - 1.) < 1e-13);
       BOOST_TEST(std::abs(patch.pressure() - 2.) < 1e-12);

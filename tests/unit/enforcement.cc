@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(several_enforcements_in_one_scene)
         if (states.back().force[r] != 0.)
           off = std::max(off,
                          std::abs(scene.rows[r].gap(states.back().u, 1.) +
-                                  law_softness(scene.rows[r]) *
+                                  law_compliance(scene.rows[r]) *
                                     states.back().force[r]));
       BOOST_TEST(off < 1e-9 * states.back().u.linfty_norm());
     }

@@ -8,7 +8,7 @@
 #include "entries.h"
 #include "solid_fixtures.h"
 
-#include <lamella/contact/pressed_patch.h>
+#include <lamella/contact/contact_patch.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/run/simulation.h>
@@ -366,7 +366,7 @@ BOOST_AUTO_TEST_CASE(widths_of_hertz)
           pressed(grid(-2., 2., n),
                   grid(0., 4., 4),
                   [a](const double s, const double) { return ellipse(s, a); });
-        const PressedPatch patch(traction);
+        const ContactPatch patch(traction);
         BOOST_TEST(std::abs(patch.width() - 2. * a) < 0.25 * h);
         BOOST_TEST(patch.width(0) == patch.width());
         BOOST_TEST(std::abs(patch.width(1) - 4.) < 1e-14);
@@ -385,7 +385,7 @@ BOOST_AUTO_TEST_CASE(strips_of_a_contact)
     pressed({0., 0.5, 1.2, 2., 3.},
             {0., 0.3, 1., 1.5, 2.},
             [](const double x, const double y) { return 1. + x + 2. * y; });
-  const PressedPatch all(traction);
+  const ContactPatch all(traction);
   const auto         whole = traction.resultant();
   BOOST_TEST(std::abs(all.width(0) - 3.) < 1e-14);
   BOOST_TEST(std::abs(all.width() - 2.) < 1e-14);
@@ -399,7 +399,7 @@ BOOST_AUTO_TEST_CASE(strips_of_a_contact)
       for (unsigned int k = 0; k < 5; ++k)
         {
           const ContactStrip strip{axis, ends[k], ends[k + 1]};
-          const PressedPatch part(traction, strip);
+          const ContactPatch part(traction, strip);
           const auto         resultant = traction.resultant(strip);
           sum.force += resultant.force;
           sum.moment += resultant.moment;
@@ -415,8 +415,8 @@ BOOST_AUTO_TEST_CASE(strips_of_a_contact)
   for (ContactTraction::LinearFunctional &row : open)
     row.force = 0.;
   const ContactTraction nothing(traction.surface(), open);
-  BOOST_TEST(PressedPatch(nothing).width() == 0.);
-  BOOST_TEST(PressedPatch(nothing).pressure() == 0.);
+  BOOST_TEST(ContactPatch(nothing).width() == 0.);
+  BOOST_TEST(ContactPatch(nothing).pressure() == 0.);
 }
 
 

@@ -598,7 +598,7 @@ namespace
 
   /// The upper strip of Sec. 4.2, alone, pressed by @p way at its middle.
   Structure
-  pressed_strip(const bool large, const double way)
+  contact_strip(const bool large, const double way)
   {
     const auto carbon =
       library_material("IM7-8552", Units::parse({"Units", "m, N"}));
@@ -639,7 +639,7 @@ BOOST_AUTO_TEST_CASE(a_strip_between_clamps_is_stretched)
 {
   // Pressed by 75 and 150 mm: 15.15 and 116.9 kN by C3D20R with NLGEOM.
   // Linear theory says 129 N at 150 mm.
-  const Structure   structure = pressed_strip(true, 0.15);
+  const Structure   structure = contact_strip(true, 0.15);
   Newton            newton(structure);
   const Equilibrium half = newton.advance(newton.at_rest(), 0.5),
                     full = newton.advance(half, 1.);
@@ -661,8 +661,8 @@ BOOST_AUTO_TEST_CASE(the_stiffening_number_is_what_large_deflections_do)
   // order of r^2.
   for (const double way : {1e-4, 3e-4})
     {
-      const Structure large = pressed_strip(true, way),
-                      small = pressed_strip(false, way);
+      const Structure large = contact_strip(true, way),
+                      small = contact_strip(false, way);
       Newton                           newton(large);
       const std::vector<GapConstraint> no_rows;
       const GapConstraints             none(no_rows);

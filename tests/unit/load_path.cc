@@ -22,7 +22,7 @@ using namespace lamella;
 namespace
 {
   /// Two blocks that are pressed on each other, and what does their steps.
-  struct PressedBlocks
+  struct BlocksInContact
   {
     std::ostream                   nowhere{nullptr};
     dealii::TimerOutput            timer{nowhere,
@@ -32,10 +32,10 @@ namespace
     std::unique_ptr<ContactSolver> solver;
     std::shared_ptr<Step>          step;
 
-    explicit PressedBlocks(const std::vector<std::string> &overrides = {})
+    explicit BlocksInContact(const std::vector<std::string> &overrides = {})
     {
       const Scene scene = read_scene(
-        SceneText::read(LAMELLA_SOURCE_DIR "/tests/scenes/pressed_blocks.prm",
+        SceneText::read(LAMELLA_SOURCE_DIR "/tests/scenes/blocks_in_contact.prm",
                         overrides));
       built = std::make_unique<BuiltScene>(scene, FieldRules(), nowhere, timer);
       solver = std::make_unique<ContactSolver>(linearized(built->structure()),
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_path_goes_up_and_down)
 {
   // Contact without friction forgets: on the way down the states are those of
   // the way up.
-  PressedBlocks           blocks;
+  BlocksInContact           blocks;
   LoadPath                path(blocks.step, {0.5, 1., 0.5});
   std::vector<SolvedStep> steps;
   while (path.has_more())
@@ -87,13 +87,13 @@ BOOST_AUTO_TEST_CASE(a_path_goes_up_and_down)
 
 BOOST_AUTO_TEST_CASE(a_path_that_goes_on_is_the_same_path)
 {
-  PressedBlocks    blocks, others;
+  BlocksInContact    blocks, others;
   LoadPath         path(blocks.step, {0.5, 1.});
   const SolvedStep kept   = path.advance();
   const auto       memory = blocks.solver->memory();
   const State      whole  = path.advance().state;
   LoadPath         rest(others.step, {0.5, 1.});
-  others.solver->recall(memory);
+  others.solver->restore(memory);
   rest.resume(1, kept.state);
   BOOST_TEST(rest.n_done() == 1u);
   const State resumed = rest.advance().state;
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(histories_superpose)
   const auto solved = [](const std::vector<std::string> &overrides) {
     std::vector<std::string> all{"Contacts=", "Load factors=1, 0.5"};
     all.insert(all.end(), overrides.begin(), overrides.end());
-    PressedBlocks blocks(all);
+    BlocksInContact blocks(all);
     LoadPath      path(blocks.step, blocks.built->scene().solve.load_factors);
     std::vector<SolvedStep> steps;
     while (path.has_more())
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(histories_superpose)
       BOOST_TEST(together[k].checks.force_balance < 1e-9);
     }
   const Scene scene = read_scene(
-    SceneText::read(LAMELLA_SOURCE_DIR "/tests/scenes/pressed_blocks.prm",
+    SceneText::read(LAMELLA_SOURCE_DIR "/tests/scenes/blocks_in_contact.prm",
                     {"Load factors=1, 0.5", "Support ends/Factors=3, 4"}));
   BOOST_TEST(scene.solve.load_factors[1].of(1) == 4.);
   BOOST_TEST(scene.solve.load_factors[1].without_loads().of(1) == 0.);
@@ -148,10 +148,10 @@ BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
 {
   const double                   mu = 0.05;
   const std::vector<std::string> rubs{"Contact faces/Friction=0.05"};
-  PressedBlocks                  blocks(rubs), others(rubs);
+  BlocksInContact                  blocks(rubs), others(rubs);
   LoadPath                       path(blocks.step, {0.5, 1., 0.9, 0.5});
   std::vector<State>             states;
-  StrategyMemory                 memory;
+  StrategyHistory                 memory;
   while (path.has_more())
     {
       if (states.size() == 2)
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
   BOOST_TEST((seen[0] && seen[1]));
 
   LoadPath rest(others.step, {0.5, 1., 0.9, 0.5});
-  others.solver->recall(memory);
+  others.solver->restore(memory);
   rest.resume(2, states[1]);
   rest.advance();
   const State resumed = rest.advance().state;
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
 BOOST_AUTO_TEST_CASE(substeps_are_steps_between)
 {
   const std::vector<std::string> rubs{"Contact faces/Friction=0.05"};
-  PressedBlocks                  blocks(rubs);
+  BlocksInContact                  blocks(rubs);
   LoadPath                       by_steps(blocks.step,
                     {0.25, 0.5, 0.75, 1., 0.875, 0.75, 0.625, 0.5}),
     by_parts(blocks.step, {1., 0.5}, {4});
@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(work_is_energy_and_what_is_lost)
 {
   // Bodies are linear: over each step the mean load's work is what their energy
   // grows by, what friction dissipates, and the gap of the path.
-  PressedBlocks blocks(
+  BlocksInContact blocks(
     {"Contact faces/Friction=0.05", "Contact faces/Enforcement=exact"});
   const auto gap_of = [&](const unsigned int parts) {
     const std::vector<LoadFactor> factors{1., 0.4, 0.8};
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(work_is_energy_and_what_is_lost)
 
 BOOST_AUTO_TEST_CASE(branches_leave_the_path_where_it_is)
 {
-  PressedBlocks blocks;
+  BlocksInContact blocks;
   LoadPath      path(blocks.step, {0.5, 1.}, {}, true);
   path.advance();
   const State at = path.state();
@@ -325,7 +325,7 @@ BOOST_AUTO_TEST_CASE(branches_leave_the_path_where_it_is)
 
 BOOST_AUTO_TEST_CASE(branches_go_the_path_where_bodies_rub)
 {
-  PressedBlocks blocks({"Contact faces/Friction=0.05"});
+  BlocksInContact blocks({"Contact faces/Friction=0.05"});
   const auto    by_path = [&](const std::vector<LoadFactor> &factors) {
     LoadPath way(blocks.step, factors);
     while (way.has_more())
@@ -357,7 +357,7 @@ BOOST_AUTO_TEST_CASE(branches_go_the_path_where_bodies_rub)
 
 BOOST_AUTO_TEST_CASE(a_path_stays_where_a_step_fails)
 {
-  PressedBlocks blocks({"Rotation limit=1e-3"});
+  BlocksInContact blocks({"Rotation limit=1e-3"});
   LoadPath      path(blocks.step, {0.01, 1e6});
   path.advance();
   const State at = path.state();

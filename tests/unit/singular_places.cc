@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(at_clamps_loads_and_corners_and_nowhere_else)
          {{}, {0.5, 3., 0.4}, "contact"},
          {{}, {0.25, 3.15, 0.5}, ""}});
   // Sides that are flush end together.
-  check("/tests/scenes/pressed_blocks.prm", {{{}, {2., 2., 1.}, ""}});
+  check("/tests/scenes/blocks_in_contact.prm", {{{}, {2., 2., 1.}, ""}});
   check("/tests/scenes/double_t.prm",
         {{{}, {4.5, 50., 11.}, "corner"}, {{}, {10., 50., 11.}, ""}});
 }

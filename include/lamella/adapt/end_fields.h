@@ -3,7 +3,7 @@
 #ifndef lamella_adapt_end_fields_h
 #define lamella_adapt_end_fields_h
 
-#include <lamella/adapt/touch.h>
+#include <lamella/adapt/interaction.h>
 #include <lamella/section/saint_venant.h>
 
 #include <memory>
@@ -66,10 +66,10 @@ namespace lamella
   };
 
   /// Returns the constraints of the section at touch @p t of @p touches
-  /// (Touch::holds_section) on a body with @p axis: the rows of all touches
+  /// (LocalInteraction::holds_section) on a body with @p axis: the rows of all touches
   /// that hold it there, once for each side of the body (two in its interior).
   std::vector<ConstrainedSection>
-  constrained_sections(const std::vector<Touch> &touches,
+  constrained_sections(const std::vector<LocalInteraction> &interactions,
                 const unsigned int        t,
                 const Axis               &axis);
 
@@ -151,7 +151,7 @@ namespace lamella
   /// their cost relative to the body. Mirror images are counted, too.
   unsigned int
   nodes_of_pieces(const Beam               &beam,
-                  const std::vector<Touch> &touches,
+                  const std::vector<LocalInteraction> &interactions,
                   const EndFieldRules      &rules = {});
 
   /// Returns @p zones mirrored across the axis (u_y changes its sign), for the

@@ -35,13 +35,13 @@ namespace lamella
 
     /// Returns the group of @p touch.
     unsigned int
-    group_of(const Touch &touch);
+    group_of(const LocalInteraction &interaction);
 
     /// Returns the groups of a free end or a section held as a whole, @p held:
     /// the zones of its end fields; or the tractions of its @p touch if it is
     /// held without end fields, or the rules want them.
     std::vector<unsigned int>
-    groups_of(const Touch &touch, const std::vector<ConstrainedSection> &held);
+    groups_of(const LocalInteraction &interaction, const std::vector<ConstrainedSection> &held);
 
     /// Returns the distance along the axis within which nodes carry the fields
     /// of group @p g.

@@ -46,7 +46,7 @@ namespace lamella
     /// of others.
     double same_heat = 1e-3;
     /// Rules for touches.
-    TouchRules touches = {};
+    InteractionRules interactions = {};
     /// Distance of responses beyond touched elements over H, and of tractions
     /// of a clamp over the larger extent.
     double influence_length = 2., influence_length_of_clamp = 1.5;

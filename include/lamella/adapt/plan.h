@@ -39,7 +39,7 @@ namespace lamella
     /// is_held_all_along().
     bool held_all_along = false;
     /// Share of the length along which contacts may touch.
-    double touched = 0.;
+    double loaded = 0.;
     /// Length of a beam over the largest extent of its section.
     double slenderness = 0.;
     /// Number of section corners with singular stresses (singular_corners()).

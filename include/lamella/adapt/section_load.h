@@ -11,7 +11,7 @@ namespace lamella
 {
   /// Thresholds for rows to count as a touch of a section. Judged, not
   /// optimized; doc/theory/saint-venant-fields.md uses them throughout.
-  struct TouchRules
+  struct InteractionRules
   {
     /// Independent part of a unit load vector below which it is dropped.
     double independent = 0.02;
@@ -32,7 +32,7 @@ namespace lamella
     double begin, end, element;
   };
 
-  /// A section load vector f (Touch) and its place.
+  /// A section load vector f (LocalInteraction) and its place.
   struct SectionLoad
   {
     /// Vector in the fields of the section, stored as a row: a support of a
@@ -56,7 +56,7 @@ namespace lamella
               const dealii::Point<3> &position,
               const double            area,
               const bool              normal,
-              const TouchRules       &rules);
+              const InteractionRules       &rules);
 
   /// Returns the vectors of the load vector @p load for each element it acts
   /// on, among the elements @p asked, one flag per axis cell.
@@ -64,14 +64,14 @@ namespace lamella
   loads_of_vector(const Beam              &beam,
                   const Vector            &load,
                   const std::vector<bool> &asked,
-                  const TouchRules        &rules);
+                  const InteractionRules        &rules);
 
   /// Returns the independent ones of @p loads, vectors of @p n_fields,
   /// normalized.
   std::vector<Vector>
   independent_of(const std::vector<SectionLoad> &loads,
                  const unsigned int              n_fields,
-                 const TouchRules               &rules);
+                 const InteractionRules               &rules);
 
   /// Returns the area-weighted mean and linear part across the section of
   /// @p loads, which must not be empty.

@@ -6,9 +6,9 @@
 #include <lamella/contact/contact_sides.h>
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/gap_integrals.h>
-#include <lamella/contact/roller_lines.h>
+#include <lamella/contact/cylinder_contact_lines.h>
 #include <lamella/contact/search_check.h>
-#include <lamella/contact/sunk_end.h>
+#include <lamella/contact/end_penetration.h>
 
 #include <array>
 #include <map>
@@ -19,8 +19,8 @@
 namespace lamella
 {
   /// Row counts by which a pairing is invalid in a state, from
-  /// Contact::stays_paired().
-  struct StalePairing
+  /// Contact::pairing_is_valid().
+  struct PairingChange
   {
     /// Touching points without a row, or with at most nine tenths of their
     /// area.
@@ -42,7 +42,7 @@ namespace lamella
   /// History of a Contact that is not part of the state, for a restart: a
   /// projection remains on a facet slightly beyond its side, and points are
   /// those of the last pairing.
-  struct ContactMemory
+  struct ContactHistory
   {
     /// Displacements and load factor of the last pairing; empty if undeformed.
     BlockVector u;
@@ -60,7 +60,7 @@ namespace lamella
    *     repeat
    *       contact.move(u, t)        // current positions of these points
    *       ... solve with contact.rows() ...
-   *     until contact.stays_paired(u, t, active).none()
+   *     until contact.pairing_is_valid(u, t, active).none()
    *
    * A row is the tangent plane of the gap at the state of the last move(),
    *   g(v, s) = g_0 + b . v + s g_rate,  b = dg/du,
@@ -106,7 +106,7 @@ namespace lamella
      * (closest_point_projection()) onto the whole other surface, and b is the exact gradient
      * of the gap. Node pairs keep their partners, with the current averaged
      * normal; b then omits the rotation of the normal, multiplied by the
-     * tangential offset of the two nodes (stays_paired() bounds it). A row
+     * tangential offset of the two nodes (pairing_is_valid() bounds it). A row
      * without any projection is open: no parts, and the search radius as its
      * gap.
      *
@@ -121,15 +121,15 @@ namespace lamella
     void
     begin_step(const BlockVector &u, const LoadFactor &factor);
 
-    /// Returns the history for recall().
-    ContactMemory
+    /// Returns the history for restore().
+    ContactHistory
     memory() const;
 
     /// Restores the contact with the history @p known in the state @p u at
     /// @p factor, to which the rows belonged. Subsequent moves are bitwise
     /// identical.
     void
-    recall(const ContactMemory &known,
+    restore(const ContactHistory &known,
            const BlockVector   &u,
            const LoadFactor    &factor);
 
@@ -169,13 +169,13 @@ namespace lamella
      * more than 1e-9 of the displacements, or if it is in @p active, the
      * ascending numbers of rows with a force. Costs as much as pair().
      */
-    StalePairing
-    stays_paired(const BlockVector               &u,
+    PairingChange
+    pairing_is_valid(const BlockVector               &u,
                  const LoadFactor                &factor,
                  const std::vector<unsigned int> &active);
 
     /// Returns true if the surface at a roller has half of the roller's
-    /// curvature or more (RollerLines::curvature()), so that an arc is about to
+    /// curvature or more (CylinderContactLines::curvature()), so that an arc is about to
     /// touch. The state is @p u at @p factor with active constraints @p active.
     /// False if the obstacle is no roller.
     bool
@@ -211,20 +211,20 @@ namespace lamella
     /// Returns the deepest end of either body in the other in the state @p u at
     /// @p factor (deepest_node()); for small rotations along undeformed
     /// normals. Empty against an obstacle.
-    std::optional<SunkEnd>
-    sunk_end(const BlockVector &u, const LoadFactor &factor) const;
+    std::optional<EndPenetration>
+    end_penetration(const BlockVector &u, const LoadFactor &factor) const;
 
     /// Returns the deepest place of the body in a roller, at points or between
-    /// them (RollerLines::deepest_in()), or of one body in the other
+    /// them (CylinderContactLines::deepest_in()), or of one body in the other
     /// (deepest_node()). The state is @p u at @p factor. Empty for line contact
     /// and against a plane.
-    std::optional<SunkPlace>
-    sunk_place(const BlockVector &u, const LoadFactor &factor) const;
+    std::optional<CylinderPenetration>
+    cylinder_penetration(const BlockVector &u, const LoadFactor &factor) const;
 
     /// Returns true if a body passed through a roller, or one body through the
     /// other, between two states, each a displacement at a load factor.
     bool
-    goes_through(const BlockVector &before,
+    passes_through(const BlockVector &before,
                  const LoadFactor  &from,
                  const BlockVector &u,
                  const LoadFactor  &to) const;
@@ -262,7 +262,7 @@ namespace lamella
     integrate(const ContactSides    &sides,
               const MasterPoints             master_points,
               std::vector<GapPoint> &on,
-              HeldPlaces *const      held = nullptr) const;
+              SlipReferencePoints *const      held = nullptr) const;
     /// Adds to @p f the effect of @p forces on trace nodes of the slave and
     /// master surface at @p at.
     void
@@ -349,10 +349,10 @@ namespace lamella
     SearchCheck search;
 
     /// Lines of a contact with a roller.
-    std::unique_ptr<RollerLines> lines;
+    std::unique_ptr<CylinderContactLines> lines;
     /// Points where gaps are measured. Empty before any motion.
     std::vector<GapPoint> points;
-    /// State of the last pair(), as in ContactMemory.
+    /// State of the last pair(), as in ContactHistory.
     BlockVector paired_at;
     LoadFactor  paired_factor;
     /// Integrals of the state of the rows. Empty before motion or use of slips.
@@ -361,7 +361,7 @@ namespace lamella
     /// empty without friction and before a step.
     BlockVector begun_at;
     LoadFactor  begun_factor;
-    HeldPlaces  held;
+    SlipReferencePoints  held;
     /// Initial overlap removed from the gaps by `adjust`, by node position.
     std::map<std::array<double, 3>, double> taken_out;
   };

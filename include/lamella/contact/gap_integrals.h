@@ -77,12 +77,12 @@ namespace lamella
                  const MasterPoints             master_points,
                  const double           search_radius,
                  std::vector<GapPoint> &points,
-                 HeldPlaces            *held = nullptr);
+                 SlipReferencePoints            *held = nullptr);
 
   /// Returns the held_place() of each of @p points, which become the
   /// projections, on @p sides. Arguments as in integrate_gaps().
-  HeldPlaces
-  held_places(const ContactSides    &sides,
+  SlipReferencePoints
+  slip_reference_points(const ContactSides    &sides,
               const bool             on_second,
               const MasterPoints             master_points,
               const double           search_radius,

@@ -30,7 +30,7 @@ namespace lamella
    * are negative.
    */
   bool
-  goes_through(const BesideRoller &before, const BesideRoller &after);
+  passes_through(const BesideRoller &before, const BesideRoller &after);
 
   /**
    * Returns true if one of two bodies passed through the other between two
@@ -42,10 +42,10 @@ namespace lamella
    * each other, plus the largest depth of the cells.
    */
   bool
-  goes_through(const ContactSides &before, const ContactSides &after);
+  passes_through(const ContactSides &before, const ContactSides &after);
 
   /// Returns true if the two surfaces approach each other by at least the depth
-  /// of a cell, which goes_through() requires.
+  /// of a cell, which passes_through() requires.
   bool
   may_go_through(const ContactSides &before, const ContactSides &after);
 } // namespace lamella

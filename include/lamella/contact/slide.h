@@ -33,7 +33,7 @@ namespace lamella
 
   /// Reference of the slip of a contact point in a load step: the point and
   /// what it faced at the beginning.
-  struct HeldPlace
+  struct SlipReferencePoint
   {
     /// Material points of both bodies.
     GapPoint point;
@@ -44,10 +44,10 @@ namespace lamella
 
   /// Slip references of a contact, one per point; empty for points that have
   /// faced nothing yet.
-  using HeldPlaces = std::vector<std::optional<HeldPlace>>;
+  using SlipReferencePoints = std::vector<std::optional<SlipReferencePoint>>;
 
   /// Returns the slip reference of @p point, which faces @p at on @p sides.
-  HeldPlace
+  SlipReferencePoint
   held_place(const ContactSides &sides,
              const GapPoint     &point,
              const MasterPoint   &at);
@@ -66,7 +66,7 @@ namespace lamella
   dealii::Tensor<1, 3>
   slide(const ContactSides &sides,
         const bool          on_second,
-        const HeldPlace    &then,
+        const SlipReferencePoint    &then,
         const GapPoint     &now,
         const MasterPoint   &at);
 } // namespace lamella

@@ -11,7 +11,7 @@
 namespace lamella
 {
   /// Constants of missed_at_held_places().
-  struct HeldPlaceRules
+  struct SlipReferenceRules
   {
     /// Element length, as a share of the section's larger side, above which an
     /// element spreads the disturbance at a support over its own length.
@@ -39,7 +39,7 @@ namespace lamella
   missed_at_held_places(const Simulation     &run,
                         std::ostream         &out,
                         ModelCache           &cache,
-                        const HeldPlaceRules &rules = {});
+                        const SlipReferenceRules &rules = {});
 } // namespace lamella
 
 #endif

@@ -20,7 +20,7 @@ namespace lamella
   /// A number of a run's results at the last load step, requested by name: a
   /// column of probes.csv, a difference of two (a measure), a resultant
   /// component of a support or contact, or the mean pressure, width or
-  /// dissipation of a contact or a strip of it (ContactTraction, PressedPatch).
+  /// dissipation of a contact or a strip of it (ContactTraction, ContactPatch).
   struct NamedQuantity
   {
     /// Kind of object that the quantity belongs to.

@@ -73,7 +73,7 @@ namespace lamella
     /// Number of times that Newton's method halved the step (SolvedStep::cuts).
     unsigned int halvings = 0;
     /// Memory of the strategy at the end of the step.
-    StrategyMemory memory;
+    StrategyHistory memory;
 
     /// Rows of each probe, one per ply that it touches, from the bottom.
     std::vector<std::vector<FieldRow>> probes;
@@ -208,7 +208,7 @@ namespace lamella
     /// last step. Throws InputError for an unknown name.
     const Resultant &
     support(const std::string &name) const;
-    const KuhnTucker &
+    const KktResidual &
     contact(const std::string &name) const;
   };
 } // namespace lamella

@@ -115,7 +115,7 @@ namespace lamella
     require_found(const SolvedStep &solved) const;
     [[noreturn]] void
     throw_undetected_penetration(const ContactInterface &contact,
-                                 const SunkPlace        &sunk,
+                                 const CylinderPenetration        &penetration,
                                  const unsigned int      body) const;
     /// Returns whether contact number @p contact, or another one of the same
     /// two bodies, has an active constraint.
@@ -123,8 +123,8 @@ namespace lamella
     touches(const unsigned int contact, const SolvedStep &solved) const;
     /// Returns the deepest end of a body in contact number @p c, if it is deep
     /// enough to change the contact force by 0.1 %.
-    std::optional<SunkEnd>
-    sunk_end(const unsigned int c, const SolvedStep &solved) const;
+    std::optional<EndPenetration>
+    end_penetration(const unsigned int c, const SolvedStep &solved) const;
     /// Returns warnings where an end of a body lies in another one and has no
     /// contact constraints. Throws MissingEnds if a contact's discretization
     /// is automatic.

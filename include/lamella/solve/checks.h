@@ -5,7 +5,7 @@
 
 #include <lamella/solve/beyond_linear.h>
 #include <lamella/solve/contact_solver.h>
-#include <lamella/solve/kuhn_tucker.h>
+#include <lamella/solve/kkt_residual.h>
 
 #include <vector>
 
@@ -25,7 +25,7 @@ namespace lamella
     /// the support.
     std::vector<Resultant> reactions;
     /// Contact law of each contact, in the order of the scene.
-    std::vector<KuhnTucker> contacts;
+    std::vector<KktResidual> contacts;
     /// Largest sum of all forces on one body (loads, the reaction of each
     /// support, contacts, springs), over the largest single one on it: a force,
     /// or a couple over the size of the body.

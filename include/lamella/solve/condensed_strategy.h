@@ -58,12 +58,12 @@ namespace lamella
           Vector                  &dlambda) override;
 
     /// Returns the increase of the penalty and the groups of included rows.
-    StrategyMemory
+    StrategyHistory
     memory() const override;
 
     /// Includes the groups of @p memory again, which solves for them.
     void
-    recall(const StrategyMemory &memory) override;
+    restore(const StrategyHistory &memory) override;
 
     bool
     forces_stand_alone() const override
@@ -80,10 +80,10 @@ namespace lamella
   private:
     /// Returns d of an included gap or slip. It is at least 1e-10 of the
     /// compliance of the row, so that C + d is definite for dependent rows, and
-    /// at least 1e-8 of NumericalSoftness, for rows without compliance. `exact`
+    /// at least 1e-8 of NumericalCompliance, for rows without compliance. `exact`
     /// takes this lower bound.
     double
-    softness(const unsigned int number) const;
+    compliance(const unsigned int number) const;
 
     /// Returns the rows @p part, each followed by its slips if it has friction.
     std::vector<unsigned int>

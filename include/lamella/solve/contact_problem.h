@@ -23,7 +23,7 @@ namespace lamella
    * compression).
    */
   double
-  law_softness(const GapConstraint &row);
+  law_compliance(const GapConstraint &row);
 
   /**
    * A contact problem in increments about a state whose displacements u and
@@ -109,9 +109,9 @@ namespace lamella
   /// Data of a strategy that a resumed run needs beside the last state. A
   /// solver of the same scene with the same memory gives bitwise the same
   /// results.
-  struct StrategyMemory
+  struct StrategyHistory
   {
-    /// Factor of NumericalSoftness: a power of ten from 1 to 1000.
+    /// Factor of NumericalCompliance: a power of ten from 1 to 1000.
     double stiffening = 1.;
     /// `condensed`: the rows of the compliance, grouped as they were included
     /// (Compliance::batches()). `full`: one list, the rows in the matrix
@@ -130,7 +130,7 @@ namespace lamella
    * It makes the force a function of the gap even for a = 0, and reduces to the
    * contact law for lambda_bar = lambda.
    */
-  class NumericalSoftness
+  class NumericalCompliance
   {
   public:
     /// Returns d of @p row: 1/eps for `penalty`, otherwise 1 / (eps s) with the
@@ -142,7 +142,7 @@ namespace lamella
     /// Raises the penalty tenfold, so that the multiplier estimates converge in
     /// fewer rounds. Returns false, without effect, once the factor is 1000.
     bool
-    stiffen();
+    increase_penalty();
 
     /// Current factor s of the penalty; no effect on `penalty`.
     double stiffening = 1.;

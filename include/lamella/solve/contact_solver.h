@@ -164,7 +164,7 @@ namespace lamella
     held_rows(const State &state) const;
 
     /// Returns the data of the strategy that a resumed run needs.
-    StrategyMemory
+    StrategyHistory
     memory() const
     {
       return strategy->memory();
@@ -172,9 +172,9 @@ namespace lamella
     /// Restores @p memory in a solver of the same scene that has not solved
     /// yet.
     void
-    recall(const StrategyMemory &memory)
+    restore(const StrategyHistory &memory)
     {
-      strategy->recall(memory);
+      strategy->restore(memory);
     }
 
     /// Returns the linearization.
@@ -201,7 +201,7 @@ namespace lamella
 
   private:
     /// Violations of the contact law in a refined state.
-    struct Misses
+    struct ContactViolations
     {
       /// Active constraints that are tensile, and others that penetrate.
       std::vector<unsigned int> opening, closing;
@@ -221,8 +221,8 @@ namespace lamella
 
     /// Returns the violations of @p state; gaps above -@p closed do not
     /// penetrate.
-    Misses
-    misses(const State      &state,
+    ContactViolations
+    violations(const State      &state,
            const LoadFactor &factor,
            const double      closed) const;
 
@@ -234,7 +234,7 @@ namespace lamella
                            const unsigned int r,
                            const double       closed,
                            const double       small,
-                           Misses            &found) const;
+                           ContactViolations            &found) const;
 
     /// Returns r_lambda, the residual of the contact law for each number of
     /// @p closed.
@@ -244,8 +244,8 @@ namespace lamella
                  const ActiveConstraints &closed) const;
     /// Returns the misses() of a refined state, allowing for the rounding of
     /// its last correction.
-    Misses
-    judge(const State &state, const LoadFactor &factor) const;
+    ContactViolations
+    find_violations(const State &state, const LoadFactor &factor) const;
 
     /// Returns true if the @p error of the law [length] is small enough to end.
     /// The tolerance is weaker if the round @p was_slow.

@@ -89,19 +89,19 @@ namespace lamella
           Vector                  &dlambda) = 0;
 
     /// Returns the data that a resumed run needs.
-    virtual StrategyMemory
+    virtual StrategyHistory
     memory() const = 0;
     /// Restores @p memory in a strategy of the same scene that has not solved
     /// yet. Collective.
     virtual void
-    recall(const StrategyMemory &memory) = 0;
+    restore(const StrategyHistory &memory) = 0;
 
     /// Accelerates the convergence of multiplier estimates, if still possible
-    /// (NumericalSoftness::stiffen()).
+    /// (NumericalCompliance::stiffen()).
     void
-    stiffen()
+    increase_penalty()
     {
-      numerical_softness.stiffen();
+      numerical_compliance.increase_penalty();
     }
 
     /// Returns true if the forces of solve() are as accurate as the
@@ -125,7 +125,7 @@ namespace lamella
   protected:
     const TangentOperator &tangent_operator;
     const GapConstraints rows;
-    NumericalSoftness    numerical_softness;
+    NumericalCompliance    numerical_compliance;
   };
 
   /// Returns the strategy @p which about the state of @p linearization, which

@@ -70,7 +70,7 @@ namespace lamella
     double tolerance = 1e-11;
     /// Regularization of W, relative to the largest diagonal entry of a point.
     /// It makes W definite; proximal iterations remove its effect.
-    double softness = 1e-10;
+    double compliance = 1e-10;
     /// Regularization for the stability test of a solution that is unstable
     /// without it. (A section that hardly bends across has 3e-9, against 1e-6
     /// of the sliding points.)
@@ -97,7 +97,7 @@ namespace lamella
     /// Decreasing regularization: initial shares of the diagonal, starting from
     /// the current forces and from zero; factors of decrease and increase;
     /// tolerance of each solution; limits of rounds and sweeps.
-    double       first_softness = 0.1, second_softness = 1.;
+    double       first_compliance = 0.1, second_compliance = 1.;
     double       falls = 0.1, falls_slowly = 0.3, rises = 5., solved = 1e-9;
     unsigned int max_softened = 60, soft_sweeps = 200;
   };

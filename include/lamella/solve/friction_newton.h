@@ -39,11 +39,11 @@ namespace lamella
   public:
     FrictionNewton(const TangentOperator     &tangent_operator,
                    const GapConstraints    &rows,
-                   const NumericalSoftness &softness,
+                   const NumericalCompliance &compliance,
                    PenaltyMatrix           &matrix)
       : tangent_operator(tangent_operator)
       , rows(rows)
-      , softness(softness)
+      , compliance(compliance)
       , matrix(matrix)
     {}
 
@@ -137,7 +137,7 @@ namespace lamella
 
     const TangentOperator     &tangent_operator;
     const GapConstraints     rows;
-    const NumericalSoftness &softness;
+    const NumericalCompliance &compliance;
     PenaltyMatrix           &matrix;
   };
 } // namespace lamella

@@ -45,10 +45,10 @@ namespace lamella
           Vector                  &dlambda) override;
 
     /// Returns the increase of the penalty, and the rows in the matrix pattern.
-    StrategyMemory
+    StrategyHistory
     memory() const override;
     void
-    recall(const StrategyMemory &memory) override;
+    restore(const StrategyHistory &memory) override;
 
     bool
     forces_stand_alone() const override

@@ -17,11 +17,11 @@ namespace lamella
   /// Transfer of contact forces and friction variables when contacts are paired
   /// anew and rows get other numbers. The key is the position of a point on the
   /// body that carries it, per contact.
-  class PressedPlaces
+  class MultiplierTransfer
   {
   public:
-    PressedPlaces() = default;
-    PressedPlaces(const std::vector<ContactInterface> &contacts,
+    MultiplierTransfer() = default;
+    MultiplierTransfer(const std::vector<ContactInterface> &contacts,
                   const State                         &state);
 
     /// Assigns the stored values to the rows of @p contacts in @p state; zero
@@ -104,11 +104,11 @@ namespace lamella
     }
 
     /// Returns the history of each contact, or restores it in the state @p u at
-    /// @p factor (Contact::recall()).
-    std::vector<ContactMemory>
+    /// @p factor (Contact::restore()).
+    std::vector<ContactHistory>
     memory() const;
     void
-    recall(const std::vector<ContactMemory> &known,
+    restore(const std::vector<ContactHistory> &known,
            const BlockVector                &u,
            const LoadFactor                 &factor);
 
@@ -121,7 +121,7 @@ namespace lamella
     move(State &state, const LoadFactor &factor);
 
     /// Begins a step in @p state at @p factor, to which the rows belong, and
-    /// clears why_lost().
+    /// clears reason_of_loss().
     void
     begin_step(State &state, const LoadFactor &factor);
 
@@ -129,7 +129,7 @@ namespace lamella
     /// would be unless others replace the deactivated constraints; empty if
     /// none was.
     const std::string &
-    why_lost() const
+    reason_of_loss() const
     {
       return lost;
     }
@@ -157,7 +157,7 @@ namespace lamella
     /// @p factor, and transfers the forces. Returns true if there were any.
     /// Throws NumericsError if nothing faces the other side anymore.
     bool
-    see_what_touches(State &state, const LoadFactor &factor);
+    find_loads(State &state, const LoadFactor &factor);
 
     /// Throws NumericsError if between @p before at @p from and @p state at
     /// @p to a body passed through a roller, so that nothing touches it, or if
@@ -178,7 +178,7 @@ namespace lamella
     /// Throws MissingEnds or NumericsError: a constraint of contact @p c has a
     /// force and faces nothing.
     [[noreturn]] void
-    lose_facing(const unsigned int c);
+    release_facing(const unsigned int c);
     /// Returns true if another contact has rows for the ends of the body that
     /// faces the points of contact @p c.
     bool
@@ -194,8 +194,8 @@ namespace lamella
     const std::vector<ContactInterface> &all;
     const Contacts                      &lives;
     GapConstraints                       numbered;
-    /// Contacts with a deactivated row, and why_lost(), since begin_step().
-    std::set<unsigned int> let_go;
+    /// Contacts with a deactivated row, and reason_of_loss(), since begin_step().
+    std::set<unsigned int> release;
     std::string            lost;
   };
 } // namespace lamella

@@ -140,11 +140,11 @@ namespace lamella
     at_rest(const LoadFactor &factor = 1.) const;
 
     /// Restores the contacts of @p state at @p factor
-    /// (MovingContacts::recall()).
+    /// (MovingContacts::restore()).
     void
-    recall(const State &state, const LoadFactor &factor)
+    restore(const State &state, const LoadFactor &factor)
     {
-      contacts.recall(state.pairings, state.u, factor);
+      contacts.restore(state.pairings, state.u, factor);
     }
 
     /// Returns the equilibrium at load factor @p to, from @p start, to which
@@ -178,7 +178,7 @@ namespace lamella
     /// Updates the friction history at the end of a step to @p state at @p to;
     /// the step @p began with these forces.
     void
-    end_friction(const PressedPlaces &began,
+    end_friction(const MultiplierTransfer &began,
                  const LoadFactor    &to,
                  State               &state) const;
 
@@ -187,7 +187,7 @@ namespace lamella
     /// @p at.
     bool
     step(const LoadFactor    &to,
-         const PressedPlaces &pressed,
+         const MultiplierTransfer &transfer,
          const bool           predicted,
          Equilibrium         &at);
 

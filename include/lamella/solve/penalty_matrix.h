@@ -82,7 +82,7 @@ namespace lamella
     known_rows() const;
     /// Includes @p known_rows in the pattern of the next factorization.
     void
-    recall(const std::vector<unsigned int> &known_rows);
+    restore(const std::vector<unsigned int> &known_rows);
 
     /// Returns a sentence if the hardest penalty so far leaves an error above
     /// 1e-4 by the estimate eps N t / k of Nour-Omid and Wriggers (1987; N

@@ -35,7 +35,7 @@ namespace lamella
     FrictionState friction;
     /// History of each contact for finite rotations, whose rows the forces
     /// belong to.
-    std::vector<ContactMemory> pairings;
+    std::vector<ContactHistory> pairings;
 
     /// Offsets of the stabilizing springs; empty: zero force at u = 0.
     SpringRest rest;

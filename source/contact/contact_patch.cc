@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/pressed_patch.h>
+#include <lamella/contact/contact_patch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ namespace lamella
 
 
 
-  PressedPatch::PressedPatch(const ContactTraction             &traction,
+  ContactPatch::ContactPatch(const ContactTraction             &traction,
                              const std::optional<ContactStrip> &strip)
     : traction(traction)
     , strip(strip)
@@ -83,8 +83,8 @@ namespace lamella
 
 
 
-  PressedPatch::Interval
-  PressedPatch::limits(const unsigned int axis) const
+  ContactPatch::Interval
+  ContactPatch::limits(const unsigned int axis) const
   {
     if (strip && strip->axis == axis)
       return {strip->from, strip->to};
@@ -95,7 +95,7 @@ namespace lamella
 
 
   double
-  PressedPatch::edge(const std::vector<double> &s,
+  ContactPatch::edge(const std::vector<double> &s,
                      const std::vector<double> &force,
                      const std::vector<double> &area,
                      const double               next)
@@ -117,8 +117,8 @@ namespace lamella
 
 
 
-  std::vector<PressedPatch::Interval>
-  PressedPatch::runs_of(const Line &line)
+  std::vector<ContactPatch::Interval>
+  ContactPatch::runs_of(const Line &line)
   {
     const unsigned int    n = line.s.size();
     std::vector<Interval> runs;
@@ -155,8 +155,8 @@ namespace lamella
 
 
 
-  std::vector<PressedPatch::Line>
-  PressedPatch::lines_along(const unsigned int axis) const
+  std::vector<ContactPatch::Line>
+  ContactPatch::lines_along(const unsigned int axis) const
   {
     if (traction.surface() == nullptr)
       return {};
@@ -185,7 +185,7 @@ namespace lamella
 
 
   bool
-  PressedPatch::are_lines(const std::vector<Line> &lines)
+  ContactPatch::are_lines(const std::vector<Line> &lines)
   {
     double n = 0.;
     for (const Line &line : lines)
@@ -196,7 +196,7 @@ namespace lamella
 
 
   double
-  PressedPatch::extent(const unsigned int axis) const
+  ContactPatch::extent(const unsigned int axis) const
   {
     Interval    all{std::numeric_limits<double>::max(),
                  -std::numeric_limits<double>::max()};
@@ -214,7 +214,7 @@ namespace lamella
 
 
   double
-  PressedPatch::width(const unsigned int axis) const
+  ContactPatch::width(const unsigned int axis) const
   {
     if (axis == facing)
       return 0.;
@@ -239,7 +239,7 @@ namespace lamella
 
 
   double
-  PressedPatch::width() const
+  ContactPatch::width() const
   {
     return std::min(width((facing + 1) % 3), width((facing + 2) % 3));
   }
@@ -247,7 +247,7 @@ namespace lamella
 
 
   double
-  PressedPatch::pressed_area(const Line &line)
+  ContactPatch::pressed_area(const Line &line)
   {
     double area = 0.;
     for (unsigned int k = 0; k < line.s.size(); ++k)
@@ -267,7 +267,7 @@ namespace lamella
 
 
   double
-  PressedPatch::pressure() const
+  ContactPatch::pressure() const
   {
     const unsigned int      a = (facing + 1) % 3, b = (facing + 2) % 3;
     const std::vector<Line> lines = lines_along(width(a) <= width(b) ? a : b);

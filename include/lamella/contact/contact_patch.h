@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_contact_pressed_patch_h
-#define lamella_contact_pressed_patch_h
+#ifndef lamella_contact_contact_patch_h
+#define lamella_contact_contact_patch_h
 
 #include <lamella/contact/contact_traction.h>
 #include <lamella/contact/gap_constraints.h>
@@ -50,11 +50,11 @@ namespace lamella
    * at ends of sections by Gmsh), widths are the extent of the loaded points,
    * each with the root of its area, with edges of that resolution.
    */
-  class PressedPatch
+  class ContactPatch
   {
   public:
     /// Refers to @p traction.
-    PressedPatch(const ContactTraction             &traction,
+    ContactPatch(const ContactTraction             &traction,
                  const std::optional<ContactStrip> &strip = {});
 
     /// Returns the largest extent of the loaded part along @p axis [length],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_contact_roller_lines_h
-#define lamella_contact_roller_lines_h
+#ifndef lamella_contact_cylinder_contact_lines_h
+#define lamella_contact_cylinder_contact_lines_h
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/contact/gap_constraints.h>
@@ -15,7 +15,7 @@ namespace lamella
 {
   /// Place on the undeformed surface that penetrates a roller or another body,
   /// its depth [length], and whether it is on the second side.
-  struct SunkPlace
+  struct CylinderPenetration
   {
     dealii::Point<3> position;
     double           depth     = 0.;
@@ -63,13 +63,13 @@ namespace lamella
    * gradient. At a fixed material point at a distance d from there, normal and
    * force direction would be off by d / R.
    */
-  class RollerLines
+  class CylinderContactLines
   {
   public:
     /// Creates the lines through the points of @p interface, whose rows are
     /// those of nodes of @p surface, undeformed, against @p roller. Keeps one
     /// row per line, the one nearest to the roller.
-    RollerLines(const MeshSurface &surface,
+    CylinderContactLines(const MeshSurface &surface,
                 const Obstacle    &roller,
                 ContactInterface  &interface);
 
@@ -98,7 +98,7 @@ namespace lamella
     /// through all nodes of @p surface, currently @p now, with the axis ahead.
     /// Contact points detect a roller only nearby. Empty without penetration,
     /// and if the roller is along the body.
-    static std::optional<SunkPlace>
+    static std::optional<CylinderPenetration>
     deepest_in(const Obstacle    &roller,
                const MeshSurface &surface,
                const MeshSurface &now);

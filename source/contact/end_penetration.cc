@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/contact/projection.h>
-#include <lamella/contact/sunk_end.h>
+#include <lamella/contact/end_penetration.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,13 +62,13 @@ namespace lamella
 
 
 
-  std::optional<SunkEnd>
+  std::optional<EndPenetration>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,
                const double        search_radius,
                const bool          of_ends)
   {
-    std::optional<SunkEnd> deepest;
+    std::optional<EndPenetration> deepest;
     for (const bool second : {false, true})
       {
         const MeshSurface &other = *paired.surface(!second),

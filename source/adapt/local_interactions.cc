@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/plan.h>
-#include <lamella/adapt/touch.h>
+#include <lamella/adapt/interaction.h>
 #include <lamella/base/arithmetic.h>
 
 #include <algorithm>
@@ -16,24 +16,24 @@ namespace lamella
     /// What @p touch does to a section with @p n_fields: @p loads, all of them
     /// @p at_node or not.
     void
-    take_loads(Touch                          &touch,
+    take_loads(LocalInteraction                          &interaction,
                const std::vector<SectionLoad> &loads,
                const bool                      at_node,
                const unsigned int              n_fields,
-               const TouchRules               &rules)
+               const InteractionRules               &rules)
     {
-      touch.holds_section =
+      interaction.holds_section =
         at_node &&
         std::any_of(loads.begin(), loads.end(), [](const SectionLoad &load) {
           return load.of_clamp;
         });
-      if (touch.holds_section)
+      if (interaction.holds_section)
         for (const SectionLoad &load : loads)
-          touch.held.push_back(load.f);
+          interaction.held.push_back(load.f);
       else
         {
-          touch.loads  = independent_of(loads, n_fields, rules);
-          touch.smooth = smooth_of(loads, n_fields);
+          interaction.loads  = independent_of(loads, n_fields, rules);
+          interaction.smooth = smooth_of(loads, n_fields);
         }
     }
 
@@ -42,12 +42,12 @@ namespace lamella
     /// One touch for each part of the axis that @p loads, of a section with
     /// @p n_fields, are on; of the @p kind that is to be said of them, if any.
     void
-    add_touches(const std::string       &name,
+    add_interactions(const std::string       &name,
                 const unsigned int       n_fields,
                 std::vector<SectionLoad> loads,
-                bool Touch::*const  kind,
-                const TouchRules   &rules,
-                std::vector<Touch> &touches)
+                bool LocalInteraction::*const  kind,
+                const InteractionRules   &rules,
+                std::vector<LocalInteraction> &interactions)
     {
       std::stable_sort(loads.begin(),
                        loads.end(),
@@ -56,30 +56,30 @@ namespace lamella
                        });
       for (auto begin = loads.begin(); begin != loads.end();)
         {
-          Touch touch;
-          touch.name    = name;
-          touch.begin   = begin->place.begin;
-          touch.end     = begin->place.end;
-          touch.element = begin->place.element;
+          LocalInteraction interaction;
+          interaction.name    = name;
+          interaction.begin   = begin->place.begin;
+          interaction.end     = begin->place.end;
+          interaction.element = begin->place.element;
           bool at_node  = true;
           auto end      = begin;
-          for (; end != loads.end() && end->place.begin <= touch.end; ++end)
+          for (; end != loads.end() && end->place.begin <= interaction.end; ++end)
             {
-              touch.end     = std::max(touch.end, end->place.end);
-              touch.element = std::min(touch.element, end->place.element);
+              interaction.end     = std::max(interaction.end, end->place.end);
+              interaction.element = std::min(interaction.element, end->place.element);
               at_node       = at_node && end->at_node;
             }
-          take_loads(touch, {begin, end}, at_node, n_fields, rules);
+          take_loads(interaction, {begin, end}, at_node, n_fields, rules);
           if (kind != nullptr)
-            touch.*kind = true;
-          touches.push_back(std::move(touch));
+            interaction.*kind = true;
+          interactions.push_back(std::move(interaction));
           begin = end;
         }
     }
     /// Whether on each element of its axis the heat of @p beam varies along it
     /// by more than the response to what is constant can follow.
     std::vector<bool>
-    where_heat_varies(const Beam &beam, const TouchRules &rules)
+    where_heat_varies(const Beam &beam, const InteractionRules &rules)
     {
       const Axis         &axis = beam.axis();
       std::vector<Vector> heat;
@@ -113,47 +113,47 @@ namespace lamella
     /// The heat of @p beam as a load where it varies along the axis.
     void
     add_heat(const Beam         &beam,
-             const TouchRules   &rules,
-             std::vector<Touch> &touches)
+             const InteractionRules   &rules,
+             std::vector<LocalInteraction> &interactions)
     {
       if (!beam.is_heated())
         return;
       Vector load(beam.n_dofs());
       beam.add_heat(load);
-      add_touches(
+      add_interactions(
         "heat",
         beam.section().n_fields(),
         loads_of_vector(beam, load, where_heat_varies(beam, rules), rules),
-        &Touch::heats,
+        &LocalInteraction::heats,
         rules,
-        touches);
+        interactions);
     }
   } // namespace
 
 
 
-  std::vector<Touch>
-  heated_free_ends(const Beam &beam, const std::vector<Touch> &touches)
+  std::vector<LocalInteraction>
+  heated_free_ends(const Beam &beam, const std::vector<LocalInteraction> &interactions)
   {
     const Axis        &axis = beam.axis();
-    std::vector<Touch> ends;
+    std::vector<LocalInteraction> ends;
     if (!beam.is_heated())
       return ends;
     for (const bool at_start : {true, false})
       {
         const unsigned int cell = at_start ? 0 : axis.n_cells() - 1;
-        Touch              end;
+        LocalInteraction              end;
         end.name            = "heated end";
         end.begin           = at_start ? 0. : axis.length();
         end.end             = end.begin;
         end.element         = axis.cell_end(cell) - axis.cell_begin(cell);
         end.is_free         = true;
-        const auto holds_it = [&](const Touch &touch) {
-          return touch.holds_section &&
-                 std::abs(touch.begin - end.begin) <
+        const auto holds_it = [&](const LocalInteraction &interaction) {
+          return interaction.holds_section &&
+                 std::abs(interaction.begin - end.begin) <
                    arithmetic::same_place * axis.length();
         };
-        if (std::none_of(touches.begin(), touches.end(), holds_it))
+        if (std::none_of(interactions.begin(), interactions.end(), holds_it))
           ends.push_back(end);
       }
     return ends;
@@ -170,7 +170,7 @@ namespace lamella
                      const unsigned int                       number,
                      const Support                           &support,
                      const std::vector<PrescribedFunctional> &rows,
-                     const TouchRules                        &rules)
+                     const InteractionRules                        &rules)
     {
       std::vector<SectionLoad> held;
       for (const PrescribedFunctional &row : rows)
@@ -198,7 +198,7 @@ namespace lamella
                      const unsigned int                body,
                      const ContactInterface           &contact,
                      const std::optional<unsigned int> along,
-                     const TouchRules                 &rules)
+                     const InteractionRules                 &rules)
     {
       std::vector<SectionLoad> loads;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
@@ -231,20 +231,20 @@ namespace lamella
     add_contact(const Beam             &beam,
                 const unsigned int      body,
                 const ContactInterface &contact,
-                const TouchRules       &rules,
-                std::vector<Touch>     &touches)
+                const InteractionRules       &rules,
+                std::vector<LocalInteraction>     &interactions)
     {
       const auto add = [&](const std::string                &name,
                            const std::optional<unsigned int> along,
-                           bool Touch::*const kind) {
-        add_touches(name,
+                           bool LocalInteraction::*const kind) {
+        add_interactions(name,
                     beam.section().n_fields(),
                     loads_of_contact(beam, body, contact, along, rules),
                     kind,
                     rules,
-                    touches);
+                    interactions);
       };
-      add("contact " + contact.name, {}, &Touch::presses);
+      add("contact " + contact.name, {}, &LocalInteraction::presses);
       for (unsigned int tangent = 0; tangent < 2; ++tangent)
         add("friction of contact " + contact.name, tangent, nullptr);
     }
@@ -268,30 +268,30 @@ namespace lamella
 
 
 
-  std::vector<Touch>
-  find_touches(const Beam                          &beam,
+  std::vector<LocalInteraction>
+  find_interactions(const Beam                          &beam,
                const unsigned int                   body,
                const Bodies                        &bodies,
                const std::vector<Support>          &supports,
                const std::vector<Load>             &loads,
                const std::vector<ContactInterface> &contacts,
-               const TouchRules                    &rules)
+               const InteractionRules                    &rules)
   {
     const unsigned int n_fields = beam.section().n_fields();
-    std::vector<Touch> touches;
+    std::vector<LocalInteraction> interactions;
     const std::vector<PrescribedFunctional> rows =
       prescribed_functionals(supports, bodies);
     for (unsigned int s = 0; s < supports.size(); ++s)
-      add_touches("support " + supports[s].name,
+      add_interactions("support " + supports[s].name,
                   n_fields,
                   supports[s].isostatic ?
                     std::vector<SectionLoad>() :
                     loads_of_support(beam, body, s, supports[s], rows, rules),
-                  &Touch::holds,
+                  &LocalInteraction::holds,
                   rules,
-                  touches);
+                  interactions);
     for (const Load &load : loads)
-      add_touches("load " + load.name,
+      add_interactions("load " + load.name,
                   n_fields,
                   loads_of_vector(beam,
                                   load_on(load, body, bodies),
@@ -300,10 +300,10 @@ namespace lamella
                                   rules),
                   nullptr,
                   rules,
-                  touches);
-    add_heat(beam, rules, touches);
+                  interactions);
+    add_heat(beam, rules, interactions);
     for (const ContactInterface &contact : contacts)
-      add_contact(beam, body, contact, rules, touches);
-    return touches;
+      add_contact(beam, body, contact, rules, interactions);
+    return interactions;
   }
 } // namespace lamella

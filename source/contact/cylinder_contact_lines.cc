@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/roller_lines.h>
+#include <lamella/contact/cylinder_contact_lines.h>
 
 #include <algorithm>
 #include <array>
@@ -88,8 +88,8 @@ namespace lamella
 
 
 
-  RollerLines::Line
-  RollerLines::line_at(const MeshSurface &surface,
+  CylinderContactLines::Line
+  CylinderContactLines::line_at(const MeshSurface &surface,
                        const Obstacle    &roller,
                        const double       station)
   {
@@ -122,7 +122,7 @@ namespace lamella
 
 
 
-  RollerLines::RollerLines(const MeshSurface &surface,
+  CylinderContactLines::CylinderContactLines(const MeshSurface &surface,
                            const Obstacle    &roller,
                            ContactInterface  &interface)
   {
@@ -162,7 +162,7 @@ namespace lamella
 
 
   MeshSurface::FacetPlace
-  RollerLines::nearest_place(const Line                    &line,
+  CylinderContactLines::nearest_place(const Line                    &line,
                              const MeshSurface             &now,
                              const Obstacle                &roller,
                              const MeshSurface::FacetPlace &last)
@@ -204,7 +204,7 @@ namespace lamella
 
 
   void
-  RollerLines::follow(const MeshSurface     &now,
+  CylinderContactLines::follow(const MeshSurface     &now,
                       const Obstacle        &roller,
                       std::vector<GapPoint> &points) const
   {
@@ -216,7 +216,7 @@ namespace lamella
 
 
   double
-  RollerLines::curvature(const Obstacle              &roller,
+  CylinderContactLines::curvature(const Obstacle              &roller,
                          const MeshSurface           &surface,
                          const MeshSurface           &now,
                          const std::vector<Point<3>> &places)
@@ -290,8 +290,8 @@ namespace lamella
 
 
 
-  std::optional<SunkPlace>
-  RollerLines::deepest_in(const Obstacle    &roller,
+  std::optional<CylinderPenetration>
+  CylinderContactLines::deepest_in(const Obstacle    &roller,
                           const MeshSurface &surface,
                           const MeshSurface &now)
   {
@@ -299,7 +299,7 @@ namespace lamella
     std::set<long> stations;
     for (const MeshSurface::GridNode &node : surface.grid_nodes())
       stations.insert(std::lround(station_of(roller, node.position) / unit));
-    std::optional<SunkPlace> deepest;
+    std::optional<CylinderPenetration> deepest;
     for (const long station : stations)
       {
         const Line line = line_at(surface, roller, station * unit);
@@ -315,7 +315,7 @@ namespace lamella
         if (r * map.outward(place) < 0. &&
             depth > (deepest ? deepest->depth : 0.))
           deepest =
-            SunkPlace{surface.facets()[at.facet].map(at.st).position, depth};
+            CylinderPenetration{surface.facets()[at.facet].map(at.st).position, depth};
       }
     return deepest;
   }

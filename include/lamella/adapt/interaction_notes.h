@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_adapt_touch_notes_h
-#define lamella_adapt_touch_notes_h
+#ifndef lamella_adapt_interaction_notes_h
+#define lamella_adapt_interaction_notes_h
 
-#include <lamella/adapt/touch.h>
+#include <lamella/adapt/interaction.h>
 
 #include <string>
 #include <vector>
@@ -13,14 +13,14 @@ namespace lamella
   /// Adds notes on @p touches of the SV @p beam without fields.
   void
   note_missing_fields(const Beam               &beam,
-                      const std::vector<Touch> &touches,
+                      const std::vector<LocalInteraction> &interactions,
                       std::vector<std::string> &notes);
 
   /// Adds notes on the @p touches of a heated @p beam that hold sections in
   /// part: end fields do not cover heat there.
   void
   note_heat_of_guides(const Beam               &beam,
-                      const std::vector<Touch> &touches,
+                      const std::vector<LocalInteraction> &interactions,
                       std::vector<std::string> &notes);
 } // namespace lamella
 

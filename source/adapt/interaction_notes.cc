@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/end_fields.h>
-#include <lamella/adapt/touch_notes.h>
+#include <lamella/adapt/interaction_notes.h>
 
 #include <algorithm>
 
@@ -9,19 +9,19 @@ namespace lamella
 {
   void
   note_missing_fields(const Beam               &beam,
-                      const std::vector<Touch> &touches,
+                      const std::vector<LocalInteraction> &interactions,
                       std::vector<std::string> &notes)
   {
     const auto add = [&notes](const std::string &note) {
       if (std::find(notes.begin(), notes.end(), note) == notes.end())
         notes.push_back(note);
     };
-    for (const Touch &touch : touches)
-      if (touch.presses)
-        add("body " + beam.name() + ": SV has no fields that " + touch.name +
+    for (const LocalInteraction &interaction : interactions)
+      if (interaction.presses)
+        add("body " + beam.name() + ": SV has no fields that " + interaction.name +
             " can dent: forces are those of a beam, pressures and stresses "
             "there are not to be used. Use SV-N, SV-6 say");
-      else if (touch.heats)
+      else if (interaction.heats)
         add("body " + beam.name() +
             ": SV has no fields for heat that varies along the axis: stresses "
             "are not to be used where it does. Use SV-N, SV-6 say");
@@ -31,19 +31,19 @@ namespace lamella
 
   void
   note_heat_of_guides(const Beam               &beam,
-                      const std::vector<Touch> &touches,
+                      const std::vector<LocalInteraction> &interactions,
                       std::vector<std::string> &notes)
   {
     if (!beam.is_heated())
       return;
-    for (unsigned int t = 0; t < touches.size(); ++t)
-      if (touches[t].holds_section)
+    for (unsigned int t = 0; t < interactions.size(); ++t)
+      if (interactions[t].holds_section)
         {
-          const auto held = constrained_sections(touches, t, beam.axis());
+          const auto held = constrained_sections(interactions, t, beam.axis());
           if (held[0].rows.size() < beam.section().n_fields() &&
-              held[0].by[0] == touches[t].name)
+              held[0].by[0] == interactions[t].name)
             notes.push_back(
-              "body " + beam.name() + " is heated, and " + touches[t].name +
+              "body " + beam.name() + " is heated, and " + interactions[t].name +
               " holds its section in part: SV-N has no fields for what heat "
               "does there, and stresses within a height or two of it are not "
               "to be used. Use LE-N, or Theories with LE-N there");

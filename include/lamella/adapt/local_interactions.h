@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_adapt_touch_h
-#define lamella_adapt_touch_h
+#ifndef lamella_adapt_local_interactions_h
+#define lamella_adapt_local_interactions_h
 
 #include <lamella/adapt/section_load.h>
 #include <lamella/conditions/load.h>
@@ -21,7 +21,7 @@ namespace lamella
    * section has to respond to. A beam with all section fields at all nodes
    * provides them.
    */
-  struct Touch
+  struct LocalInteraction
   {
     /// Name, as in "contact nose".
     std::string name;
@@ -51,14 +51,14 @@ namespace lamella
   /// friction along either tangent. Contact normal to the axis is taken without
   /// its part along it (sloping surfaces). Heat that varies along the axis is a
   /// load named "heat" after the loads.
-  std::vector<Touch>
-  find_touches(const Beam                          &beam,
+  std::vector<LocalInteraction>
+  find_interactions(const Beam                          &beam,
                const unsigned int                   body,
                const Bodies                        &bodies,
                const std::vector<Support>          &supports,
                const std::vector<Load>             &loads,
                const std::vector<ContactInterface> &contacts,
-               const TouchRules                    &rules = {});
+               const InteractionRules                    &rules = {});
 
   /// Returns the load vector of @p load on body number @p body, at factor 1.
   Vector
@@ -66,8 +66,8 @@ namespace lamella
 
   /// Returns the ends of the heated @p beam that none of @p touches holds as a
   /// whole, where thermal stress along the axis ends; none if it is not heated.
-  std::vector<Touch>
-  heated_free_ends(const Beam &beam, const std::vector<Touch> &touches);
+  std::vector<LocalInteraction>
+  heated_free_ends(const Beam &beam, const std::vector<LocalInteraction> &interactions);
 } // namespace lamella
 
 #endif

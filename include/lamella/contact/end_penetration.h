@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_contact_sunk_end_h
-#define lamella_contact_sunk_end_h
+#ifndef lamella_contact_end_penetration_h
+#define lamella_contact_end_penetration_h
 
 #include <lamella/contact/contact_sides.h>
 
@@ -10,7 +10,7 @@
 namespace lamella
 {
   /// Node of a body behind the surface of the other body.
-  struct SunkEnd
+  struct EndPenetration
   {
     /// True if the node is on the second side.
     bool second = false;
@@ -27,7 +27,7 @@ namespace lamella
   /// as @p paired: current ones for finite rotations, else undeformed. Faces
   /// that slide over an end have no contact constraint for its nodes, unless
   /// these are contact points.
-  std::optional<SunkEnd>
+  std::optional<EndPenetration>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,
                const double        search_radius,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/hat_functions.h>
+#include <lamella/contact/multiplier_basis.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -63,7 +63,7 @@ namespace lamella
 
 
 
-  HatFunctions::HatFunctions(const Sides &sides)
+  MultiplierBasis::MultiplierBasis(const Sides &sides)
     : sides(sides)
     , slave(*sides.slave)
     , nodes(slave.grid_nodes().size())
@@ -93,7 +93,7 @@ namespace lamella
 
 
   std::array<double, 4>
-  HatFunctions::values(const Cell &cell, const Point<2> &st) const
+  MultiplierBasis::values(const Cell &cell, const Point<2> &st) const
   {
     const double s = (st[0] - cell.low[0]) / (cell.high[0] - cell.low[0]),
                  t = (st[1] - cell.low[1]) / (cell.high[1] - cell.low[1]);
@@ -103,7 +103,7 @@ namespace lamella
 
 
   void
-  HatFunctions::add_full_areas(const Cell &cell)
+  MultiplierBasis::add_full_areas(const Cell &cell)
   {
     const QGauss<2>    rule(3);
     const Tensor<1, 2> size = cell.high - cell.low;
@@ -121,7 +121,7 @@ namespace lamella
 
 
   void
-  HatFunctions::add(const Cell       &cell,
+  MultiplierBasis::add(const Cell       &cell,
                     const Point<2>   &st,
                     const double      weight,
                     const MasterPoint &opposite)
@@ -158,7 +158,7 @@ namespace lamella
 
 
   void
-  HatFunctions::add_traces(const Cell                  &cell,
+  MultiplierBasis::add_traces(const Cell                  &cell,
                            const Point<2>              &st,
                            const std::array<double, 4> &share,
                            const MasterPoint            &opposite)
@@ -185,7 +185,7 @@ namespace lamella
 
 
   void
-  HatFunctions::close_master(const Cell &cell)
+  MultiplierBasis::close_master(const Cell &cell)
   {
     if (master_sums.empty())
       return;
@@ -201,7 +201,7 @@ namespace lamella
 
 
   void
-  HatFunctions::close(const Cell &cell)
+  MultiplierBasis::close(const Cell &cell)
   {
     close_master(cell);
     if (slave_sums.empty())
@@ -219,7 +219,7 @@ namespace lamella
   /// The hats of a continuous space: that of a hanging node belongs in halves
   /// to those of the nodes that it hangs between.
   void
-  HatFunctions::share_out(const MeshSurface::HangingNode &hanging)
+  MultiplierBasis::share_out(const MeshSurface::HangingNode &hanging)
   {
     const Node &from = nodes[hanging.node];
     for (const unsigned int end : hanging.ends)
@@ -247,7 +247,7 @@ namespace lamella
 
 
   void
-  HatFunctions::add_row(const unsigned int number, Gaps &result)
+  MultiplierBasis::add_row(const unsigned int number, Gaps &result)
   {
     Node        &node = nodes[number];
     WeightedGap &gap  = node.sums;
@@ -291,7 +291,7 @@ namespace lamella
 
 
   std::shared_ptr<const SlaveSurface>
-  HatFunctions::slave_surface(const std::vector<std::vector<Polygon>> &parts,
+  MultiplierBasis::slave_surface(const std::vector<std::vector<Polygon>> &parts,
                                  Gaps &result)
   {
     // Those that others hang on come later, and are known before.
@@ -326,7 +326,7 @@ namespace lamella
 
 
   void
-  HatFunctions::finish(std::vector<std::vector<Polygon>> parts, Gaps &result)
+  MultiplierBasis::finish(std::vector<std::vector<Polygon>> parts, Gaps &result)
   {
     std::vector<bool> hangs(nodes.size(), false);
     for (const MeshSurface::HangingNode &hanging : slave.hanging_nodes())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_solve_kuhn_tucker_h
-#define lamella_solve_kuhn_tucker_h
+#ifndef lamella_solve_kkt_residual_h
+#define lamella_solve_kkt_residual_h
 
 #include <lamella/solve/body_forces.h>
 #include <lamella/solve/contact_problem.h>
@@ -21,7 +21,7 @@ namespace lamella
    * row by row. The force lambda of a row is positive in compression, where p_N
    * of Eq. 18 is negative. Units and axes of the scene.
    */
-  struct KuhnTucker
+  struct KktResidual
   {
     /// Number of rows with a force.
     unsigned int active = 0;
@@ -63,7 +63,7 @@ namespace lamella
   /// Adds the resultants of @p part, at the ends of a body, to those of the
   /// contact @p whole: forces, moments, areas and energies.
   void
-  add_resultants(KuhnTucker &whole, const KuhnTucker &part);
+  add_resultants(KktResidual &whole, const KktResidual &part);
 
   /// Views of the row forces of one contact in a state.
   struct ConstraintForces
@@ -97,7 +97,7 @@ namespace lamella
   /// @p u and load factor @p factor, and returns it with the resultants. Adds
   /// the forces to those @p on_body of every body. @p displacement, the largest
   /// one, is the reference of the gaps.
-  KuhnTucker
+  KktResidual
   check_contact(const ContactInterface  &contact,
                 const ConstraintForces  &forces,
                 const BlockVector       &u,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_contact_hat_functions_h
-#define lamella_contact_hat_functions_h
+#ifndef lamella_contact_multiplier_basis_h
+#define lamella_contact_multiplier_basis_h
 
 #include <lamella/contact/pairing.h>
 #include <lamella/contact/segments.h>
@@ -20,7 +20,7 @@ namespace lamella
    *
    * Process one cell at a time: add() for each of its points, then close().
    */
-  class HatFunctions
+  class MultiplierBasis
   {
   public:
     /// A cell of the grid of nodes: part of a facet.
@@ -39,7 +39,7 @@ namespace lamella
       }
     };
 
-    explicit HatFunctions(const Sides &sides);
+    explicit MultiplierBasis(const Sides &sides);
 
     const std::vector<Cell> &
     cells() const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/solve/complementarity.h>
-#include <lamella/solve/kuhn_tucker.h>
+#include <lamella/solve/kkt_residual.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ namespace lamella
                const BlockVector      &u,
                const LoadFactor       &factor,
                const double            displacement,
-               KuhnTucker             &kkt)
+               KktResidual             &kkt)
     {
       double smallest = std::numeric_limits<double>::max(), largest = 0.;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
@@ -57,7 +57,7 @@ namespace lamella
           kkt.law_error =
             std::max(kkt.law_error,
                      lambda == 0. ? -g :
-                                    std::abs(g + law_softness(row) * lambda));
+                                    std::abs(g + law_compliance(row) * lambda));
           kkt.complementarity =
             std::max(kkt.complementarity, std::max(g, 0.) * std::abs(lambda));
           largest = std::max(largest, std::abs(lambda));
@@ -85,7 +85,7 @@ namespace lamella
     void
     check_friction(const ContactInterface &contact,
                    const ConstraintForces &forces,
-                   KuhnTucker             &kkt)
+                   KktResidual             &kkt)
     {
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
@@ -176,7 +176,7 @@ namespace lamella
     void
     add_contact_forces(const ContactInterface  &contact,
                        const ConstraintForces  &forces,
-                       KuhnTucker              &kkt,
+                       KktResidual              &kkt,
                        std::vector<BodyForces> &on_body)
     {
       std::vector<Wrench> on_first =
@@ -218,7 +218,7 @@ namespace lamella
 
 
   void
-  add_resultants(KuhnTucker &whole, const KuhnTucker &part)
+  add_resultants(KktResidual &whole, const KktResidual &part)
   {
     const double own = whole.force.norm(), other = part.force.norm();
     if (other == 0.)
@@ -251,7 +251,7 @@ namespace lamella
 
 
 
-  KuhnTucker
+  KktResidual
   check_contact(const ContactInterface  &contact,
                 const ConstraintForces  &forces,
                 const BlockVector       &u,
@@ -259,7 +259,7 @@ namespace lamella
                 const double             displacement,
                 std::vector<BodyForces> &on_body)
   {
-    KuhnTucker kkt;
+    KktResidual kkt;
     check_rows(contact, forces, u, factor, displacement, kkt);
     if (forces.shear.size() > 0)
       check_friction(contact, forces, kkt);
