@@ -33,7 +33,7 @@ namespace
   output()
   {
     static std::ostream nowhere(nullptr);
-    return is_speaker() ? std::cout : nowhere;
+    return is_root_process() ? std::cout : nowhere;
   }
 
 
@@ -63,7 +63,7 @@ namespace
 
 
   /// What makes the error bars of @p simulation.
-  Afterthought
+  PostProcessing
   bars_afterwards(Simulation &simulation)
   {
     return [&simulation] {
@@ -104,7 +104,7 @@ namespace
   solve(const CommandLine &command, const SceneText &text, const Scene &scene)
   {
     std::ostream &out = output();
-    if (is_speaker() && !command.validate)
+    if (is_root_process() && !command.validate)
       say_if_interrupted("interrupted before anything was solved. " +
                          command.output + " is as it was.");
     if (!scene.goals.tolerances.empty() && !command.validate)
@@ -237,7 +237,7 @@ namespace
     // What only this one has met (a full disk, say) the others do not know,
     // and they wait for it.
     const bool common = n_processes() == 1 || all_arrive(arrivals);
-    if (!common || is_speaker())
+    if (!common || is_root_process())
       std::cerr << "lamella: " << message << std::endl;
     if (!common)
       MPI_Abort(communicator(), status);

@@ -23,7 +23,7 @@ namespace lamella
     std::array<Words, 2>       both;
     std::atomic<const Words *> spoken{nullptr};
 
-    // How many Uninterrupted there are, and the signal that waits for them.
+    // How many SignalBlock there are, and the signal that waits for them.
     std::atomic<int> n_uninterrupted{0}, waiting{0};
 
     static_assert(std::atomic<const Words *>::is_always_lock_free &&
@@ -85,14 +85,14 @@ namespace lamella
 
 
 
-  Uninterrupted::Uninterrupted()
+  SignalBlock::SignalBlock()
   {
     ++n_uninterrupted;
   }
 
 
 
-  Uninterrupted::~Uninterrupted()
+  SignalBlock::~SignalBlock()
   {
     if (--n_uninterrupted == 0 && waiting != 0)
       speak_and_end(waiting);

@@ -283,10 +283,10 @@ namespace lamella
   void
   ToleranceRun::write_pass(const std::string &directory)
   {
-    const Uninterrupted whole;
+    const SignalBlock whole;
     simulation->set_goals(passes.last().goals);
     write_run(*simulation, directory);
-    if (!is_speaker())
+    if (!is_root_process())
       return;
     write_file(directory + "/passes.csv", table());
     say_if_interrupted("interrupted. " + directory +
@@ -312,7 +312,7 @@ namespace lamella
   ToleranceRun::run(const std::string &directory)
   {
     std::string reason;
-    if (is_speaker())
+    if (is_root_process())
       say_if_interrupted("interrupted in the first pass: nothing of this run "
                          "is in " +
                          directory + ".");

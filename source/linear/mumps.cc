@@ -307,7 +307,7 @@ namespace lamella
       control(21) = 0; // and so the solution
       mumps.nrhs  = 1;
       mumps.lrhs  = mumps.n;
-      mumps.rhs   = is_speaker() ? x.begin() : nullptr;
+      mumps.rhs   = is_root_process() ? x.begin() : nullptr;
       run(3);
       check("the matrix, to solve with its factor");
       ++n_solutions;
@@ -374,9 +374,9 @@ namespace lamella
       mumps.nrhs   = end - begin;
       mumps.nz_rhs = columns.dofs.size();
       // Only the first process may point to them.
-      mumps.irhs_ptr    = is_speaker() ? columns.starts.data() : nullptr;
-      mumps.irhs_sparse = is_speaker() ? columns.dofs.data() : nullptr;
-      mumps.rhs_sparse  = is_speaker() ? columns.weights.data() : nullptr;
+      mumps.irhs_ptr    = is_root_process() ? columns.starts.data() : nullptr;
+      mumps.irhs_sparse = is_root_process() ? columns.dofs.data() : nullptr;
+      mumps.rhs_sparse  = is_root_process() ? columns.weights.data() : nullptr;
 
       const int           n_local = mumps.info[23 - 1];
       std::vector<int>    local_dofs(std::max(1, n_local));

@@ -63,7 +63,7 @@ namespace lamella
     : folder(path)
   {
     bool writes = true, alone = true;
-    if (is_speaker())
+    if (is_root_process())
       {
         std::error_code error;
         is_new = !fs::exists(folder, error);
@@ -125,7 +125,7 @@ namespace lamella
   ResultsFolder::is_still_there() const
   {
     struct stat ours, there;
-    return !is_speaker() ||
+    return !is_root_process() ||
            (fstat(descriptor, &ours) == 0 &&
             stat(folder.c_str(), &there) == 0 && ours.st_dev == there.st_dev &&
             ours.st_ino == there.st_ino);
@@ -144,7 +144,7 @@ namespace lamella
     if (has_room)
       return;
     has_room = true;
-    if (is_speaker())
+    if (is_root_process())
       remove_earlier_results(folder);
     // Nobody writes before all of it is gone.
     on_all_processes(true);

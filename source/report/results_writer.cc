@@ -38,7 +38,7 @@ namespace lamella
   ResultsWriter::resume()
   {
     standing = read_restart(place.path(), scenery().resolved);
-    if (is_speaker())
+    if (is_root_process())
       for (const auto &[name, size] : standing.sizes)
         {
           // Rows of a step that did not come to its end.
@@ -69,7 +69,7 @@ namespace lamella
     standing.scene   = of.resolved;
     if (of.write_vtu)
       write_vtu_files(results.last());
-    if (!is_speaker())
+    if (!is_root_process())
       return;
     if (first)
       {
@@ -124,7 +124,7 @@ namespace lamella
                 of.structure,
                 step.state.u,
                 of.strength));
-    if (!is_speaker())
+    if (!is_root_process())
       return;
     // Of bodies that turn who faces whom is another matter in each step.
     if (surfaces.empty() || step.step == 1 || of.structure.has_finite_rotations())
@@ -172,7 +172,7 @@ namespace lamella
     if (results.steps.empty())
       return;
     place.make_room();
-    if (!is_speaker())
+    if (!is_root_process())
       return;
     write_file(place.path() + "/summary.json", summary_text(results));
     if (!results.goals.empty())
@@ -190,7 +190,7 @@ namespace lamella
   ResultsWriter::write_end(const Results &results)
   {
     write_outcome(results);
-    if (results.steps.empty() || !results.converged || !is_speaker())
+    if (results.steps.empty() || !results.converged || !is_root_process())
       return;
     // Nothing to go on with: a word that says so.
     Restart end;

@@ -306,7 +306,7 @@ namespace lamella
     bool written =
       write(part_of_picture(name, this_process()),
             [&grid](std::ostream &file) { write_vtu_file(file, grid); });
-    if (n_processes() > 1 && is_speaker())
+    if (n_processes() > 1 && is_root_process())
       {
         std::vector<std::string> parts;
         for (unsigned int p = 0; p < n_processes(); ++p)

@@ -233,7 +233,7 @@ namespace lamella
     for (unsigned int k = 0; k < contacts.size(); ++k)
       {
         ContactPair &contact = given.contacts[k];
-        lives.push_back(
+        contacts.push_back(
           std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
         contact.discretization = contacts[k].discretization;
         drop_held_slips(contacts[k], *whole);

@@ -119,7 +119,7 @@ namespace lamella
 
   void
   LinearTrial::write(const std::string  &directory,
-                     const Afterthought &bars) const
+                     const PostProcessing &bars) const
   {
     bars();
     write_run(*linear, directory);

@@ -25,7 +25,7 @@ namespace lamella
                                 const unsigned int all,
                                 const bool         may_resume)
     {
-      if (!is_speaker())
+      if (!is_root_process())
         return;
       if (done == 0)
         say_if_interrupted("interrupted before the first load step was done: "
@@ -94,7 +94,7 @@ namespace lamella
       try
         {
           simulation.solve([&](const Results &results) {
-            const Uninterrupted whole;
+            const SignalBlock whole;
             writer.write_step(results);
             keep_ready_for_interruption(directory,
                                         results.steps.size(),
@@ -128,9 +128,9 @@ namespace lamella
     void
     write_before_bars(ResultsWriter &writer, const Results &results)
     {
-      const Uninterrupted whole;
+      const SignalBlock whole;
       writer.write_outcome(results);
-      if (is_speaker())
+      if (is_root_process())
         say_if_interrupted(
           "interrupted while error bars were made. " + writer.folder().path() +
           " has all results but these. The same command with --resume makes "
@@ -159,7 +159,7 @@ namespace lamella
   run_scene(Simulation         &simulation,
             const std::string  &directory,
             const bool          resume,
-            const Afterthought &afterwards)
+            const PostProcessing &post_processing)
   {
     ResultsWriter  writer(directory,
                          [&simulation] { return scenery_of(simulation); });
@@ -172,13 +172,13 @@ namespace lamella
             << found.load_steps << std::endl;
       }
     solve_steps(simulation, writer, directory);
-    if (afterwards)
+    if (post_processing)
       {
         write_before_bars(writer, found);
-        afterwards();
+        post_processing();
       }
     {
-      const Uninterrupted whole;
+      const SignalBlock whole;
       writer.write_end(found);
       say_if_interrupted("");
     }
@@ -246,7 +246,7 @@ namespace lamella
         const SectionStiffness stiffness =
           section_stiffness(built.sections().at(name));
         print_stiffness(out, name, stiffness, scene.units);
-        if (!directory.empty() && is_speaker())
+        if (!directory.empty() && is_root_process())
           {
             write_section(directory, name, *built.sections().at(name));
             write_section_stiffness(directory, name, stiffness, scene.units);

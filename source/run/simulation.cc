@@ -9,7 +9,7 @@
 #include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
 #include <lamella/solve/large_step.h>
-#include <lamella/solve/lost_digits.h>
+#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/memory_budget.h>
 
 #include <optional>
@@ -170,7 +170,7 @@ namespace lamella
         {
           return solve_as_built(observer);
         }
-      catch (const LostDigits &)
+      catch (const IllConditioned &)
         {
           // Steps that are done stay with the fields that they have.
           if (!found.steps.empty() || !take_all_fields())
@@ -250,7 +250,7 @@ namespace lamella
       solver->recall(found.last().memory);
     return std::make_unique<LinearStep>(*solver,
                                         built->interfaces(),
-                                        built->contact_lives(),
+                                        built->contacts(),
                                         scene().supports.size(),
                                         scene().solve,
                                         timer);
@@ -267,7 +267,7 @@ namespace lamella
     };
     return std::make_unique<LargeStep>(
       built->structure(),
-      MovingContacts(built->interfaces(), built->contact_lives()),
+      MovingContacts(built->interfaces(), built->contacts()),
       scene().supports.size(),
       scene().solve,
       [this](const std::string &line) { out << "  " << line << std::endl; },

@@ -185,7 +185,7 @@ namespace lamella
             contact.obstacle->shape != Obstacle::Shape::cylinder)
           continue;
         const bool wraps_around =
-                     built.contact_lives()[c]->wraps_around(solved.state.u,
+                     built.contacts()[c]->wraps_around(solved.state.u,
                                                             solved.load_factor,
                                                             active),
                    is_line =
@@ -244,7 +244,7 @@ namespace lamella
           continue;
         const ContactInterface &contact = built.interfaces()[c];
         const auto              penetration =
-          built.contact_lives()[c]->cylinder_penetration(solved.state.u,
+          built.contacts()[c]->cylinder_penetration(solved.state.u,
                                                solved.load_factor);
         const unsigned int number =
           penetration && penetration->of_second ? *contact.second_body : contact.first_body;
@@ -321,7 +321,7 @@ namespace lamella
     // averages. Penetrations of the latter change a contact force by 0.1 %.
     constexpr double worth_saying = 1e-2, of_displacements = 1e-3;
     const auto       end =
-      built.contact_lives()[c]->end_penetration(solved.state.u, solved.load_factor);
+      built.contacts()[c]->end_penetration(solved.state.u, solved.load_factor);
     // The penetration of a penalty is no lack of constraints.
     if (end && end->depth >
                  std::min(worth_saying * end->cell,
@@ -352,7 +352,7 @@ namespace lamella
         // Of several contacts of the same surfaces one says it.
         if (!have_rows.emplace(one, other).second)
           continue;
-        const bool is_automatic = built.contact_lives()[c]->is_automatic();
+        const bool is_automatic = built.contacts()[c]->is_automatic();
         if (is_automatic)
           missing.push_back({c, end->second});
         (is_automatic ? of_missing : warnings)

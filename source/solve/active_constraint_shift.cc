@@ -22,7 +22,7 @@ namespace lamella
         if (state.force[number] <= 0. || row.parts.size() != 1)
           continue;
         const double spring = share * row.penalty;
-        leaning.push_back({number, spring});
+        shift.push_back({number, spring});
         of_bodies[row.parts[0].body].emplace_back(row.parts[0].row, spring);
         if (row.enforcement == Enforcement::penalty)
           row.penalty -= spring;
@@ -37,7 +37,7 @@ namespace lamella
                                           State             &state) const
   {
     const GapConstraints all = rows();
-    for (const auto &[row, spring] : leaning)
+    for (const auto &[row, spring] : shift)
       state.force[row] += spring * all[row].gap(u, factor);
   }
 
@@ -49,7 +49,7 @@ namespace lamella
                                         State             &state) const
   {
     const GapConstraints all = rows();
-    for (const auto &[row, spring] : leaning)
+    for (const auto &[row, spring] : shift)
       if (state.force[row] > 0.)
         {
           const double force =

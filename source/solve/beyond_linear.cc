@@ -403,7 +403,7 @@ namespace lamella
 
 
   void
-  require_linear_range(const BeyondLinear &found, const Structure &structure)
+  check_linear_range(const BeyondLinear &found, const Structure &structure)
   {
     const std::string remedy =
       ". The linear result is no approximation here: take Rotations = large, "

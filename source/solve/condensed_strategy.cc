@@ -28,7 +28,7 @@ namespace lamella
 
     /// Throws NumericsError if @p found misses the law of friction.
     void
-    require_law(const CoulombSolution &found)
+    check_law(const CoulombSolution &found)
     {
       // Of the problem's scale: forces that are no better are none.
       constexpr double sound = 1e-6;
@@ -271,7 +271,7 @@ namespace lamella
       }
     const CoulombProblem  small = coulomb_problem(problem, part, before);
     const CoulombSolution found = solve_coulomb(small, start);
-    require_law(found);
+    check_law(found);
 
     solution.is_unstable = found.stability < 0;
     solution.active.clear();

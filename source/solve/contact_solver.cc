@@ -89,9 +89,9 @@ namespace lamella
         const ContactViolations missed = find_violations(state, factor);
         const bool   slow   = missed.gap > parameters.slow * before;
         if (missed.is_right_set() ?
-              keeps_law(state, factor, missed.gap, slow) :
+              satisfies_contact_law(state, factor, missed.gap, slow) :
               (found.active == last && correct_set(state, factor)) ||
-                stands_by_forces(state, settled, factor))
+                multipliers_are_reliable(state, settled, factor))
           return state;
         check_iterations(state.iterations,
                          united(united(missed.opening, missed.closing),
@@ -216,7 +216,7 @@ namespace lamella
 
 
   bool
-  ContactSolver::keeps_law(const State      &state,
+  ContactSolver::satisfies_contact_law(const State      &state,
                            const LoadFactor &factor,
                            const double      error,
                            const bool        was_slow) const
@@ -229,7 +229,7 @@ namespace lamella
 
 
   bool
-  ContactSolver::stands_by_forces(State            &state,
+  ContactSolver::multipliers_are_reliable(State            &state,
                                   const State      &settled,
                                   const LoadFactor &factor)
   {
@@ -466,7 +466,7 @@ namespace lamella
   {
     BlockVector r_u = structure.residual(state.u, factor, state.rest);
     // All that there are, also where no row is to be closed
-    // (stands_by_forces()).
+    // (multipliers_are_reliable()).
     for (unsigned int r = 0; r < rows.size() && !state.force.empty(); ++r)
       if (state.force[r] != 0.)
         add_force(rows[r],

@@ -101,8 +101,8 @@ namespace lamella
     const TangentOperator here(structure, state.u);
     const Checks        checks = check_state(
       here, newton.moving().interfaces(), n_supports, state, factor);
-    require_sound(state, checks, parameters.rotation_limit);
-    require_followed(here, factor);
+    check_solution(state, checks, parameters.rotation_limit);
+    check_followed(here, factor);
     return checks;
   }
 } // namespace lamella

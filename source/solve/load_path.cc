@@ -51,7 +51,7 @@ namespace lamella
     /// been, and these are pairs no more. @p forces and @p slips are those of
     /// its rows.
     void
-    require_small_slip(
+    check_small_slip(
       const ContactInterface                              &contact,
       const dealii::ArrayView<const double>               &forces,
       const dealii::ArrayView<const dealii::Tensor<1, 3>> &slips)
@@ -142,14 +142,14 @@ namespace lamella
 
   LinearStep::LinearStep(ContactSolver                       &solver,
                          const std::vector<ContactInterface> &contacts,
-                         const Contacts                      &lives,
+                         const Contacts                      &contacts,
                          const unsigned int                   n_supports,
                          const SolveParameters               &parameters,
                          TimerOutput                         &timer)
     : solver(solver)
     , structure(solver.tangent().of())
     , contacts(contacts)
-    , lives(lives)
+    , contacts(contacts)
     , rows(contacts)
     , n_supports(n_supports)
     , parameters(parameters)
@@ -193,14 +193,14 @@ namespace lamella
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
       checks =
         check_state(solver.tangent(), contacts, n_supports, state, factor);
-      require_sound(state, checks, parameters.rotation_limit);
+      check_solution(state, checks, parameters.rotation_limit);
       for (unsigned int k = 0; k < contacts.size(); ++k)
         {
-          lives[k]->require_found(state.u,
+          contacts[k]->require_found(state.u,
                                   factor,
                                   rows.among_contact(k, state.active));
           if (!state.friction.empty())
-            require_small_slip(contacts[k],
+            check_small_slip(contacts[k],
                                rows.of_contact(k, state.force),
                                rows.of_contact(k, state.friction.before));
         }
@@ -212,7 +212,7 @@ namespace lamella
       checks.beyond = beyond_linear(structure, solver, state, checks.energies);
     }
     if (parameters.beyond_linear == OutOfRange::refuse)
-      require_linear_range(checks.beyond, structure);
+      check_linear_range(checks.beyond, structure);
     return checks;
   }
 

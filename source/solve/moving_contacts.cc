@@ -107,9 +107,9 @@ namespace lamella
 
   MovingContacts::MovingContacts(
     const std::vector<ContactInterface> &interfaces,
-    const Contacts                      &lives)
+    const Contacts                      &contacts)
     : all(interfaces)
-    , lives(lives)
+    , contacts(contacts)
     , numbered(interfaces)
   {}
 
@@ -164,7 +164,7 @@ namespace lamella
   MovingContacts::memory() const
   {
     std::vector<ContactHistory> known;
-    for (const auto &contact : lives)
+    for (const auto &contact : contacts)
       known.push_back(contact->memory());
     return known;
   }
@@ -176,9 +176,9 @@ namespace lamella
                          const BlockVector                &u,
                          const LoadFactor                 &factor)
   {
-    AssertDimension(known.size(), lives.size());
-    for (unsigned int c = 0; c < lives.size(); ++c)
-      lives[c]->restore(known[c], u, factor);
+    AssertDimension(known.size(), contacts.size());
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      contacts[c]->restore(known[c], u, factor);
     numbered = GapConstraints(all);
   }
 
@@ -211,7 +211,7 @@ namespace lamella
   void
   MovingContacts::move_rows(State &state, const LoadFactor &factor)
   {
-    for (const auto &contact : lives)
+    for (const auto &contact : contacts)
       contact->move(state.u, factor);
     std::vector<unsigned int> facing;
     for (const unsigned int row : state.active)
@@ -240,7 +240,7 @@ namespace lamella
       ": what bears a force faces nothing, past an end of the other side "
       "or through it. Where that end is to take over, give it a contact "
       "of its own, edge to surface.";
-    if (all[c].second_body && lives[c]->is_automatic())
+    if (all[c].second_body && contacts[c]->is_automatic())
       throw MissingEnds("Contact " + all[c].name + " is lost" + how,
                         {{c, !all[c].points_on_second}});
     lose(c, how);
@@ -255,11 +255,11 @@ namespace lamella
     lost.clear();
     // Its shear forces are where they were.
     move_rows(state, factor);
-    for (unsigned int c = 0; c < lives.size(); ++c)
+    for (unsigned int c = 0; c < contacts.size(); ++c)
       {
-        lives[c]->begin_step(state.u, factor);
-        if (lives[c]->is_line() &&
-            lives[c]->wraps_around(state.u,
+        contacts[c]->begin_step(state.u, factor);
+        if (contacts[c]->is_line() &&
+            contacts[c]->wraps_around(state.u,
                                    factor,
                                    numbered.among_contact(c, state.active)))
           lost = "Contact " + all[c].name +
@@ -291,13 +291,13 @@ namespace lamella
                                 const LoadFactor  &factor,
                                 BlockVector       &f) const
   {
-    for (unsigned int c = 0; c < lives.size(); ++c)
+    for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         std::vector<Tensor<1, 2>> shear;
         const auto of_rows = numbered.of_contact(c, state.friction.shear);
         for (unsigned int k = 0; k < of_rows.size(); ++k)
           shear.push_back(along_tangents(all[c].rows[k], of_rows[k]));
-        if (!lives[c]->add_forces_at(
+        if (!contacts[c]->add_forces_at(
               u, factor, numbered.of_contact(c, state.force), shear, f))
           return false;
       }
@@ -335,11 +335,11 @@ namespace lamella
     for (unsigned int c = 0; c < all.size(); ++c)
       {
         const auto active   = numbered.among_contact(c, state.active);
-        const bool switches = lives[c]->is_line() &&
-                              lives[c]->wraps_around(state.u, factor, active) &&
-                              lives[c]->switch_to_points();
+        const bool switches = contacts[c]->is_line() &&
+                              contacts[c]->wraps_around(state.u, factor, active) &&
+                              contacts[c]->switch_to_points();
         if (!switches &&
-            lives[c]->pairing_is_valid(state.u, factor, active).unseen == 0)
+            contacts[c]->pairing_is_valid(state.u, factor, active).unseen == 0)
           continue;
         any = true;
         pair(c, state, factor);
@@ -355,13 +355,13 @@ namespace lamella
 
 
   void
-  MovingContacts::require_kept(const BlockVector &before,
+  MovingContacts::check_kept(const BlockVector &before,
                                const LoadFactor  &from,
                                const State       &state,
                                const LoadFactor  &to)
   {
-    for (unsigned int c = 0; c < lives.size(); ++c)
-      if (lives[c]->passes_through(before, from, state.u, to))
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      if (contacts[c]->passes_through(before, from, state.u, to))
         lose(c,
              ": its body went through '" + all[c].second_name +
                "' in one step.");
@@ -379,7 +379,7 @@ namespace lamella
   {
     try
       {
-        lives[c]->pair(state.u, factor);
+        contacts[c]->pair(state.u, factor);
       }
     catch (const InputError &)
       {

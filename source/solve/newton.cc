@@ -130,7 +130,7 @@ namespace lamella
 
 
   void
-  Newton::Decay::add(const double left)
+  Newton::ResidualHistory::add(const double left)
   {
     earlier = before;
     before  = now;
@@ -140,7 +140,7 @@ namespace lamella
 
 
   bool
-  Newton::Decay::stands(const double share) const
+  Newton::ResidualHistory::stands(const double share) const
   {
     return now > share * before && before > share * earlier;
   }
@@ -148,7 +148,7 @@ namespace lamella
 
 
   bool
-  Newton::is_equilibrium(const Decay &unbalanced, const double change) const
+  Newton::is_equilibrium(const ResidualHistory &unbalanced, const double change) const
   {
     // Forces that are nothing tell nothing of how far it is.
     if (unbalanced.now == 0.)
@@ -157,7 +157,7 @@ namespace lamella
            (unbalanced.now < parameters.floor &&
             unbalanced.stands(parameters.stalls) &&
             (!structure.has_springs() ||
-             change < parameters.settles * structure.size())) ||
+             change < parameters.converged_change * structure.size())) ||
            (unbalanced.now < parameters.near &&
             change < parameters.still * structure.size());
   }
@@ -186,7 +186,7 @@ namespace lamella
 
 
   bool
-  Newton::keeps_law(const Decay &missed, const double size) const
+  Newton::satisfies_contact_law(const ResidualHistory &missed, const double size) const
   {
     return missed.now <= std::max(parameters.law * size,
                                   parameters.touching * structure.size()) ||
@@ -277,7 +277,7 @@ namespace lamella
     contacts.begin_step(state, at.factor);
     auto [moved, r, began] = beginning(to, at);
     Correction   last;
-    Decay        forces, gaps;
+    ResidualHistory        forces, gaps;
     unsigned int pairings = 0;
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
       {
@@ -301,14 +301,14 @@ namespace lamella
         gaps.add(at.law_error);
         const double change   = length_of(last.du);
         const bool   balances = is_equilibrium(forces, change);
-        if (is_still(moved) && keeps_law(gaps, length_of(state.u)) &&
+        if (is_still(moved) && satisfies_contact_law(gaps, length_of(state.u)) &&
             (balances || (is_still(last.du) &&
                           is_rounding(here, condensed(here, r), state.u))))
           {
             if (contacts.none() || !contacts.find_loads(state, to))
               {
-                contacts.require_kept(before, at.factor, state, to);
-                require_minimum(before, last, state, to);
+                contacts.check_kept(before, at.factor, state, to);
+                check_stability(before, last, state, to);
                 end_friction(transfer, to, state);
                 at.factor   = to;
                 at.rounding = balances && at.residual > 0. ? 0. : change;

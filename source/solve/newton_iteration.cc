@@ -6,7 +6,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/friction_step.h>
-#include <lamella/solve/lost_digits.h>
+#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/newton.h>
 
 #include <deal.II/lac/precondition.h>
@@ -46,7 +46,7 @@ namespace lamella
 
 
   ContactSolution
-  Newton::press(ContactStrategy      &strategy,
+  Newton::solve_contact(ContactStrategy      &strategy,
                 const GapConstraints &rows,
                 const LoadFactor     &to,
                 State                &state) const
@@ -104,7 +104,7 @@ namespace lamella
   Newton::follow_rows(ContactStrategy   &strategy,
                       const BlockVector &u,
                       const BlockVector &du,
-                      const double       firmer,
+                      const double       regularization_factor,
                       const LoadFactor  &to,
                       State             &state) const
   {
@@ -116,7 +116,7 @@ namespace lamella
     Vector                  forces;
     const auto              answer = [&](const BlockVector &w) {
       BlockVector x = structure.zero(), f = rotation_of_constraints(state, u, w, to);
-      add_spring_forces(firmer, w, f);
+      add_spring_forces(regularization_factor, w, f);
       strategy.solve(closed, f, held, x, forces);
       return x;
     };
@@ -155,21 +155,21 @@ namespace lamella
 
 
   void
-  Newton::require_minimum(const BlockVector &before,
+  Newton::check_stability(const BlockVector &before,
                           const Correction  &last,
                           const State       &state,
                           const LoadFactor  &to) const
   {
     if (last.is_unstable)
       fail_as_unstable();
-    if (structure.has_springs() && require_held(state, to))
+    if (structure.has_springs() && check_supports(state, to))
       return;
     BlockVector way = state.u;
     way -= before;
     if (!last.leans &&
-        length_of(last.du) <= parameters.settled * length_of(way))
+        length_of(last.du) <= parameters.converged_step * length_of(way))
       return;
-    Aid none;
+    Regularization none;
     tangent(state, BlockVector(), to, none);
   }
 
@@ -182,33 +182,33 @@ namespace lamella
                   const LoadFactor  &to,
                   State             &state) const
   {
-    Aid                 aid;
-    const TangentOperator about    = tangent(state, correction, to, aid);
-    const auto         &leaning  = aid.leaning;
+    Regularization                 regularization;
+    const TangentOperator about    = tangent(state, correction, to, regularization);
+    const auto         &shift  = regularization.shift;
     const BlockVector   before   = state.u;
     BlockVector         du       = about.solve(r);
     bool                unstable = false;
     du += moved;
     if (!contacts.none())
       {
-        const GapConstraints rows = leaning ? leaning->rows() : contacts.rows();
+        const GapConstraints rows = shift ? shift->rows() : contacts.rows();
         const auto strategy = make_strategy(Strategy::condensed, about, rows);
         // Gaps are those of the tangent planes, whose states are sums.
-        if (leaning)
-          leaning->take_springs_off(sum_of(before, moved), to, state);
+        if (shift)
+          shift->take_springs_off(sum_of(before, moved), to, state);
         state.u += du;
-        const ContactSolution transfer = press(*strategy, rows, to, state);
+        const ContactSolution transfer = solve_contact(*strategy, rows, to, state);
         du += transfer.du;
         unstable = transfer.is_unstable;
-        if (leaning)
-          leaning->put_springs_on(sum_of(before, du), to, state);
-        du = follow_rows(*strategy, before, du, aid.firmer, to, state);
+        if (shift)
+          shift->put_springs_on(sum_of(before, du), to, state);
+        du = follow_rows(*strategy, before, du, regularization.regularization_factor, to, state);
       }
     shorten(du);
     state.u = structure.retract(before, du);
     // In the tangent alone: nowhere they bear a force.
     if (structure.has_springs())
       state.rest = structure.spring_lengths(state.u);
-    return {std::move(du), leaning != nullptr, unstable};
+    return {std::move(du), shift != nullptr, unstable};
   }
 } // namespace lamella

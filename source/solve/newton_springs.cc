@@ -6,7 +6,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/friction_step.h>
-#include <lamella/solve/lost_digits.h>
+#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/newton.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -24,10 +24,10 @@ namespace lamella
   {
     /// What is tried in turn until the tangent is definite: the share of the
     /// penalty that leaning rows have, and by how much stabilizing springs are
-    /// firmer than asked for.
+    /// regularization_factor than asked for.
     struct AidTrial
     {
-      double leaning = 0., firmer = 1.;
+      double shift = 0., regularization_factor = 1.;
     };
 
 
@@ -64,7 +64,7 @@ namespace lamella
   Newton::tangent(const State       &state,
                   const BlockVector &correction,
                   const LoadFactor  &to,
-                  Aid               &aid) const
+                  Regularization               &regularization) const
   {
     // A row that leans has a spring for its gap, and its slip would hang on
     // what that bears.
@@ -73,25 +73,25 @@ namespace lamella
     for (const AidTrial &trial : trials(may_lean, structure.has_springs()))
       try
         {
-          aid.leaning.reset();
-          aid.firmer = trial.firmer;
-          if (trial.leaning > 0.)
-            aid.leaning = std::make_unique<const ActiveConstraintShift>(
+          regularization.shift.reset();
+          regularization.regularization_factor = trial.regularization_factor;
+          if (trial.shift > 0.)
+            regularization.shift = std::make_unique<const ActiveConstraintShift>(
               contacts.interfaces(),
               state,
               structure.bodies().size(),
-              trial.leaning);
-          if (aid.leaning && aid.leaning->none())
+              trial.shift);
+          if (regularization.shift && regularization.shift->none())
             continue;
           ActiveConstraintShift::Springs more;
-          if (aid.leaning)
-            more = aid.leaning->springs();
-          else if (aid.firmer > 1.)
-            more = springs_of(structure, aid.firmer - 1.);
+          if (regularization.shift)
+            more = regularization.shift->springs();
+          else if (regularization.regularization_factor > 1.)
+            more = springs_of(structure, regularization.regularization_factor - 1.);
           return TangentOperator(
             structure, state.u, asked, monitor, correction, to, more);
         }
-      catch (const LostDigits &)
+      catch (const IllConditioned &)
         {
           failure = std::current_exception();
         }
@@ -101,13 +101,13 @@ namespace lamella
 
 
   void
-  Newton::add_spring_forces(const double       firmer,
+  Newton::add_spring_forces(const double       regularization_factor,
                             const BlockVector &w,
                             BlockVector       &f) const
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       for (const auto &[row, stiffness] : structure.spring_terms(b))
-        row.add_to(f.block(b), firmer * stiffness * row(w.block(b)));
+        row.add_to(f.block(b), regularization_factor * stiffness * row(w.block(b)));
   }
 
 
@@ -116,14 +116,14 @@ namespace lamella
   {
     /// The root of k times r of each stabilizing spring, as a load.
     std::vector<BlockVector>
-    loads_of_springs(const Structure &structure, const double firmer)
+    loads_of_springs(const Structure &structure, const double regularization_factor)
     {
       std::vector<BlockVector> loads;
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
         for (const auto &[row, stiffness] : structure.spring_terms(b))
           {
             loads.push_back(structure.zero());
-            row.add_to(loads.back().block(b), std::sqrt(firmer * stiffness));
+            row.add_to(loads.back().block(b), std::sqrt(regularization_factor * stiffness));
           }
       return loads;
     }
@@ -197,7 +197,7 @@ namespace lamella
 
 
   bool
-  Newton::require_held(const State &state, const LoadFactor &to) const
+  Newton::check_supports(const State &state, const LoadFactor &to) const
   {
     const double pressing = size_of_forces(structure, state, to);
     if (contacts.rows().rub() || pressing == 0.)
@@ -206,11 +206,11 @@ namespace lamella
     const BlockVector internal = structure.internal_forces(state.u, state.rest);
     if (is_rounding(TangentOperator(structure, state.u), internal, state.u))
       return false;
-    Aid                  aid;
-    const TangentOperator  about = tangent(state, BlockVector(), to, aid);
+    Regularization                  regularization;
+    const TangentOperator  about = tangent(state, BlockVector(), to, regularization);
     const GapConstraints rows =
-      aid.leaning ? aid.leaning->rows() : contacts.rows();
-    const auto                 loads = loads_of_springs(structure, aid.firmer);
+      regularization.shift ? regularization.shift->rows() : contacts.rows();
+    const auto                 loads = loads_of_springs(structure, regularization.regularization_factor);
     const auto                 modes = answers(about, rows, state, loads);
     dealii::FullMatrix<double> G(modes.size()), energy(modes.size());
     for (unsigned int i = 0; i < modes.size(); ++i)

@@ -73,7 +73,7 @@ namespace lamella
             use(global(block.rows), global(block.columns), block.values);
           });
           // All processes know all springs.
-          if (is_speaker())
+          if (is_root_process())
             for (const auto &[row, stiffness] : terms.springs)
               {
                 Dofs                dofs;
@@ -245,7 +245,7 @@ namespace lamella
       return;
     std::vector<bool> written(structure.n_dofs(), false);
     std::vector<Dofs> dofs;
-    if (is_speaker())
+    if (is_root_process())
       for (const unsigned int r : known)
         {
           dofs.push_back(dofs_of(structure, rows[r]));
@@ -325,7 +325,7 @@ namespace lamella
       [&](const DofIndex row, const Dofs &columns, const double *const values) {
         system.add(row, columns.size(), columns.data(), values, true);
       });
-    if (is_speaker())
+    if (is_root_process())
       for (const PenaltyTerm &term : terms)
         add_penalty(term);
     system.compress(VectorOperation::add);

@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/lost_digits.h>
+#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/soundness.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace lamella
     constexpr double linear_rotation = 0.1, meaningless_rotation = 3.;
     // A first correction above this says that the assembled matrix has lost
     // more than half of its digits.
-    constexpr double lost_digits = 1e-7;
+    constexpr double ill_conditioned = 1e-7;
     // Of the displacements; a penalty this soft changes the answer.
     constexpr double large_penetration = 1e-3;
     // Of all energy in stabilizing springs.
@@ -51,7 +51,7 @@ namespace lamella
 
 
     void
-    require_no_springs(const Checks &checks)
+    check_no_springs(const Checks &checks)
     {
       if (checks.stabilization_share > worth_failing)
         throw NumericsError(
@@ -65,7 +65,7 @@ namespace lamella
 
 
     void
-    require_settled(const State &state)
+    check_correction(const State &state)
     {
       const auto last = [](const std::vector<double> &corrections) {
         return corrections.empty() ? 0. : corrections.back();
@@ -73,7 +73,7 @@ namespace lamella
       const double left =
         std::max(last(state.free_corrections), last(state.contact_corrections));
       if (!(left < sound))
-        throw LostDigits(
+        throw IllConditioned(
           "The linear solution does not settle: the last correction is " +
           to_text(left, 3) +
           " of the displacements. The scene is beyond what double precision "
@@ -84,7 +84,7 @@ namespace lamella
 
     /// Forces, moments, residual and energy.
     void
-    require_balance(const Checks &checks)
+    check_balance(const Checks &checks)
     {
       for (const auto &[what, error] :
            {std::make_pair("forces on a body do not balance",
@@ -95,7 +95,7 @@ namespace lamella
             std::make_pair("strain energy is not the work done",
                            checks.energy_balance)})
         if (!(error < tolerable))
-          throw LostDigits("The " + std::string(what) +
+          throw IllConditioned("The " + std::string(what) +
                            ": the relative error "
                            "is " +
                            to_text(error, 3) +
@@ -107,7 +107,7 @@ namespace lamella
 
 
     void
-    require_contact_law(const KktResidual &contact,
+    check_contact_law(const KktResidual &contact,
                         const double      displacement,
                         const double      rounding)
     {
@@ -135,7 +135,7 @@ namespace lamella
   namespace
   {
     void
-    require_small_strain(const Checks &checks)
+    check_small_strain(const Checks &checks)
     {
       // At corners and below lines that press a mesh finds any strain that it
       // is fine enough for; what sections stretch and bend by tells.
@@ -151,20 +151,20 @@ namespace lamella
 
 
   void
-  require_sound(const State  &state,
+  check_solution(const State  &state,
                 const Checks &checks,
                 const double  rotation_limit)
   {
-    require_no_springs(checks);
-    require_settled(state);
-    require_balance(checks);
+    check_no_springs(checks);
+    check_correction(state);
+    check_balance(checks);
     for (const KktResidual &contact : checks.contacts)
-      require_contact_law(contact, checks.max_displacement, state.rounding());
+      check_contact_law(contact, checks.max_displacement, state.rounding());
     if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
       throw NumericsError("The solution is not a finite number. Check the "
                           "loads and the materials.");
     if (checks.is_large)
-      require_small_strain(checks);
+      check_small_strain(checks);
     else if (checks.max_rotation > rotation_limit)
       throw NumericsError(
         "Rotations reach " + to_text(checks.max_rotation, 3) +
@@ -273,7 +273,7 @@ namespace lamella
 
 
   void
-  require_followed(const TangentOperator &here, const LoadFactor &at)
+  check_followed(const TangentOperator &here, const LoadFactor &at)
   {
     if (const auto missed = here.missed_most(at); missed.share > 1.)
       throw NumericsError(
@@ -319,7 +319,7 @@ namespace lamella
                          to_text(forces, 2) +
                          " only (their balance, relative): bodies are very "
                          "slender or stiffnesses very different");
-    if (first > lost_digits)
+    if (first > ill_conditioned)
       warnings.push_back(
         "the assembled matrix has lost digits (first refinement correction " +
         to_text(first, 2) + "); the refinement restored them, down to " +

@@ -4,7 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/solve/lost_digits.h>
+#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/structure.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/linear/factorization.h>
 #include <lamella/solve/tangent_operator.h>
-#include <lamella/solve/lost_digits.h>
+#include <lamella/solve/ill_conditioned.h>
 
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -244,7 +244,7 @@ namespace lamella
           }
         catch (const NotPositiveDefinite &error)
           {
-            throw LostDigits(error.what());
+            throw IllConditioned(error.what());
           }
         if (monitor.ends)
           monitor.ends(body);

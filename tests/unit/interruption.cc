@@ -75,9 +75,9 @@ BOOST_AUTO_TEST_CASE(what_is_being_written_is_written)
   const auto [said, by] = outcome_of_process([] {
     say_if_interrupted("nothing.");
     {
-      const Uninterrupted whole;
+      const SignalBlock whole;
       {
-        const Uninterrupted part;
+        const SignalBlock part;
         raise(SIGINT);
       }
       say("written");
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_second_signal_does_not_wait)
 {
   const auto [said, by] = outcome_of_process([] {
     say_if_interrupted("nothing.");
-    const Uninterrupted whole;
+    const SignalBlock whole;
     raise(SIGINT);
     raise(SIGINT);
     say("not ended");

@@ -42,7 +42,7 @@ namespace
                                                built->rows());
       step   = std::make_shared<LinearStep>(*solver,
                                           built->interfaces(),
-                                          built->contact_lives(),
+                                          built->contacts(),
                                           built->scene().supports.size(),
                                           built->scene().solve,
                                           timer);

@@ -17,12 +17,12 @@ namespace lamella
   /// Delays such a signal during its lifetime, so that writing completes. A
   /// second signal of the same kind ends the program at once. No effect before
   /// say_if_interrupted().
-  class Uninterrupted
+  class SignalBlock
   {
   public:
-    Uninterrupted();
-    Uninterrupted(const Uninterrupted &) = delete;
-    ~Uninterrupted();
+    SignalBlock();
+    SignalBlock(const SignalBlock &) = delete;
+    ~SignalBlock();
   };
 } // namespace lamella
 

@@ -42,7 +42,7 @@ namespace lamella
 
   /// Returns whether this is process 0, the only one that prints and writes.
   inline bool
-  is_speaker()
+  is_root_process()
   {
     return this_process() == 0;
   }

@@ -110,9 +110,9 @@ namespace lamella
 
     /// Returns the contacts, each of which updates its interface.
     const Contacts &
-    contact_lives() const
+    contacts() const
     {
-      return lives;
+      return contacts;
     }
 
     /// Returns the places of probes, lines and cuts in their bodies.
@@ -197,7 +197,7 @@ namespace lamella
     std::unique_ptr<Structure>    whole;
     std::vector<ContactInterface> contacts;
     GapConstraints                gap_constraints;
-    Contacts                      lives;
+    Contacts                      contacts;
     /// Notes from the choice of fields.
     std::vector<std::string> field_notes;
     /// Reason for the fields of each body's nodes.

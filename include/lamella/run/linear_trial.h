@@ -48,7 +48,7 @@ namespace lamella
     /// Calls @p bars and writes the linear run, which must suffice, into
     /// @p directory.
     void
-    write(const std::string &directory, const Afterthought &bars) const;
+    write(const std::string &directory, const PostProcessing &bars) const;
 
   private:
     /// Makes the simulation with large rotations, or stores why it is refused.

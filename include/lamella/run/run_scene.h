@@ -18,7 +18,7 @@ namespace lamella
 
   /// Function called after all steps are solved. It may add results
   /// (Simulation::set_goals()) before these are written.
-  using Afterthought = std::function<void()>;
+  using PostProcessing = std::function<void()>;
 
   /// Solves @p simulation, writes each completed step into @p directory
   /// (ResultsWriter) and prints the main results to the simulation's output.
@@ -30,7 +30,7 @@ namespace lamella
   run_scene(Simulation         &simulation,
             const std::string  &directory,
             const bool          resume     = false,
-            const Afterthought &afterwards = {});
+            const PostProcessing &post_processing = {});
 
   /// Writes all solved steps of @p simulation into @p directory, as run_scene()
   /// does. Throws InputError for a folder that cannot be written.

@@ -47,7 +47,7 @@ namespace lamella
     bool
     none() const
     {
-      return leaning.empty();
+      return shift.empty();
     }
 
     const Springs &
@@ -76,12 +76,12 @@ namespace lamella
                    State             &state) const;
 
   private:
-    struct Leaning
+    struct ShiftedConstraint
     {
       unsigned int row;
       double       spring;
     };
-    std::vector<Leaning>          leaning;
+    std::vector<ShiftedConstraint>          shift;
     Springs                       of_bodies;
     std::vector<ContactInterface> softened;
   };

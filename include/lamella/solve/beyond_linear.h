@@ -71,7 +71,7 @@ namespace lamella
   /// Throws NumericsError if the stiffening exceeds 1 or the buckling factor is
   /// below 1: the linear result is then no approximation.
   void
-  require_linear_range(const BeyondLinear &found, const Structure &structure);
+  check_linear_range(const BeyondLinear &found, const Structure &structure);
 } // namespace lamella
 
 #endif

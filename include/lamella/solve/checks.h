@@ -80,7 +80,7 @@ namespace lamella
    * constraints, one contact after the other, the forces of the state belong
    * to. Supports are numbered from 0 to @p n_supports - 1, as in
    * Structure::prescribed(). Costs two loops over all elements and no solution;
-   * collective. Does not throw on a failed check: see require_sound().
+   * collective. Does not throw on a failed check: see check_solution().
    */
   Checks
   check_state(const TangentOperator                 &tangent,

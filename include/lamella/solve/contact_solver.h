@@ -250,7 +250,7 @@ namespace lamella
     /// Returns true if the @p error of the law [length] is small enough to end.
     /// The tolerance is weaker if the round @p was_slow.
     bool
-    keeps_law(const State      &state,
+    satisfies_contact_law(const State      &state,
               const LoadFactor &factor,
               const double      error,
               const bool        was_slow) const;
@@ -273,7 +273,7 @@ namespace lamella
     /// false, without effect, if the strategy does not compute forces to that
     /// accuracy.
     bool
-    stands_by_forces(State            &state,
+    multipliers_are_reliable(State            &state,
                      const State      &settled,
                      const LoadFactor &factor);
 

@@ -96,7 +96,7 @@ namespace lamella
     /// check the search distances. @p n_supports is the number of supports.
     LinearStep(ContactSolver                       &solver,
                const std::vector<ContactInterface> &contacts,
-               const Contacts                      &lives,
+               const Contacts                      &contacts,
                const unsigned int                   n_supports,
                const SolveParameters               &parameters,
                dealii::TimerOutput                 &timer);
@@ -116,7 +116,7 @@ namespace lamella
     ContactSolver                       &solver;
     const Structure                     &structure;
     const std::vector<ContactInterface> &contacts;
-    const Contacts                      &lives;
+    const Contacts                      &contacts;
     const GapConstraints                 rows;
     const unsigned int                   n_supports;
     const SolveParameters               &parameters;

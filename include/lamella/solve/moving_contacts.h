@@ -83,12 +83,12 @@ namespace lamella
   {
   public:
     MovingContacts(const std::vector<ContactInterface> &interfaces,
-                   const Contacts                      &lives);
+                   const Contacts                      &contacts);
 
     bool
     none() const
     {
-      return lives.empty();
+      return contacts.empty();
     }
 
     /// Returns the interfaces, with the rows of the last move().
@@ -163,7 +163,7 @@ namespace lamella
     /// @p to a body passed through a roller, so that nothing touches it, or if
     /// constraints were deactivated and none between their bodies has a force.
     void
-    require_kept(const BlockVector &before,
+    check_kept(const BlockVector &before,
                  const LoadFactor  &from,
                  const State       &state,
                  const LoadFactor  &to);
@@ -192,7 +192,7 @@ namespace lamella
     pair(const unsigned int c, const State &state, const LoadFactor &factor);
 
     const std::vector<ContactInterface> &all;
-    const Contacts                      &lives;
+    const Contacts                      &contacts;
     GapConstraints                       numbered;
     /// Contacts with a deactivated row, and reason_of_loss(), since begin_step().
     std::set<unsigned int> release;

@@ -46,7 +46,7 @@ namespace lamella
     double released = 10.;
     /// Correction, relative to the size of the scene, that is small if springs
     /// determine it.
-    double settles = 1e-7;
+    double converged_change = 1e-7;
     /// A motion held by springs is unstable if its stiffness is below minus
     /// this share of the contact force over the size of the scene, else
     /// neutral.
@@ -55,7 +55,7 @@ namespace lamella
     unsigned int max_pairings = 3;
     /// Last correction, as a share of the increment of the step, that needs no
     /// final check of the tangent.
-    double settled = 0.01;
+    double converged_step = 0.01;
     /// Largest rotation increment of an iteration [rad]; longer ones are
     /// shortened.
     double spin = 1.;
@@ -216,36 +216,36 @@ namespace lamella
             State             &state) const;
 
     /// Regularization of an indefinite tangent: active constraints, or
-    /// stabilizing springs scaled by `firmer`.
-    struct Aid
+    /// stabilizing springs scaled by `regularization_factor`.
+    struct Regularization
     {
-      std::unique_ptr<const ActiveConstraintShift> leaning;
-      double                                       firmer = 1.;
+      std::unique_ptr<const ActiveConstraintShift> shift;
+      double                                       regularization_factor = 1.;
     };
 
     /// Returns the tangent of @p state at @p to, after the last @p correction,
-    /// with a regularization @p aid if needed. Throws LostDigits if none
+    /// with a regularization @p aid if needed. Throws IllConditioned if none
     /// suffices.
     TangentOperator
     tangent(const State       &state,
             const BlockVector &correction,
             const LoadFactor  &to,
-            Aid               &aid) const;
+            Regularization               &regularization) const;
 
-    /// Throws LostDigits if the tangent of @p state at @p to, with the active
+    /// Throws IllConditioned if the tangent of @p state at @p to, with the active
     /// constraints, is not definite. The tangent of the last correction was; it
     /// is not checked again if this correction was small beside the increment
     /// from @p before and used no regularization. Throws NumericsError if
     /// friction is unstable.
     void
-    require_minimum(const BlockVector &before,
+    check_stability(const BlockVector &before,
                     const Correction  &last,
                     const State       &state,
                     const LoadFactor  &to) const;
 
     /**
      * Throws NumericsError if @p state at @p to is stable by its springs only,
-     * LostDigits if not even then. Returns false if not checked: without
+     * IllConditioned if not even then. Returns false if not checked: without
      * contact force, and with friction, which has its own criterion.
      *
      * With the spring rows R, scaled such that R^T R is their part of K, and
@@ -257,13 +257,13 @@ namespace lamella
      * of a sliding block, are accepted.
      */
     bool
-    require_held(const State &state, const LoadFactor &to) const;
+    check_supports(const State &state, const LoadFactor &to) const;
 
     /// Solves the contact problem of @p rows in @p state at @p to by
     /// @p strategy for forces and active set, and returns it with the
     /// displacement increment.
     ContactSolution
-    press(ContactStrategy      &strategy,
+    solve_contact(ContactStrategy      &strategy,
           const GapConstraints &rows,
           const LoadFactor     &to,
           State                &state) const;
@@ -271,21 +271,21 @@ namespace lamella
     /// Returns the correction @p du of the state @p u with the rotation of rows
     /// included and no spring force. With H = sum lambda Hess g of the forces
     /// of @p state, which are updated, and the springs S in K, scaled by
-    /// @p firmer, solves
+    /// @p regularization_factor, solves
     ///   K du - B^T dlambda = r + (H + S) du
     /// for the active rows by GMRES; returns @p du if that does not converge.
     BlockVector
     follow_rows(ContactStrategy   &strategy,
                 const BlockVector &u,
                 const BlockVector &du,
-                const double       firmer,
+                const double       regularization_factor,
                 const LoadFactor  &to,
                 State             &state) const;
 
-    /// Adds the forces S w of the stabilizing springs, scaled by @p firmer, to
+    /// Adds the forces S w of the stabilizing springs, scaled by @p regularization_factor, to
     /// @p f.
     void
-    add_spring_forces(const double       firmer,
+    add_spring_forces(const double       regularization_factor,
                       const BlockVector &w,
                       BlockVector       &f) const;
 
@@ -326,7 +326,7 @@ namespace lamella
             Equilibrium         &at) const;
 
     /// Residuals of the last three iterations.
-    struct Decay
+    struct ResidualHistory
     {
       double now     = std::numeric_limits<double>::max(),
              before  = std::numeric_limits<double>::max(),
@@ -341,7 +341,7 @@ namespace lamella
     /// Returns true if iterations end with the residual @p unbalanced and the
     /// last correction @p change [length].
     bool
-    is_equilibrium(const Decay &unbalanced, const double change) const;
+    is_equilibrium(const ResidualHistory &unbalanced, const double change) const;
 
     /// Returns true if the forces @p r on each body are within the rounding of
     /// the displacements @p u.
@@ -362,7 +362,7 @@ namespace lamella
     /// Returns true if the gap violations @p missed [length] satisfy the
     /// contact law at displacements of that @p size.
     bool
-    keeps_law(const Decay &missed, const double size) const;
+    satisfies_contact_law(const ResidualHistory &missed, const double size) const;
 
     const Structure &structure;
     /// Body::dof_sizes() of bodies with rotating rows, empty for all others.

@@ -18,7 +18,7 @@ namespace lamella
   enum class OutOfRange
   {
     undefined,
-    refuse, ///< the run ends with a NumericsError (require_linear_range())
+    refuse, ///< the run ends with a NumericsError (check_linear_range())
     accept  ///< the result is written with a warning
   };
 

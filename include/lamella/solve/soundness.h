@@ -21,7 +21,7 @@ namespace lamella
    * number fails.
    */
   void
-  require_sound(const State  &state,
+  check_solution(const State  &state,
                 const Checks &checks,
                 const double  rotation_limit);
 
@@ -33,7 +33,7 @@ namespace lamella
    * of rotated warping on the displacements is accepted.)
    */
   void
-  require_followed(const TangentOperator &here, const LoadFactor &at);
+  check_followed(const TangentOperator &here, const LoadFactor &at);
 
   /**
    * Returns warnings about a reliable state, one sentence each without a full

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_solve_lost_digits_h
-#define lamella_solve_lost_digits_h
+#ifndef lamella_solve_ill_conditioned_h
+#define lamella_solve_ill_conditioned_h
 
 #include <lamella/base/exceptions.h>
 
@@ -10,7 +10,7 @@ namespace lamella
   /// Exception: a problem that double precision cannot solve, such as a
   /// stiffness that is not positive definite, corrections that do not converge,
   /// or unbalanced forces. Other fields for the same body may succeed.
-  class LostDigits : public NumericsError
+  class IllConditioned : public NumericsError
   {
   public:
     using NumericsError::NumericsError;
