@@ -30,20 +30,20 @@ namespace lamella
   /// finds.
   struct Model
   {
-    List                                 list;
-    std::unique_ptr<Structure>           structure;
+    List                                   list;
+    std::unique_ptr<Structure>             structure;
     std::shared_ptr<const TangentOperator> factors;
-    Vector                               u;
+    Vector                                 u;
   };
 
 
 
   struct Cantilever
   {
-    const Scene                       scene;
-    std::shared_ptr<const Section>    section;
+    const Scene                         scene;
+    std::shared_ptr<const Section>      section;
     std::shared_ptr<const SectionSpace> space;
-    std::shared_ptr<const Axis>       axis;
+    std::shared_ptr<const Axis>         axis;
 
     /// The section of the scene in @p file with the functions of LE-3,
     /// hierarchical by degree, and the six Saint-Venant warpings beside them.
@@ -58,7 +58,7 @@ namespace lamella
       const Warping     warping(*section);
       space =
         std::make_shared<SectionSpace>(section,
-                                     saint_venant_warpings(states, warping));
+                                       saint_venant_warpings(states, warping));
 
       AxisMesh description = scene.bodies[0].axis;
       description.breaks   = {3., 7., 9., 11., 13., 20.};

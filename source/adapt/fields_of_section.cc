@@ -157,9 +157,9 @@ namespace lamella
   const std::vector<unsigned int> &
   FieldsOfSection::zones_of(const ConstrainedSection &held)
   {
-    End         end{held, {}, {}};
-    ConstrainedSection opposite  = held;
-    opposite.goes_forward = !held.goes_forward;
+    End                end{held, {}, {}};
+    ConstrainedSection opposite = held;
+    opposite.goes_forward       = !held.goes_forward;
     for (const End &known : ends)
       {
         if (!suffice(known.zones, held))
@@ -172,12 +172,12 @@ namespace lamella
     if (end.zones.empty())
       end.zones =
         rules.ends->zones(section, states, warping, warpings, held, heated);
-    for (const EndZone &zone : end.zones)
+    for (const BoundaryLayerZone &zone : end.zones)
       {
         Group group;
-        group.element = held.element;
-        group.influence_length   = zone.influence_length;
-        group.holds   = true;
+        group.element          = held.element;
+        group.influence_length = zone.influence_length;
+        group.holds            = true;
         for (unsigned int j = 0; j < zone.fields.n(); ++j)
           group.near.push_back(column_of(zone.fields, j));
         end.groups.push_back(groups.size());
@@ -190,7 +190,7 @@ namespace lamella
 
 
   std::vector<unsigned int>
-  FieldsOfSection::groups_of(const LocalInteraction                    &interaction,
+  FieldsOfSection::groups_of(const LocalInteraction                &interaction,
                              const std::vector<ConstrainedSection> &held)
   {
     std::vector<unsigned int> result;
@@ -211,8 +211,8 @@ namespace lamella
   {
     const auto [smaller, larger] = section->extents();
     return groups[g].influence_length > 0. ? groups[g].influence_length :
-           groups[g].holds      ? rules.influence_length_of_clamp * larger :
-                                  rules.influence_length * smaller;
+           groups[g].holds ? rules.influence_length_of_clamp * larger :
+                             rules.influence_length * smaller;
   }
 
 

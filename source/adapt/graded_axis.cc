@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/graded_axis.h>
+#include <lamella/adapt/local_interactions.h>
 #include <lamella/adapt/plan.h>
-#include <lamella/adapt/interaction.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/surface_names.h>
 

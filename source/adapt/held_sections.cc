@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What holds a section at an end (end_fields.h), and zones seen in a mirror.
+// What holds a section at an end (boundary_layer_modes.h), and zones seen in a
+// mirror.
 
-#include <lamella/adapt/end_fields.h>
+#include <lamella/adapt/boundary_layer_modes.h>
 #include <lamella/base/arithmetic.h>
 
 #include <algorithm>
@@ -15,8 +16,8 @@ namespace lamella
 
   std::vector<ConstrainedSection>
   constrained_sections(const std::vector<LocalInteraction> &interactions,
-                const unsigned int        t,
-                const Axis               &axis)
+                       const unsigned int                   t,
+                       const Axis                          &axis)
   {
     const double y         = interactions[t].begin,
                  tolerance = arithmetic::same_place * axis.length();
@@ -92,10 +93,10 @@ namespace lamella
 
 
 
-  std::vector<EndZone>
-  mirrored(const std::vector<EndZone> &zones,
-           const Section              &section,
-           const ConstrainedSection          &held)
+  std::vector<BoundaryLayerZone>
+  mirrored(const std::vector<BoundaryLayerZone> &zones,
+           const Section                        &section,
+           const ConstrainedSection             &held)
   {
     std::vector<int> sign(section.n_fields());
     for (unsigned int a = 0; a < sign.size(); ++a)
@@ -119,8 +120,8 @@ namespace lamella
                 std::abs(entry->value()) > nothing)
               return {};
       }
-    std::vector<EndZone> result = zones;
-    for (EndZone &zone : result)
+    std::vector<BoundaryLayerZone> result = zones;
+    for (BoundaryLayerZone &zone : result)
       for (unsigned int j = 0; j < zone.fields.n(); ++j)
         for (unsigned int a = 0; a < sign.size(); ++a)
           zone.fields(a, j) *= sign[a];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/end_fields.h>
+#include <lamella/adapt/boundary_layer_modes.h>
 #include <lamella/adapt/interaction_notes.h>
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 namespace lamella
 {
   void
-  note_missing_fields(const Beam               &beam,
+  note_missing_fields(const Beam                          &beam,
                       const std::vector<LocalInteraction> &interactions,
-                      std::vector<std::string> &notes)
+                      std::vector<std::string>            &notes)
   {
     const auto add = [&notes](const std::string &note) {
       if (std::find(notes.begin(), notes.end(), note) == notes.end())
@@ -18,7 +18,8 @@ namespace lamella
     };
     for (const LocalInteraction &interaction : interactions)
       if (interaction.presses)
-        add("body " + beam.name() + ": SV has no fields that " + interaction.name +
+        add("body " + beam.name() + ": SV has no fields that " +
+            interaction.name +
             " can dent: forces are those of a beam, pressures and stresses "
             "there are not to be used. Use SV-N, SV-6 say");
       else if (interaction.heats)
@@ -30,9 +31,9 @@ namespace lamella
 
 
   void
-  note_heat_of_guides(const Beam               &beam,
+  note_heat_of_guides(const Beam                          &beam,
                       const std::vector<LocalInteraction> &interactions,
-                      std::vector<std::string> &notes)
+                      std::vector<std::string>            &notes)
   {
     if (!beam.is_heated())
       return;
@@ -43,7 +44,8 @@ namespace lamella
           if (held[0].rows.size() < beam.section().n_fields() &&
               held[0].by[0] == interactions[t].name)
             notes.push_back(
-              "body " + beam.name() + " is heated, and " + interactions[t].name +
+              "body " + beam.name() + " is heated, and " +
+              interactions[t].name +
               " holds its section in part: SV-N has no fields for what heat "
               "does there, and stresses within a height or two of it are not "
               "to be used. Use LE-N, or Theories with LE-N there");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/local_interactions.h>
 #include <lamella/adapt/loaded_parts.h>
-#include <lamella/adapt/interaction.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/surface_names.h>
 

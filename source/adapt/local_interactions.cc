@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/local_interactions.h>
 #include <lamella/adapt/plan.h>
-#include <lamella/adapt/interaction.h>
 #include <lamella/base/arithmetic.h>
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace lamella
     /// What @p touch does to a section with @p n_fields: @p loads, all of them
     /// @p at_node or not.
     void
-    take_loads(LocalInteraction                          &interaction,
+    take_loads(LocalInteraction               &interaction,
                const std::vector<SectionLoad> &loads,
                const bool                      at_node,
                const unsigned int              n_fields,
-               const InteractionRules               &rules)
+               const InteractionRules         &rules)
     {
       interaction.holds_section =
         at_node &&
@@ -43,11 +43,11 @@ namespace lamella
     /// @p n_fields, are on; of the @p kind that is to be said of them, if any.
     void
     add_interactions(const std::string       &name,
-                const unsigned int       n_fields,
-                std::vector<SectionLoad> loads,
-                bool LocalInteraction::*const  kind,
-                const InteractionRules   &rules,
-                std::vector<LocalInteraction> &interactions)
+                     const unsigned int       n_fields,
+                     std::vector<SectionLoad> loads,
+                     bool LocalInteraction::*const  kind,
+                     const InteractionRules        &rules,
+                     std::vector<LocalInteraction> &interactions)
     {
       std::stable_sort(loads.begin(),
                        loads.end(),
@@ -61,13 +61,15 @@ namespace lamella
           interaction.begin   = begin->place.begin;
           interaction.end     = begin->place.end;
           interaction.element = begin->place.element;
-          bool at_node  = true;
-          auto end      = begin;
-          for (; end != loads.end() && end->place.begin <= interaction.end; ++end)
+          bool at_node        = true;
+          auto end            = begin;
+          for (; end != loads.end() && end->place.begin <= interaction.end;
+               ++end)
             {
-              interaction.end     = std::max(interaction.end, end->place.end);
-              interaction.element = std::min(interaction.element, end->place.element);
-              at_node       = at_node && end->at_node;
+              interaction.end = std::max(interaction.end, end->place.end);
+              interaction.element =
+                std::min(interaction.element, end->place.element);
+              at_node = at_node && end->at_node;
             }
           take_loads(interaction, {begin, end}, at_node, n_fields, rules);
           if (kind != nullptr)
@@ -112,8 +114,8 @@ namespace lamella
 
     /// The heat of @p beam as a load where it varies along the axis.
     void
-    add_heat(const Beam         &beam,
-             const InteractionRules   &rules,
+    add_heat(const Beam                    &beam,
+             const InteractionRules        &rules,
              std::vector<LocalInteraction> &interactions)
     {
       if (!beam.is_heated())
@@ -133,16 +135,17 @@ namespace lamella
 
 
   std::vector<LocalInteraction>
-  heated_free_ends(const Beam &beam, const std::vector<LocalInteraction> &interactions)
+  heated_free_ends(const Beam                          &beam,
+                   const std::vector<LocalInteraction> &interactions)
   {
-    const Axis        &axis = beam.axis();
+    const Axis                   &axis = beam.axis();
     std::vector<LocalInteraction> ends;
     if (!beam.is_heated())
       return ends;
     for (const bool at_start : {true, false})
       {
         const unsigned int cell = at_start ? 0 : axis.n_cells() - 1;
-        LocalInteraction              end;
+        LocalInteraction   end;
         end.name            = "heated end";
         end.begin           = at_start ? 0. : axis.length();
         end.end             = end.begin;
@@ -170,7 +173,7 @@ namespace lamella
                      const unsigned int                       number,
                      const Support                           &support,
                      const std::vector<PrescribedFunctional> &rows,
-                     const InteractionRules                        &rules)
+                     const InteractionRules                  &rules)
     {
       std::vector<SectionLoad> held;
       for (const PrescribedFunctional &row : rows)
@@ -198,7 +201,7 @@ namespace lamella
                      const unsigned int                body,
                      const ContactInterface           &contact,
                      const std::optional<unsigned int> along,
-                     const InteractionRules                 &rules)
+                     const InteractionRules           &rules)
     {
       std::vector<SectionLoad> loads;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
@@ -228,21 +231,21 @@ namespace lamella
     /// What @p contact presses and, along two tangents, rubs of the body number
     /// @p body, @p beam.
     void
-    add_contact(const Beam             &beam,
-                const unsigned int      body,
-                const ContactInterface &contact,
-                const InteractionRules       &rules,
-                std::vector<LocalInteraction>     &interactions)
+    add_contact(const Beam                    &beam,
+                const unsigned int             body,
+                const ContactInterface        &contact,
+                const InteractionRules        &rules,
+                std::vector<LocalInteraction> &interactions)
     {
       const auto add = [&](const std::string                &name,
                            const std::optional<unsigned int> along,
                            bool LocalInteraction::*const kind) {
         add_interactions(name,
-                    beam.section().n_fields(),
-                    loads_of_contact(beam, body, contact, along, rules),
-                    kind,
-                    rules,
-                    interactions);
+                         beam.section().n_fields(),
+                         loads_of_contact(beam, body, contact, along, rules),
+                         kind,
+                         rules,
+                         interactions);
       };
       add("contact " + contact.name, {}, &LocalInteraction::presses);
       for (unsigned int tangent = 0; tangent < 2; ++tangent)
@@ -270,37 +273,38 @@ namespace lamella
 
   std::vector<LocalInteraction>
   find_interactions(const Beam                          &beam,
-               const unsigned int                   body,
-               const Bodies                        &bodies,
-               const std::vector<Support>          &supports,
-               const std::vector<Load>             &loads,
-               const std::vector<ContactInterface> &contacts,
-               const InteractionRules                    &rules)
+                    const unsigned int                   body,
+                    const Bodies                        &bodies,
+                    const std::vector<Support>          &supports,
+                    const std::vector<Load>             &loads,
+                    const std::vector<ContactInterface> &contacts,
+                    const InteractionRules              &rules)
   {
-    const unsigned int n_fields = beam.section().n_fields();
+    const unsigned int            n_fields = beam.section().n_fields();
     std::vector<LocalInteraction> interactions;
     const std::vector<PrescribedFunctional> rows =
       prescribed_functionals(supports, bodies);
     for (unsigned int s = 0; s < supports.size(); ++s)
-      add_interactions("support " + supports[s].name,
-                  n_fields,
-                  supports[s].isostatic ?
-                    std::vector<SectionLoad>() :
-                    loads_of_support(beam, body, s, supports[s], rows, rules),
-                  &LocalInteraction::holds,
-                  rules,
-                  interactions);
+      add_interactions(
+        "support " + supports[s].name,
+        n_fields,
+        supports[s].isostatic ?
+          std::vector<SectionLoad>() :
+          loads_of_support(beam, body, s, supports[s], rows, rules),
+        &LocalInteraction::holds,
+        rules,
+        interactions);
     for (const Load &load : loads)
       add_interactions("load " + load.name,
-                  n_fields,
-                  loads_of_vector(beam,
-                                  load_on(load, body, bodies),
-                                  std::vector<bool>(beam.axis().n_cells(),
-                                                    true),
-                                  rules),
-                  nullptr,
-                  rules,
-                  interactions);
+                       n_fields,
+                       loads_of_vector(beam,
+                                       load_on(load, body, bodies),
+                                       std::vector<bool>(beam.axis().n_cells(),
+                                                         true),
+                                       rules),
+                       nullptr,
+                       rules,
+                       interactions);
     add_heat(beam, rules, interactions);
     for (const ContactInterface &contact : contacts)
       add_contact(beam, body, contact, rules, interactions);

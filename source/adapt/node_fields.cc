@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/fields_of_section.h>
+#include <lamella/adapt/interaction_notes.h>
 #include <lamella/adapt/plan.h>
 #include <lamella/adapt/theory_pieces.h>
-#include <lamella/adapt/interaction_notes.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/independent_rows.h>
 #include <lamella/base/text.h>
-#include <lamella/body/total_lagrangian_beam.h>
 #include <lamella/body/geometrically_exact_beam.h>
+#include <lamella/body/total_lagrangian_beam.h>
 #include <lamella/recover/box_points.h>
 
 #include <algorithm>
@@ -40,8 +40,8 @@ namespace lamella
     struct InteractionsOfBody
     {
       unsigned int                           number;
-      PlanFacts                              facts;
-      std::vector<LocalInteraction>                     interactions;
+      PlanInput                              facts;
+      std::vector<LocalInteraction>          interactions;
       std::vector<std::pair<double, double>> asked;
       std::vector<std::vector<unsigned int>> groups  = {};
       BodyPlan                               planned = {};
@@ -52,9 +52,9 @@ namespace lamella
 
     /// The groups that each node of @p beam is near.
     std::vector<std::set<unsigned int>>
-    near_groups(const Beam            &beam,
-                const InteractionsOfBody     &loaded,
-                const FieldsOfSection &fields)
+    near_groups(const Beam               &beam,
+                const InteractionsOfBody &loaded,
+                const FieldsOfSection    &fields)
     {
       std::vector<std::set<unsigned int>> result;
       for (const double y : beam.axis().nodes())
@@ -62,7 +62,8 @@ namespace lamella
           result.emplace_back();
           for (unsigned int t = 0; t < loaded.interactions.size(); ++t)
             for (const unsigned int group : loaded.groups[t])
-              if (const double influence_length = fields.influence_length_of(group);
+              if (const double influence_length =
+                    fields.influence_length_of(group);
                   y > loaded.interactions[t].begin - influence_length &&
                   y < loaded.interactions[t].end + influence_length)
                 result.back().insert(group);
@@ -163,14 +164,14 @@ namespace lamella
 
 
     /// What is known of @p beam before any field is sought.
-    PlanFacts
+    PlanInput
     facts_of(const Beam                 &beam,
              const unsigned int          number,
              const BodyDescription      &description,
              const std::vector<Support> &supports,
              const FieldRules           &rules)
     {
-      PlanFacts facts;
+      PlanInput facts;
       facts.size.dofs           = beam.n_dofs();
       facts.size.nodes          = beam.axis().n_nodes();
       facts.size.fields         = beam.section().n_fields();
@@ -186,18 +187,18 @@ namespace lamella
 
     /// What holds @p beam at the touch number @p t of @p body.
     std::vector<ConstrainedSection>
-    looked_at_sections(const Beam          &beam,
-                       const InteractionsOfBody   &body,
-                       const unsigned int   t,
-                       const EndFieldRules &rules)
+    sampled_sections(const Beam               &beam,
+                     const InteractionsOfBody &body,
+                     const unsigned int        t,
+                     const BoundaryLayerRules &rules)
     {
-      const double near = rules.looked_at * beam.section().extents().second,
+      const double near = rules.sampled * beam.section().extents().second,
                    y    = body.interactions[t].begin;
-      auto held         = constrained_sections(body.interactions, t, beam.axis());
+      auto held = constrained_sections(body.interactions, t, beam.axis());
       for (ConstrainedSection &one : held)
         {
           one.body = beam.name();
-          one.is_looked_at =
+          one.is_sampled =
             std::any_of(body.asked.begin(),
                         body.asked.end(),
                         [&](const auto &at) {
@@ -212,18 +213,20 @@ namespace lamella
     /// Those of each of the touches of @p body, which is @p beam; without end
     /// fields, which cost a solution, unless @p wants_responses.
     std::vector<std::vector<unsigned int>>
-    groups_of(const Beam        &beam,
+    groups_of(const Beam               &beam,
               const InteractionsOfBody &body,
-              FieldsOfSection   &fields,
-              const FieldRules  &rules,
-              const bool         wants_responses)
+              FieldsOfSection          &fields,
+              const FieldRules         &rules,
+              const bool                wants_responses)
     {
       std::vector<std::vector<unsigned int>> groups;
       for (unsigned int t = 0; t < body.interactions.size(); ++t)
         if (const LocalInteraction &interaction = body.interactions[t];
-            (interaction.holds_section || interaction.is_free) && wants_responses)
+            (interaction.holds_section || interaction.is_free) &&
+            wants_responses)
           groups.push_back(fields.groups_of(
-            interaction, looked_at_sections(beam, body, t, rules.ends->limits())));
+            interaction,
+            sampled_sections(beam, body, t, rules.ends->limits())));
         else if (interaction.is_free)
           groups.emplace_back();
         else
@@ -236,7 +239,7 @@ namespace lamella
     /// The plan of @p body, which is @p beam, and its lists.
     void
     choose_lists(const Beam            &beam,
-                 InteractionsOfBody           &body,
+                 InteractionsOfBody    &body,
                  const BodyDescription &description,
                  FieldsOfSection       &fields,
                  const FieldRules      &rules)
@@ -281,10 +284,10 @@ namespace lamella
     /// What heat does to all of the bodies @p touched, and their weights: what
     /// loads sections all along.
     std::pair<std::vector<Beam::SectionHeat>, std::vector<Vector>>
-    loads_all_along(const std::vector<const Beam *> &beams,
-                    const std::vector<InteractionsOfBody>  &loaded,
-                    const Tensor<1, 3>              &gravity,
-                    const FieldRules                &rules)
+    loads_all_along(const std::vector<const Beam *>       &beams,
+                    const std::vector<InteractionsOfBody> &loaded,
+                    const Tensor<1, 3>                    &gravity,
+                    const FieldRules                      &rules)
     {
       std::vector<Beam::SectionHeat> heat;
       std::vector<Vector>            weights;
@@ -305,7 +308,7 @@ namespace lamella
     /// fields of its section, or what has no fields.
     void
     note_choice(const Beam               &beam,
-                const InteractionsOfBody        &body,
+                const InteractionsOfBody &body,
                 const BodyDescription    &description,
                 const std::string        &why,
                 std::vector<std::string> &notes)
@@ -330,7 +333,7 @@ namespace lamella
     /// nodes.
     std::unique_ptr<Beam>
     with_lists(const Beam                                   &beam,
-               const std::shared_ptr<const SectionSpace>      &space,
+               const std::shared_ptr<const SectionSpace>    &space,
                const BodyDescription                        &description,
                const std::vector<std::vector<unsigned int>> &lists)
     {
@@ -357,10 +360,11 @@ namespace lamella
             " the nodes of this body carry all fields of its section, and "
             "elements of lower degree lock where these turn far",
           "Take B4, or more elements.");
-      return std::make_unique<TotalLagrangianBeam>(beam.name(),
-                                         beam.fields().shared_section(),
-                                         beam.shared_axis(),
-                                         beam.place());
+      return std::make_unique<TotalLagrangianBeam>(
+        beam.name(),
+        beam.fields().shared_section(),
+        beam.shared_axis(),
+        beam.place());
     }
 
 
@@ -370,19 +374,18 @@ namespace lamella
     replace(Bodies                             &bodies,
             const std::vector<BodyDescription> &descriptions,
             const Tensor<1, 3>                 &gravity,
-            std::vector<InteractionsOfBody>           &loaded,
+            std::vector<InteractionsOfBody>    &loaded,
             const FieldRules                   &rules,
             std::vector<std::string>           &notes)
     {
       const std::vector<const Beam *> beams = beams_of(bodies);
       const auto [heat, weights] =
         loads_all_along(beams, loaded, gravity, rules);
-      FieldsOfSection fields(
-        beams[loaded[0].number]->fields().shared_section(),
-        descriptions[loaded[0].number].theory,
-        rules,
-        heat,
-        weights);
+      FieldsOfSection fields(beams[loaded[0].number]->fields().shared_section(),
+                             descriptions[loaded[0].number].theory,
+                             rules,
+                             heat,
+                             weights);
       for (InteractionsOfBody &body : loaded)
         {
           const Beam &beam = *beams[body.number];
@@ -426,21 +429,23 @@ namespace lamella
     /// What of the scene is on @p beam, which is the body number @p b.
     InteractionsOfBody
     interactions_of_body(const Beam                          &beam,
-                 const unsigned int                   b,
-                 const Bodies                        &bodies,
-                 const BodyDescription               &description,
-                 const std::vector<Support>          &supports,
-                 const std::vector<Load>             &loads,
-                 const std::vector<ContactInterface> &contacts,
-                 const std::vector<StressPlace>      &asked,
-                 const FieldRules                    &rules)
+                         const unsigned int                   b,
+                         const Bodies                        &bodies,
+                         const BodyDescription               &description,
+                         const std::vector<Support>          &supports,
+                         const std::vector<Load>             &loads,
+                         const std::vector<ContactInterface> &contacts,
+                         const std::vector<StressPlace>      &asked,
+                         const FieldRules                    &rules)
     {
       InteractionsOfBody body{
         b,
         facts_of(beam, b, description, supports, rules),
-        find_interactions(beam, b, bodies, supports, loads, contacts, rules.interactions),
+        find_interactions(
+          beam, b, bodies, supports, loads, contacts, rules.interactions),
         asked_of(b, asked)};
-      for (const LocalInteraction &end : heated_free_ends(beam, body.interactions))
+      for (const LocalInteraction &end :
+           heated_free_ends(beam, body.interactions))
         body.interactions.push_back(end);
       return body;
     }
@@ -464,19 +469,20 @@ namespace lamella
                 std::vector<std::string>            *why)
   {
     const std::vector<const Beam *> beams = beams_of(bodies);
-    std::map<std::pair<std::string, Theory>, std::vector<InteractionsOfBody>> loaded;
+    std::map<std::pair<std::string, Theory>, std::vector<InteractionsOfBody>>
+      loaded;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.is_of_solutions())
         loaded[{descriptions[b].section, descriptions[b].theory}].push_back(
           interactions_of_body(*beams[b],
-                       b,
-                       bodies,
-                       descriptions[b],
-                       supports,
-                       loads,
-                       contacts,
-                       asked,
-                       rules));
+                               b,
+                               bodies,
+                               descriptions[b],
+                               supports,
+                               loads,
+                               contacts,
+                               asked,
+                               rules));
     std::vector<std::string> notes;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.hierarchical)
@@ -490,7 +496,7 @@ namespace lamella
     for (const auto &[key, of_section] : loaded)
       for (const InteractionsOfBody &body : of_section)
         if (why != nullptr)
-          (*why)[body.number] = words_of_fields(body.facts, body.planned);
+          (*why)[body.number] = describe_fields(body.facts, body.planned);
     return notes;
   }
 } // namespace lamella

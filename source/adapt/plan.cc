@@ -102,7 +102,7 @@ namespace lamella
     /// Why a body of SV-N keeps all fields of its section; empty if it need
     /// not.
     std::string
-    why_all_fields(const PlanFacts &facts, const PlanRules &rules)
+    why_all_fields(const PlanInput &facts, const PlanRules &rules)
     {
       const BodySize   &size = facts.size;
       const std::string of_all =
@@ -126,7 +126,7 @@ namespace lamella
 
 
   BodyPlan
-  plan(const PlanFacts &facts, const PlanRules &rules)
+  plan(const PlanInput &facts, const PlanRules &rules)
   {
     BodyPlan result;
     result.theory = facts.theory;
@@ -152,7 +152,7 @@ namespace lamella
 
 
   std::string
-  words_of_fields(const PlanFacts &facts, const BodyPlan &planned)
+  describe_fields(const PlanInput &facts, const BodyPlan &planned)
   {
     const std::string all = "all fields of the section";
     if (facts.has_pieces)

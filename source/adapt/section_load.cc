@@ -102,7 +102,7 @@ namespace lamella
     LinearFunctional
     without_axial(const LinearFunctional &f,
                   const Section          &section,
-                  const InteractionRules       &rules)
+                  const InteractionRules &rules)
     {
       double           axial = 0.;
       LinearFunctional rest;
@@ -123,7 +123,7 @@ namespace lamella
               const Point<3>         &position,
               const double            area,
               const bool              normal,
-              const InteractionRules       &rules)
+              const InteractionRules &rules)
   {
     const auto       nodes = by_node(beam, row);
     LinearFunctional f;
@@ -146,7 +146,7 @@ namespace lamella
   loads_of_vector(const Beam              &beam,
                   const Vector            &load,
                   const std::vector<bool> &asked,
-                  const InteractionRules        &rules)
+                  const InteractionRules  &rules)
   {
     LinearFunctional row;
     for (unsigned int dof = 0; dof < load.size(); ++dof)
@@ -179,7 +179,7 @@ namespace lamella
   std::vector<Vector>
   independent_of(const std::vector<SectionLoad> &loads,
                  const unsigned int              n_fields,
-                 const InteractionRules               &rules)
+                 const InteractionRules         &rules)
   {
     std::vector<Vector> result, basis;
     for (const SectionLoad &load : loads)

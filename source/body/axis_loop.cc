@@ -52,8 +52,8 @@ namespace lamella
         std::vector<unsigned int> fields = fields_of_element(cell);
         if (answer == nullptr || answer->fields() != fields)
           answer = make_section_operator(space,
-                                       std::move(fields),
-                                       axis.has_assumed_shear());
+                                         std::move(fields),
+                                         axis.has_assumed_shear());
         use(cell, *answer);
       }
   }
@@ -135,7 +135,8 @@ namespace lamella
   AxisLoop::add_forces(const ForcesOfElement &forces_of, Vector &f) const
   {
     Vector share(f.size());
-    for_each_element([&](const unsigned int cell, const SectionOperator &answer) {
+    for_each_element([&](const unsigned int     cell,
+                         const SectionOperator &answer) {
       add_on_nodes(cell, answer.fields(), forces_of(cell, answer).work, share);
     });
     sum_over_processes(share);

@@ -51,7 +51,7 @@ namespace lamella
 
 
   Beam::Beam(const std::string                            &name,
-             std::shared_ptr<const SectionSpace>             given,
+             std::shared_ptr<const SectionSpace>           given,
              std::shared_ptr<const Axis>                   axis,
              const Placement                              &placement,
              const std::vector<std::vector<unsigned int>> &fields_of_node,
@@ -233,8 +233,8 @@ namespace lamella
     for (unsigned int m = 0; m < 6; ++m)
       {
         Tensor<1, 3> direction;
-        direction[m % 3]        = 1.;
-        const Tensor<1, 3> v    = placement.vector_to_body(direction);
+        direction[m % 3]            = 1.;
+        const Tensor<1, 3> v        = placement.vector_to_body(direction);
         const bool         rotation = m >= 3;
         for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
           {

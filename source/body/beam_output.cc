@@ -180,10 +180,10 @@ namespace lamella
       unsigned int alpha, row;
       double       factor;
     };
-    unsigned int cell;
-    Point<2>     position;
-    ElasticLaw   law;
-    SampleRotations  rotations;
+    unsigned int    cell;
+    Point<2>        position;
+    ElasticLaw      law;
+    SampleRotations rotations;
     /// Of value, shear_value and derivative.
     std::array<std::vector<Entry>, 3> entries;
   };
@@ -207,7 +207,7 @@ namespace lamella
              at.position,
              beam_section->law(section_cell, at.position),
              SampleRotations(placement,
-                         beam_section->ply_axes(section_cell, at.position)),
+                             beam_section->ply_axes(section_cell, at.position)),
              {}});
           const auto add = [&](const unsigned int part,
                                const unsigned int a,
@@ -240,7 +240,9 @@ namespace lamella
                     const Point<3>     &x) const
   {
     if (!is_heated())
-      return point.rotations.sample(displacement, strain, point.law.stress(strain));
+      return point.rotations.sample(displacement,
+                                    strain,
+                                    point.law.stress(strain));
     const ElasticLaw law = law_at(point.cell, point.position, x);
     strain += beam_section->completion_of_initial(point.cell,
                                                   point.position,

@@ -21,7 +21,9 @@ namespace lamella
   {
     /// Whether every node couples all its fields with all of its neighbors'.
     bool
-    is_dense(const SectionSpace &space, const Axis &axis, const BeamDofMap &dofs)
+    is_dense(const SectionSpace &space,
+             const Axis         &axis,
+             const BeamDofMap   &dofs)
     {
       if (axis.has_assumed_shear())
         return false;
@@ -37,8 +39,8 @@ namespace lamella
     /// node carries.
     std::vector<FactorRow>
     section_rows(const SectionSpace &space,
-                 const Axis       &axis,
-                 const BeamDofMap &dofs)
+                 const Axis         &axis,
+                 const BeamDofMap   &dofs)
     {
       std::vector<bool> carried(space.n_fields(), false);
       for (unsigned int node = 0; node < dofs.n_nodes(); ++node)
@@ -49,8 +51,8 @@ namespace lamella
         if (carried[alpha])
           fields.push_back(alpha);
       return make_section_operator(space,
-                                 std::move(fields),
-                                 axis.has_assumed_shear())
+                                   std::move(fields),
+                                   axis.has_assumed_shear())
         ->stiffness();
     }
 

@@ -35,7 +35,7 @@ namespace lamella
     class ListProjection
     {
     public:
-      ListProjection(const SectionSpace                &space,
+      ListProjection(const SectionSpace              &space,
                      const std::vector<unsigned int> &list)
         : list(list)
       {

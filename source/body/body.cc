@@ -310,11 +310,12 @@ namespace lamella
                             const SolverKind               asked,
                             const SolverMonitor           &monitor) const
   {
-    return has_finite_rotations() ? solver_of(tangent_terms(u, correction, springs),
-                               constraints,
-                               asked,
-                               monitor) :
-                     make_solver(constraints, springs, asked, monitor);
+    return has_finite_rotations() ?
+             solver_of(tangent_terms(u, correction, springs),
+                       constraints,
+                       asked,
+                       monitor) :
+             make_solver(constraints, springs, asked, monitor);
   }
 
 

@@ -36,8 +36,8 @@ namespace lamella
 
   FieldSample
   SampleRotations::sample(const Tensor<1, 3> &displacement,
-                      const Voigt        &strain,
-                      const Voigt        &stress) const
+                          const Voigt        &strain,
+                          const Voigt        &stress) const
   {
     FieldSample sample;
     sample.displacement = axes * displacement;
@@ -111,7 +111,7 @@ namespace lamella
   {
     FieldSample mean;
     double      largest = 0.;
-    mean.rotation           = Triad();
+    mean.rotation       = Triad();
     const double share  = 1. / samples.size();
     for (const FieldSample &one : samples)
       {

@@ -259,7 +259,7 @@ namespace lamella
   turned_vector(const Quaternion &Q, const Tensor<1, 3> &v)
   {
     constexpr unsigned int of_v = 4;
-    RotatedVector           x;
+    RotatedVector          x;
     for (unsigned int i = 0; i < 3; ++i)
       {
         Form A;

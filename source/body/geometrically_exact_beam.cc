@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A beam whose sections turn: its sections' law and its state. Its forces are
-// in geometrically_exact_forces.cc, what it shows at points in geometrically_exact_points.cc.
+// in geometrically_exact_forces.cc, what it shows at points in
+// geometrically_exact_points.cc.
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
@@ -65,26 +66,27 @@ namespace lamella
 
 
 
-  GeometricallyExactBeam::GeometricallyExactBeam(const std::string             &name,
-                             std::shared_ptr<const Section> section,
-                             std::shared_ptr<const Axis>    axis,
-                             const Placement               &placement,
-                             const std::string             &theory,
-                             const bool                     stays_normal)
+  GeometricallyExactBeam::GeometricallyExactBeam(
+    const std::string             &name,
+    std::shared_ptr<const Section> section,
+    std::shared_ptr<const Axis>    axis,
+    const Placement               &placement,
+    const std::string             &theory,
+    const bool                     stays_normal)
     : GeometricallyExactBeam(name,
-                   no_modes(section),
-                   axis,
-                   placement,
-                   all_at_each_node(*section, *axis),
-                   theory,
-                   stays_normal)
+                             no_modes(section),
+                             axis,
+                             placement,
+                             all_at_each_node(*section, *axis),
+                             theory,
+                             stays_normal)
   {}
 
 
 
   GeometricallyExactBeam::GeometricallyExactBeam(
     const std::string                            &name,
-    std::shared_ptr<const SectionSpace>             space,
+    std::shared_ptr<const SectionSpace>           space,
     std::shared_ptr<const Axis>                   axis,
     const Placement                              &placement,
     const std::vector<std::vector<unsigned int>> &fields_of_node,
@@ -130,7 +132,7 @@ namespace lamella
   {
     // Of a section that does, stiffness against shear over that against
     // stretch.
-    constexpr double     normal = 1e4;
+    constexpr double       normal = 1e4;
     const SectionOperator *before = nullptr;
     along_axis().for_each_element(
       [&](const unsigned int, const SectionOperator &answer) {
@@ -252,8 +254,8 @@ namespace lamella
 
   std::vector<double>
   GeometricallyExactBeam::on_strains(const std::vector<unsigned int> &list,
-                           const FieldParts                &work,
-                           const unsigned int               k) const
+                                     const FieldParts                &work,
+                                     const unsigned int               k) const
   {
     const FrameFields   frame(list, h);
     std::vector<double> s;
@@ -274,7 +276,8 @@ namespace lamella
   // ---- the state
 
   Tensor<1, 3>
-  GeometricallyExactBeam::rotation(const unsigned int node, const Vector &u) const
+  GeometricallyExactBeam::rotation(const unsigned int node,
+                                   const Vector      &u) const
   {
     Tensor<1, 3> theta;
     for (unsigned int c = 0; c < 3; ++c)
@@ -349,7 +352,8 @@ namespace lamella
 
 
   GeometricallyExactBeam::Element
-  GeometricallyExactBeam::element(const unsigned int cell, const Vector &u) const
+  GeometricallyExactBeam::element(const unsigned int cell,
+                                  const Vector      &u) const
   {
     Element result;
     for (const unsigned int node : axis().nodes_of_cell(cell))
@@ -374,7 +378,8 @@ namespace lamella
 
 
   GeometricallyExactBeam::Frame
-  GeometricallyExactBeam::frame_at(const AxisPoint &point, const Element &element)
+  GeometricallyExactBeam::frame_at(const AxisPoint &point,
+                                   const Element   &element)
   {
     Frame              result;
     const unsigned int m = element.a.front().size();
@@ -446,8 +451,8 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_local(const std::vector<LocalDof> &dofs,
-                          const std::vector<double>   &local,
-                          Vector                      &f)
+                                    const std::vector<double>   &local,
+                                    Vector                      &f)
   {
     for (unsigned int k = 0; k < dofs.size(); ++k)
       if (dofs[k].exists())
@@ -458,7 +463,7 @@ namespace lamella
 
   StiffnessBlock
   GeometricallyExactBeam::block_of(const std::vector<LocalDof>    &dofs,
-                         const LAPACKFullMatrix<double> &local)
+                                   const LAPACKFullMatrix<double> &local)
   {
     StiffnessBlock            block;
     std::vector<unsigned int> there;

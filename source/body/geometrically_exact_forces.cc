@@ -13,8 +13,8 @@ namespace lamella
 
   GeometricallyExactBeam::ByNode
   GeometricallyExactBeam::by_node(const Element     &element,
-                        const AxisPoint   &point,
-                        const unsigned int i)
+                                  const AxisPoint   &point,
+                                  const unsigned int i)
   {
     constexpr unsigned int of_dQ = 4, of_dr = 8;
     ByNode                 result;
@@ -46,9 +46,9 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_forces(const Station       &station,
-                           const Element       &element,
-                           const Vector        &s,
-                           std::vector<double> &f)
+                                     const Element       &element,
+                                     const Vector        &s,
+                                     std::vector<double> &f)
   {
     const Frame        frame = frame_at(station.point, element);
     const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
@@ -182,9 +182,9 @@ namespace lamella
 
   GeometricallyExactBeam::OfFrame
   GeometricallyExactBeam::predicted(const Station             &station,
-                          const Law                 &law,
-                          const Element             &before,
-                          const std::vector<double> &change)
+                                    const Law                 &law,
+                                    const Element             &before,
+                                    const std::vector<double> &change)
   {
     const unsigned int  m = law.warpings.size(), n = n_of_node + m;
     const Frame         frame = frame_at(station.point, before);
@@ -217,10 +217,10 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_frame_tangent(const Station            &station,
-                                  const Law                &law,
-                                  const Element            &element,
-                                  const OfFrame            &s,
-                                  LAPACKFullMatrix<double> &K)
+                                            const Law                &law,
+                                            const Element            &element,
+                                            const OfFrame            &s,
+                                            LAPACKFullMatrix<double> &K)
   {
     const Frame               frame = frame_at(station.point, element);
     const FrameStrains        of = frame_strains(frame.Q, frame.dQ, frame.dr);
@@ -241,7 +241,8 @@ namespace lamella
 
 
   std::vector<GeometricallyExactBeam::ByNode>
-  GeometricallyExactBeam::by_nodes(const Station &station, const Element &element)
+  GeometricallyExactBeam::by_nodes(const Station &station,
+                                   const Element &element)
   {
     std::vector<ByNode> by;
     for (unsigned int i = 0; i < element.q.size(); ++i)
@@ -253,12 +254,12 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_stress_tangent(const Station             &station,
-                                   const Element             &element,
-                                   const FrameStrains        &of,
-                                   const std::vector<ByNode> &by,
-                                   const OfFrame             &s,
-                                   Tensor<2, 11>              by_measures,
-                                   LAPACKFullMatrix<double>  &K)
+                                             const Element             &element,
+                                             const FrameStrains        &of,
+                                             const std::vector<ByNode> &by,
+                                             const OfFrame             &s,
+                                             Tensor<2, 11> by_measures,
+                                             LAPACKFullMatrix<double> &K)
   {
     const unsigned int n = n_of_node + element.a.front().size();
     Tensor<1, 11>      stress;
@@ -284,7 +285,8 @@ namespace lamella
 
 
   Tensor<2, 11>
-  GeometricallyExactBeam::square_of_strains(const Law &law, const FrameStrains &of)
+  GeometricallyExactBeam::square_of_strains(const Law          &law,
+                                            const FrameStrains &of)
   {
     Tensor<2, 11> result;
     for (unsigned int c = 0; c < n_strains; ++c)
@@ -300,11 +302,11 @@ namespace lamella
 
 
   void
-  GeometricallyExactBeam::add_rigid_tangent(const Tensor<2, 11>       &by_measures,
-                                  const std::vector<ByNode> &by,
-                                  const unsigned int         j,
-                                  const unsigned int         n,
-                                  LAPACKFullMatrix<double>  &K)
+  GeometricallyExactBeam::add_rigid_tangent(const Tensor<2, 11> &by_measures,
+                                            const std::vector<ByNode> &by,
+                                            const unsigned int         j,
+                                            const unsigned int         n,
+                                            LAPACKFullMatrix<double>  &K)
   {
     for (unsigned int c = 0; c < n_of_node; ++c)
       {
@@ -323,11 +325,11 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_coupling(const Tensor<1, 11>       &coupled,
-                             const std::vector<ByNode> &by,
-                             const std::vector<double> &N,
-                             const unsigned int         warping,
-                             const unsigned int         n,
-                             LAPACKFullMatrix<double>  &K)
+                                       const std::vector<ByNode> &by,
+                                       const std::vector<double> &N,
+                                       const unsigned int         warping,
+                                       const unsigned int         n,
+                                       LAPACKFullMatrix<double>  &K)
   {
     for (unsigned int i = 0; i < by.size(); ++i)
       for (unsigned int d = 0; d < n_of_node; ++d)
@@ -347,7 +349,7 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_warping_tangent(const unsigned int        cell,
-                                    LAPACKFullMatrix<double> &K) const
+                                              LAPACKFullMatrix<double> &K) const
   {
     // The first row of the warpings.
     constexpr unsigned int w   = n_strains;
@@ -411,7 +413,8 @@ namespace lamella
 
 
   GeometricallyExactBeam::SectionState
-  GeometricallyExactBeam::shown_state(const AxisPoint &on_axis, const Vector &u) const
+  GeometricallyExactBeam::shown_state(const AxisPoint &on_axis,
+                                      const Vector    &u) const
   {
     const unsigned int        cell = on_axis.cell, n = stations[cell].size();
     const double              begin = axis().cell_begin(cell);

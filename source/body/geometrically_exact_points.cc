@@ -19,7 +19,8 @@ namespace lamella
   // ---- a section in a state
 
   GeometricallyExactBeam::SectionState
-  GeometricallyExactBeam::section_state(const unsigned int cell, const Frame &frame) const
+  GeometricallyExactBeam::section_state(const unsigned int cell,
+                                        const Frame       &frame) const
   {
     SectionState state{frame, strains(frame), {}, {}, {}};
     state.value.assign(section().n_fields(), 0.);
@@ -51,7 +52,8 @@ namespace lamella
 
 
   GeometricallyExactBeam::SectionState
-  GeometricallyExactBeam::section_state(const AxisPoint &on_axis, const Vector &u) const
+  GeometricallyExactBeam::section_state(const AxisPoint &on_axis,
+                                        const Vector    &u) const
   {
     return section_state(on_axis.cell,
                          frame_at(on_axis, element(on_axis.cell, u)));
@@ -78,7 +80,7 @@ namespace lamella
 
   Tensor<1, 3>
   GeometricallyExactBeam::displacement(const SectionPoint &point,
-                             const SectionState &state) const
+                                       const SectionState &state) const
   {
     const Tensor<2, 3> R = rotation_of(state.frame.Q);
     const Tensor<1, 3> X = from_center(point);
@@ -125,7 +127,8 @@ namespace lamella
 
 
   Tensor<2, 3>
-  GeometricallyExactBeam::rotation_at(const Location &location, const Vector &u) const
+  GeometricallyExactBeam::rotation_at(const Location &location,
+                                      const Vector   &u) const
   {
     const Location::Place &place = location.places[0];
     const AxisPoint        point =
@@ -139,7 +142,7 @@ namespace lamella
 
   std::vector<Tensor<1, 3>>
   GeometricallyExactBeam::displacements(const std::vector<Location> &locations,
-                              const Vector                &u) const
+                                        const Vector                &u) const
   {
     // The nodes of a surface are few points of the section at few of the axis.
     std::map<std::pair<unsigned int, double>, SectionState> states;
@@ -173,7 +176,8 @@ namespace lamella
 
 
   RotatedVector
-  GeometricallyExactBeam::turned_point(const PointFields &at, const Frame &frame)
+  GeometricallyExactBeam::turned_point(const PointFields &at,
+                                       const Frame       &frame)
   {
     return turned_vector(frame.Q, at.X + warping(at, frame));
   }
@@ -181,7 +185,8 @@ namespace lamella
 
 
   std::vector<Tensor<1, 3>>
-  GeometricallyExactBeam::by_local(const PointFields &at, const Element &element)
+  GeometricallyExactBeam::by_local(const PointFields &at,
+                                   const Element     &element)
   {
     const std::vector<double> &N = at.on_axis.N;
     const RotatedVector of = turned_point(at, frame_at(at.on_axis, element));
@@ -216,9 +221,9 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_rows(const Location::Place         &place,
-                         const double                   share,
-                         const Vector                  &u,
-                         std::vector<LinearFunctional> &rows) const
+                                   const double                   share,
+                                   const Vector                  &u,
+                                   std::vector<LinearFunctional> &rows) const
   {
     const PointFields           at      = fields_at(place);
     const std::vector<LocalDof> numbers = local_dofs(at.on_axis.cell);
@@ -236,7 +241,7 @@ namespace lamella
 
   std::vector<std::vector<LinearFunctional>>
   GeometricallyExactBeam::rows_at(const std::vector<Location> &locations,
-                        const Vector                &u) const
+                                  const Vector                &u) const
   {
     std::vector<std::vector<LinearFunctional>> result;
     for (const Location &where : locations)
@@ -255,9 +260,9 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_force(const PointFields        &at,
-                          const Tensor<1, 3>       &force,
-                          const Element            &element,
-                          LAPACKFullMatrix<double> &K)
+                                    const Tensor<1, 3>       &force,
+                                    const Element            &element,
+                                    LAPACKFullMatrix<double> &K)
   {
     const std::vector<double> &N = at.on_axis.N;
     const unsigned int         n = n_of_node + at.Phi.size();
@@ -292,10 +297,10 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_force_row(const PointFields        &at,
-                              const Element            &element,
-                              const Tensor<1, 7>       &row,
-                              const unsigned int        spin,
-                              LAPACKFullMatrix<double> &K)
+                                        const Element            &element,
+                                        const Tensor<1, 7>       &row,
+                                        const unsigned int        spin,
+                                        LAPACKFullMatrix<double> &K)
   {
     const std::vector<double> &N = at.on_axis.N;
     const unsigned int         m = at.Phi.size(), n = n_of_node + m;
@@ -361,7 +366,7 @@ namespace lamella
 
   Voigt
   GeometricallyExactBeam::strain_at(const SectionPoint &point,
-                          const SectionState &state) const
+                                    const SectionState &state) const
   {
     Voigt strain = state.e[n_strains - 1] * twist_strain(point);
     for (unsigned int k = 0; k < point.fields->size(); ++k)
@@ -377,8 +382,8 @@ namespace lamella
 
   FieldSample
   GeometricallyExactBeam::sample_of_section(const SectionPoint &point,
-                                  const double        y,
-                                  const SectionState &state) const
+                                            const double        y,
+                                            const SectionState &state) const
   {
     const ElasticLaw law =
       law_at(point.cell,
@@ -403,8 +408,8 @@ namespace lamella
 
   FieldSample
   GeometricallyExactBeam::sample_at(const SectionPoint &point,
-                          const AxisPoint    &on_axis,
-                          const Vector       &u) const
+                                    const AxisPoint    &on_axis,
+                                    const Vector       &u) const
   {
     return sample_of_section(point, on_axis.y, shown_state(on_axis, u));
   }
@@ -413,8 +418,8 @@ namespace lamella
 
   std::vector<FieldSample>
   GeometricallyExactBeam::samples_at(const std::vector<SectionPoint> &points,
-                           const std::vector<AxisPoint>    &places,
-                           const Vector                    &u) const
+                                     const std::vector<AxisPoint>    &places,
+                                     const Vector                    &u) const
   {
     std::vector<FieldSample> samples;
     for (const AxisPoint &on_axis : places)
@@ -430,7 +435,7 @@ namespace lamella
 
   void
   GeometricallyExactBeam::add_strains(const SectionState &state,
-                            Deformation        &deformation) const
+                                      Deformation        &deformation) const
   {
     const auto &points  = section().integration_points();
     const auto &weights = section().integration_weights();

@@ -3,12 +3,12 @@
 #include <lamella/axis/parameters.h>
 #include <lamella/base/patterns.h>
 #include <lamella/body/beam.h>
-#include <lamella/body/total_lagrangian_beam.h>
-#include <lamella/body/total_lagrangian_solid.h>
-#include <lamella/body/parameters.h>
 #include <lamella/body/geometrically_exact_beam.h>
+#include <lamella/body/parameters.h>
 #include <lamella/body/solid.h>
 #include <lamella/body/solid_parameters.h>
+#include <lamella/body/total_lagrangian_beam.h>
+#include <lamella/body/total_lagrangian_solid.h>
 #include <lamella/section/lagrange_element.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -239,11 +239,11 @@ namespace lamella
       refinement.memory_limit    = memory_limit;
       if (body.has_finite_rotations)
         return std::make_unique<TotalLagrangianSolid>(body.name,
-                                            mesh,
-                                            body.axis,
-                                            body.placement,
-                                            body.theory.order,
-                                            refinement);
+                                                      mesh,
+                                                      body.axis,
+                                                      body.placement,
+                                                      body.theory.order,
+                                                      refinement);
       return std::make_unique<Solid>(body.name,
                                      mesh,
                                      body.axis,
@@ -263,7 +263,8 @@ namespace lamella
     {
       const std::string &name      = body.name;
       const bool         has_modes = body.theory.is_of_solutions();
-      if (body.has_finite_rotations && body.theory.has_rotating_sections() && !has_modes)
+      if (body.has_finite_rotations && body.theory.has_rotating_sections() &&
+          !has_modes)
         return std::make_unique<GeometricallyExactBeam>(
           name,
           section,
@@ -272,7 +273,10 @@ namespace lamella
           body.theory.name(),
           body.theory.keeps_sections_normal());
       if (body.has_finite_rotations && !has_modes)
-        return std::make_unique<TotalLagrangianBeam>(name, section, axis, body.placement);
+        return std::make_unique<TotalLagrangianBeam>(name,
+                                                     section,
+                                                     axis,
+                                                     body.placement);
       return std::make_unique<Beam>(name, section, axis, body.placement);
     }
   } // namespace

@@ -16,7 +16,8 @@ namespace lamella
   {
     /// @p section, if it is one whose strains are those of its displacements.
     std::shared_ptr<const Section>
-    finite_strain_section(std::shared_ptr<const Section> section, const Axis &axis)
+    finite_strain_section(std::shared_ptr<const Section> section,
+                          const Axis                    &axis)
     {
       if (section->completes_strains() || axis.degree() != 3)
         throw InputError(
@@ -29,10 +30,11 @@ namespace lamella
 
 
 
-  TotalLagrangianBeam::TotalLagrangianBeam(const std::string             &name,
-                       std::shared_ptr<const Section> section,
-                       std::shared_ptr<const Axis>    axis,
-                       const Placement               &placement)
+  TotalLagrangianBeam::TotalLagrangianBeam(
+    const std::string             &name,
+    std::shared_ptr<const Section> section,
+    std::shared_ptr<const Axis>    axis,
+    const Placement               &placement)
     : Beam(name, finite_strain_section(section, *axis), axis, placement)
     , green(fields(), along_axis().n_stations())
   {}
@@ -40,7 +42,8 @@ namespace lamella
 
 
   SectionForces
-  TotalLagrangianBeam::section_forces(const SectionOperator &, const FieldParts &q) const
+  TotalLagrangianBeam::section_forces(const SectionOperator &,
+                                      const FieldParts &q) const
   {
     return green.forces(q);
   }
@@ -64,7 +67,7 @@ namespace lamella
             const unsigned int first = dofs().first(node);
             std::copy_n(u.begin() + first, moved.size(), moved.begin());
             const std::vector<double> more =
-              section().turned(placement.vector_to_body(axis), moved);
+              section().rotated(placement.vector_to_body(axis), moved);
             for (unsigned int alpha = 0; alpha < more.size(); ++alpha)
               motions[3 + c][first + alpha] += more[alpha];
           }
@@ -76,8 +79,8 @@ namespace lamella
 
   FieldParts
   TotalLagrangianBeam::parts_at(const SectionPoint &point,
-                      const AxisPoint    &on_axis,
-                      const Vector       &u) const
+                                const AxisPoint    &on_axis,
+                                const Vector       &u) const
   {
     return along_axis().at(ArrayView<const AxisPoint>(&on_axis, 1),
                            *point.fields,
@@ -87,10 +90,11 @@ namespace lamella
 
 
   double
-  TotalLagrangianBeam::rotation_along(const unsigned int cell, const Vector &u) const
+  TotalLagrangianBeam::rotation_along(const unsigned int cell,
+                                      const Vector      &u) const
   {
-    const SectionPoint middle = section().evaluate(0, {0.5, 0.5});
-    const auto         rotation   = [&](const double eta) {
+    const SectionPoint middle   = section().evaluate(0, {0.5, 0.5});
+    const auto         rotation = [&](const double eta) {
       return PolarDecomposition(
                gradient_at(middle,
                            parts_at(middle, axis().evaluate(cell, eta), u),
@@ -134,9 +138,9 @@ namespace lamella
 
   Voigt
   TotalLagrangianBeam::strain_at(const SectionPoint &point,
-                       const AxisPoint    &on_axis,
-                       const Gradient     &H,
-                       const Vector       &u) const
+                                 const AxisPoint    &on_axis,
+                                 const Gradient     &H,
+                                 const Vector       &u) const
   {
     constexpr std::array<unsigned int, 3> lowered{{1, 3, 5}};
     const unsigned int cell = on_axis.cell, n = along_axis().n_stations();
@@ -165,8 +169,8 @@ namespace lamella
 
   FieldSample
   TotalLagrangianBeam::sample_at(const SectionPoint &point,
-                       const AxisPoint    &on_axis,
-                       const Vector       &u) const
+                                 const AxisPoint    &on_axis,
+                                 const Vector       &u) const
   {
     const FieldParts q = parts_at(point, on_axis, u);
     const Gradient   H = gradient_at(point, q, 0);
@@ -190,8 +194,9 @@ namespace lamella
   // ---- the tangent
 
   StiffnessBlock
-  TotalLagrangianBeam::empty_block(const unsigned int               cell,
-                         const std::vector<unsigned int> &on_section) const
+  TotalLagrangianBeam::empty_block(
+    const unsigned int               cell,
+    const std::vector<unsigned int> &on_section) const
   {
     StiffnessBlock block;
     for (const unsigned int node : axis().nodes_of_cell(cell))
@@ -260,10 +265,11 @@ namespace lamella
 
 
   void
-  TotalLagrangianBeam::add_station(const unsigned int              cell,
-                         const unsigned int              k,
-                         const FiniteStrainSectionOperator::CellTangent &tangent,
-                         StiffnessBlock                 &block) const
+  TotalLagrangianBeam::add_station(
+    const unsigned int                              cell,
+    const unsigned int                              k,
+    const FiniteStrainSectionOperator::CellTangent &tangent,
+    StiffnessBlock                                 &block) const
   {
     const unsigned int number = cell * along_axis().n_stations() + k;
     const AxisPoint   &point  = axis().integration_points()[number];
@@ -289,9 +295,10 @@ namespace lamella
 
 
   void
-  TotalLagrangianBeam::take_off(const unsigned int                           cell,
-                      const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents,
-                      StiffnessBlock                              &block) const
+  TotalLagrangianBeam::take_off(
+    const unsigned int                                           cell,
+    const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents,
+    StiffnessBlock                                              &block) const
   {
     const double       length = axis().cell_end(cell) - axis().cell_begin(cell);
     const unsigned int n      = tangents[0].fields->size(),
@@ -324,9 +331,9 @@ namespace lamella
 
   void
   TotalLagrangianBeam::add_values(const unsigned int           cell,
-                        const Vector                &u,
-                        const Vector                &correction,
-                        std::vector<StiffnessBlock> &blocks) const
+                                  const Vector                &u,
+                                  const Vector                &correction,
+                                  std::vector<StiffnessBlock> &blocks) const
   {
     const AxisLoop loop = along_axis();
     // All nodes carry all fields.
@@ -335,7 +342,10 @@ namespace lamella
                      dq = loop.on_element(cell, all, correction);
     auto block          = blocks.begin();
     green.for_each_cell(
-      q, dq, [&](const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents) {
+      q,
+      dq,
+      [&](
+        const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents) {
         for (unsigned int k = 0; k < tangents.size(); ++k)
           add_station(cell, k, tangents[k], *block);
         take_off(cell, tangents, *block++);

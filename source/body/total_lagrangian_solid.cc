@@ -12,12 +12,13 @@ namespace lamella
 {
   using namespace dealii;
 
-  TotalLagrangianSolid::TotalLagrangianSolid(const std::string                 &name,
-                         std::shared_ptr<const SectionMesh> section,
-                         const AxisMesh                    &axis,
-                         const Placement                   &placement,
-                         const unsigned int                 degree,
-                         const SolidRefinement             &refinement)
+  TotalLagrangianSolid::TotalLagrangianSolid(
+    const std::string                 &name,
+    std::shared_ptr<const SectionMesh> section,
+    const AxisMesh                    &axis,
+    const Placement                   &placement,
+    const unsigned int                 degree,
+    const SolidRefinement             &refinement)
     : Solid(name, section, axis, placement, degree, refinement)
   {
     if (degree < 2)
@@ -54,8 +55,8 @@ namespace lamella
 
   Gradient
   TotalLagrangianSolid::gradient_at(const unsigned int     cell,
-                          const HexahedronPoint &point,
-                          const Vector          &u) const
+                                    const HexahedronPoint &point,
+                                    const Vector          &u) const
   {
     const std::vector<double> v = relative_displacements(cell, u);
     Gradient                  H;
@@ -68,7 +69,8 @@ namespace lamella
 
 
   double
-  TotalLagrangianSolid::rotation_along(const unsigned int cell, const Vector &u) const
+  TotalLagrangianSolid::rotation_along(const unsigned int cell,
+                                       const Vector      &u) const
   {
     const auto rotation = [&](const double along) {
       const HexahedronPoint point =
@@ -120,7 +122,8 @@ namespace lamella
 
 
   FieldSample
-  TotalLagrangianSolid::sample_place(const Location::Place &place, const Vector &u) const
+  TotalLagrangianSolid::sample_place(const Location::Place &place,
+                                     const Vector          &u) const
   {
     const HexahedronPoint point =
       hexahedron().evaluate(nodes_of(place.cell), place.unit);

@@ -71,10 +71,10 @@ namespace lamella
   Couple::change(const std::vector<Point<3>>     &x,
                  const std::vector<Tensor<1, 3>> &u) const
   {
-    const Place   at   = place(x);
+    const Place          at   = place(x);
     const CoupleRotation by   = rotation_of(x);
-    double        area = 0.;
-    Tensor<1, 3>  center, of_theta;
+    double               area = 0.;
+    Tensor<1, 3>         center, of_theta;
     for (unsigned int p = 0; p < all.size(); ++p)
       {
         area += all[p].area;
@@ -99,7 +99,7 @@ namespace lamella
   {
     const Place         at    = place(x);
     const Tensor<1, 3> &theta = at.theta;
-    CoupleRotation             result;
+    CoupleRotation      result;
     for (unsigned int p = 0; p < all.size(); ++p)
       {
         const Tensor<1, 3> r = x[p] - at.center;

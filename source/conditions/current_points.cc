@@ -6,7 +6,8 @@ namespace lamella
 {
   using namespace dealii;
 
-  CurrentPoints::CurrentPoints(const Body &body, std::vector<Location> locations)
+  CurrentPoints::CurrentPoints(const Body           &body,
+                               std::vector<Location> locations)
     : body(body)
     , locations(std::move(locations))
   {
@@ -27,15 +28,16 @@ namespace lamella
   std::vector<Tensor<1, 3>>
   CurrentPoints::displacements(const Vector &u) const
   {
-    return body.constraints_rotate() ? body.displacements(locations, u) : changes(u, u);
+    return body.constraints_rotate() ? body.displacements(locations, u) :
+                                       changes(u, u);
   }
 
 
 
   void
   CurrentPoints::add_forces(const std::vector<Tensor<1, 3>> &forces,
-                          const Vector                    &u,
-                          Vector                          &f) const
+                            const Vector                    &u,
+                            Vector                          &f) const
   {
     const auto at = rows(u);
     for (unsigned int k = 0; k < at.size(); ++k)
@@ -60,10 +62,10 @@ namespace lamella
 
   void
   CurrentPoints::add_turned(const std::vector<Tensor<1, 3>> &forces,
-                          const double                     factor,
-                          const Vector                    &u,
-                          const Vector                    &w,
-                          Vector                          &f) const
+                            const double                     factor,
+                            const Vector                    &u,
+                            const Vector                    &w,
+                            Vector                          &f) const
   {
     for_each_turned_block(forces, factor, u, [&](const StiffnessBlock &block) {
       block.add_product(w, f);

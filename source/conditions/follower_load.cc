@@ -3,8 +3,8 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/conditions/couple.h>
-#include <lamella/conditions/follower_pressure.h>
 #include <lamella/conditions/current_points.h>
+#include <lamella/conditions/follower_pressure.h>
 #include <lamella/conditions/rows_to_dofs.h>
 
 namespace lamella
@@ -61,7 +61,7 @@ namespace lamella
       }
 
     private:
-      const CurrentPoints               points;
+      const CurrentPoints             points;
       const std::vector<Tensor<1, 3>> forces;
     };
 
@@ -162,7 +162,7 @@ namespace lamella
       std::vector<Point<3>>
       moved(const Vector &u) const;
 
-      const Couple      couple;
+      const Couple        couple;
       const CurrentPoints points;
     };
 
@@ -182,8 +182,8 @@ namespace lamella
 
     void
     FollowerCouple::add_forces(const double  factor,
-                              const Vector &u,
-                              Vector       &f) const
+                               const Vector &u,
+                               Vector       &f) const
     {
       std::vector<Tensor<1, 3>> forces = couple.forces(moved(u));
       for (Tensor<1, 3> &force : forces)
@@ -195,9 +195,9 @@ namespace lamella
 
     void
     FollowerCouple::add_derivative(const double  factor,
-                                  const Vector &u,
-                                  const Vector &w,
-                                  Vector       &f) const
+                                   const Vector &u,
+                                   const Vector &w,
+                                   Vector       &f) const
     {
       const std::vector<Point<3>> x    = moved(u);
       std::vector<Tensor<1, 3>> forces = couple.change(x, points.changes(u, w));
@@ -219,10 +219,10 @@ namespace lamella
       const RowsToDofs to_dofs(points.rows(u));
       if (!with_values)
         return use(to_dofs.pattern());
-      const std::vector<Point<3>> x       = moved(u);
-      const Couple::CoupleRotation       rotation = couple.rotation_of(x);
-      StiffnessBlock              block   = to_dofs.pattern();
-      const unsigned int          n       = block.rows.size();
+      const std::vector<Point<3>>  x        = moved(u);
+      const Couple::CoupleRotation rotation = couple.rotation_of(x);
+      StiffnessBlock               block    = to_dofs.pattern();
+      const unsigned int           n        = block.rows.size();
       block.values.assign(n * n, 0.);
       for (unsigned int k = 0; k < 3; ++k)
         {
@@ -244,9 +244,9 @@ namespace lamella
     /// integration adapts to what varies.
     void
     check_start(const FollowerLoad &rotation,
-                const Load        &load,
-                const Region      &region,
-                const Body        &body)
+                const Load         &load,
+                const Region       &region,
+                const Body         &body)
     {
       Vector rest(body.n_dofs()), start(body.n_dofs()), dead(body.n_dofs());
       rotation.add_forces(1., rest, start);
@@ -277,7 +277,8 @@ namespace lamella
   {
     // Heat is one of the body (turning_heat()).
     return load.temperature.empty() &&
-           (body.constraints_rotate() || (body.has_finite_rotations() && rotates_along(load)));
+           (body.constraints_rotate() ||
+            (body.has_finite_rotations() && rotates_along(load)));
   }
 
 

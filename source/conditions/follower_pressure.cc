@@ -30,8 +30,8 @@ namespace lamella
 
 
   FollowerPressure::FollowerPressure(const Load   &load,
-                                       const Region &region,
-                                       const Body   &body)
+                                     const Region &region,
+                                     const Body   &body)
   {
     check_surface(body, region.surface, "Load " + load.name + "/On");
     const Traction traction(load);
@@ -79,8 +79,8 @@ namespace lamella
 
   FollowerPressure::Facet
   FollowerPressure::facet_of(const Body         &body,
-                              const SurfaceFacet &facet,
-                              const Traction     &traction)
+                             const SurfaceFacet &facet,
+                             const Traction     &traction)
   {
     Facet result{FacetMap(body, facet),
                  facet.trace_degree_s,
@@ -122,8 +122,8 @@ namespace lamella
 
   std::vector<Tensor<1, 3>>
   FollowerPressure::forces_on(const Facet    &facet,
-                               const FacetMap &now,
-                               const double    factor)
+                              const FacetMap &now,
+                              const double    factor)
   {
     std::vector<Tensor<1, 3>> forces((facet.degree_s + 1) *
                                      (facet.degree_t + 1));
@@ -141,8 +141,8 @@ namespace lamella
 
   void
   FollowerPressure::add_forces(const double  factor,
-                                const Vector &u,
-                                Vector       &f) const
+                               const Vector &u,
+                               Vector       &f) const
   {
     for (const Facet &facet : facets)
       facet.nodes.add_forces(forces_on(facet, facet.moved(u), factor), u, f);
@@ -152,7 +152,7 @@ namespace lamella
 
   FullMatrix<double>
   FollowerPressure::Facet::stiffness(const FacetMap &at,
-                                      const double    factor) const
+                                     const double    factor) const
   {
     const unsigned int n = (degree_s + 1) * (degree_t + 1);
     FullMatrix<double> K(3 * n, 3 * n);
@@ -181,9 +181,9 @@ namespace lamella
 
   void
   FollowerPressure::add_derivative(const double  factor,
-                                    const Vector &u,
-                                    const Vector &w,
-                                    Vector       &f) const
+                                   const Vector &u,
+                                   const Vector &w,
+                                   Vector       &f) const
   {
     for (const Facet &facet : facets)
       {

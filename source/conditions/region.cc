@@ -78,7 +78,7 @@ namespace lamella
     /// The digits that a text needs to tell @p x from the corners of @p box in
     /// each component in which they differ; as few as six.
     int
-    telling_digits(const Point<3> &x, const std::pair<Point<3>, Point<3>> &box)
+    reported_digits(const Point<3> &x, const std::pair<Point<3>, Point<3>> &box)
     {
       constexpr int least = 6, all = 17;
       for (int digits = least; digits < all; ++digits)
@@ -107,7 +107,7 @@ namespace lamella
       if (found[i].empty())
         {
           const auto box    = body.bounding_box().get_boundary_points();
-          const int  digits = telling_digits(points[i], box);
+          const int  digits = reported_digits(points[i], box);
           throw InputError(path,
                            "",
                            "the point " + in_words(points[i], digits) +

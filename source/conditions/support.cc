@@ -29,8 +29,8 @@ namespace lamella
     /// body.
     std::optional<Location>
     follower_place(const Support  &support,
-                  const Region   &region,
-                  const Location &place)
+                   const Region   &region,
+                   const Location &place)
     {
       if (support.rotation)
         return place;
@@ -98,7 +98,9 @@ namespace lamella
 
     /// The places that @p support holds on @p region of @p body.
     std::vector<Location>
-    slip_reference_points(const Body &body, const Region &region, const Support &support)
+    slip_reference_points(const Body    &body,
+                          const Region  &region,
+                          const Support &support)
     {
       return region_locations(body,
                               region,
@@ -111,14 +113,15 @@ namespace lamella
     /// The rows of the components of u that @p support, number @p number,
     /// prescribes on @p region, with its @p turn if it has one.
     void
-    add_component_rows(const Body                        &body,
-                       const Region                      &region,
-                       const Support                     &support,
-                       const std::optional<RigidRotation>    &rotation,
-                       const unsigned int                 number,
-                       std::vector<PrescribedFunctional> &rows)
+    add_component_rows(const Body                         &body,
+                       const Region                       &region,
+                       const Support                      &support,
+                       const std::optional<RigidRotation> &rotation,
+                       const unsigned int                  number,
+                       std::vector<PrescribedFunctional>  &rows)
     {
-      const std::vector<Location> places = slip_reference_points(body, region, support);
+      const std::vector<Location> places =
+        slip_reference_points(body, region, support);
       auto all = body.rows(places, Quantity::displacement);
       // The place of a given point comes out of its position, with rounding:
       // without what that leaves at other nodes the rows of a node stay its
@@ -129,16 +132,17 @@ namespace lamella
       for (unsigned int i = 0; i < places.size(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
           if (support.u[c])
-            rows.push_back(
-              {{region.body, all[i][c]},
-               rotation ? rotation->rate(0., places[i].position)[c] : *support.u[c],
-               number,
-               scene_axis(c),
-               places[i].position,
-               {},
-               support.history,
-               follower_place(support, region, places[i]),
-               rotation});
+            rows.push_back({{region.body, all[i][c]},
+                            rotation ?
+                              rotation->rate(0., places[i].position)[c] :
+                              *support.u[c],
+                            number,
+                            scene_axis(c),
+                            places[i].position,
+                            {},
+                            support.history,
+                            follower_place(support, region, places[i]),
+                            rotation});
     }
   } // namespace
 
@@ -173,7 +177,7 @@ namespace lamella
              slip_reference_points(*bodies[region.body], region, support))
           points.push_back(place.position);
     const BoundingBox<3> box(points);
-    rotation.about         = box.center();
+    rotation.about     = box.center();
     const auto corners = box.get_boundary_points();
     if (corners.first.distance(corners.second) == 0.)
       throw InputError("Support " + support.name + "/Rotation",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/projection.h>
+#include <lamella/contact/closest_point_projection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@ namespace lamella
 
   namespace
   {
-    // Of a facet's length: how far a projection goes beyond a side with a neighbor,
-    // and beyond the rim along a body. Strips of one width have points on
-    // each other's rims, which bending moves to and fro across them.
+    // Of a facet's length: how far a projection goes beyond a side with a
+    // neighbor, and beyond the rim along a body. Strips of one width have
+    // points on each other's rims, which bending moves to and fro across them.
     constexpr double beyond = 0.05, beyond_rim = 0.01;
 
 
@@ -60,7 +60,8 @@ namespace lamella
 
 
 
-    /// The place @p st of facet @p number as the projection of @p x, where the normal
+    /// The place @p st of facet @p number as the projection of @p x, where the
+    /// normal
     /// @p n1 is; none where they do not face each other.
     std::optional<SurfaceHit>
     hit_at(const MeshSurface  &surface,
@@ -85,22 +86,23 @@ namespace lamella
 
 
 
-    /// The nearest projection of @p x on the facets within @p search_radius. Between two
-    /// facets that bulge a projection is on the continuation of either.
+    /// The nearest projection of @p x on the facets within @p search_radius.
+    /// Between two facets that bulge a projection is on the continuation of
+    /// either.
     std::optional<SurfaceHit>
     nearest_projection(const MeshSurface  &surface,
-                 const Point<3>     &x,
-                 const Tensor<1, 3> &n1,
-                 const double        search_radius,
-                 const double        opposed)
+                       const Point<3>     &x,
+                       const Tensor<1, 3> &n1,
+                       const double        search_radius,
+                       const double        opposed)
     {
-      const Tensor<1, 3>        around({search_radius, search_radius, search_radius});
+      const Tensor<1, 3> around({search_radius, search_radius, search_radius});
       std::optional<SurfaceHit> on, continued;
       for (const unsigned int number :
            surface.facets_near({x - around, x + around}))
         {
           const MeshSurface::Facet &facet = surface.facets()[number];
-          const auto                st    = projection_on(facet.map, x, {0.5, 0.5});
+          const auto st = projection_on(facet.map, x, {0.5, 0.5});
           if (!st || !is_on(facet, *st, true))
             continue;
           auto &nearest = is_on(facet, *st, false) ? on : continued;
@@ -139,12 +141,12 @@ namespace lamella
 
 
   std::optional<SurfaceHit>
-  closest_point_projection(const MeshSurface                            &surface,
-            const Point<3>                               &x,
-            const Tensor<1, 3>                           &n1,
-            const double                                  search_radius,
-            const std::optional<MeshSurface::FacetPlace> &last,
-            const double                                  opposed)
+  closest_point_projection(const MeshSurface  &surface,
+                           const Point<3>     &x,
+                           const Tensor<1, 3> &n1,
+                           const double        search_radius,
+                           const std::optional<MeshSurface::FacetPlace> &last,
+                           const double opposed)
   {
     if (last)
       {
@@ -158,7 +160,8 @@ namespace lamella
       }
     // What is near is among few facets.
     for (const double share : {1. / 64., 1. / 8., 1.})
-      if (const auto hit = nearest_projection(surface, x, n1, share * search_radius, opposed))
+      if (const auto hit =
+            nearest_projection(surface, x, n1, share * search_radius, opposed))
         return hit;
     return {};
   }
@@ -167,9 +170,9 @@ namespace lamella
 
   std::optional<SurfaceHit>
   closest_point_projection(const Obstacle     &obstacle,
-            const Point<3>     &x,
-            const Tensor<1, 3> &n1,
-            const double        search_radius)
+                           const Point<3>     &x,
+                           const Tensor<1, 3> &n1,
+                           const double        search_radius)
   {
     SurfaceHit   hit;
     Tensor<1, 3> r = x - obstacle.point;
@@ -187,7 +190,8 @@ namespace lamella
         hit.distance = r.norm() - obstacle.radius;
       }
     hit.position = x - hit.distance * hit.normal;
-    if (std::abs(hit.distance) > search_radius || n1 * hit.normal > -faces_from_60)
+    if (std::abs(hit.distance) > search_radius ||
+        n1 * hit.normal > -faces_from_60)
       return {};
     return hit;
   }

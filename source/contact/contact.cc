@@ -38,7 +38,7 @@ namespace lamella
     /// side, @p surface where it is now: not that of what they faced last.
     void
     face_outwards(const MeshSurface               &surface,
-                  const SlaveSurface           *functions,
+                  const SlaveSurface              *functions,
                   const std::vector<GapPoint>     &points,
                   const std::vector<GapIntegrals> &integrals,
                   ContactInterface                &interface)
@@ -68,7 +68,8 @@ namespace lamella
   {
     pair_undeformed();
     if (bodies[contact.first.body]->has_finite_rotations())
-      search_radius = std::max(search_radius, automatic_search_distance(contact, bodies));
+      search_radius =
+        std::max(search_radius, automatic_search_distance(contact, bodies));
     undeformed.decide(interface.discretization,
                       interface.points_on_second ? SlaveSide::second :
                                                    SlaveSide::first);
@@ -77,7 +78,8 @@ namespace lamella
     if (contact.overclosure == Overclosure::adjust)
       {
         find_points();
-        const auto before = integrate(undeformed, master_points_at_rest(), points);
+        const auto before =
+          integrate(undeformed, master_points_at_rest(), points);
         for (unsigned int k = 0; k < before.size(); ++k)
           taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
       }
@@ -103,9 +105,9 @@ namespace lamella
   void
   Contact::pair_undeformed()
   {
-    interface =
-      interface_within(undeformed,
-                       search_radius_of(undeformed.contact(), undeformed.bodies()));
+    interface = interface_within(undeformed,
+                                 search_radius_of(undeformed.contact(),
+                                                  undeformed.bodies()));
     keep_lines();
     points.clear();
   }
@@ -118,8 +120,8 @@ namespace lamella
     lines.reset();
     if (interface.discretization == Discretization::line_to_roller)
       lines = std::make_unique<CylinderContactLines>(*undeformed.surface(false),
-                                            *undeformed.obstacle(),
-                                            interface);
+                                                     *undeformed.obstacle(),
+                                                     interface);
   }
 
 
@@ -133,8 +135,8 @@ namespace lamella
     if (interface.discretization == Discretization::surface_to_surface)
       return;
     const bool         on_second = interface.points_on_second;
-    const MeshSurface &slave  = *undeformed.surface(on_second),
-                      *master  = undeformed.surface(!on_second);
+    const MeshSurface &slave     = *undeformed.surface(on_second),
+                      *master    = undeformed.surface(!on_second);
     const ConstraintGeometry &beyond =
       on_second ? interface.first : interface.second;
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
@@ -144,7 +146,7 @@ namespace lamella
         GapPoint                       point;
         const auto                     here = slave.place_of(at.node, n);
         AssertThrow(here, ExcInternalError());
-        point.slave       = *here;
+        point.slave        = *here;
         point.master.facet = numbers::invalid_unsigned_int;
         if (master != nullptr)
           {
@@ -169,10 +171,10 @@ namespace lamella
 
 
   std::vector<GapIntegrals>
-  Contact::integrate(const ContactSides    &sides,
-                     const MasterPoints             master_points,
-                     std::vector<GapPoint> &on,
-                     SlipReferencePoints *const      held) const
+  Contact::integrate(const ContactSides        &sides,
+                     const MasterPoints         master_points,
+                     std::vector<GapPoint>     &on,
+                     SlipReferencePoints *const held) const
   {
     return integrate_gaps(sides,
                           interface.points_on_second,
@@ -230,7 +232,8 @@ namespace lamella
     const ContactSides at(undeformed, u, factor);
     if (lines != nullptr)
       lines->follow(*at.surface(false), *at.obstacle(), points);
-    integrals = integrate(at, master_points(), points, held.empty() ? nullptr : &held);
+    integrals =
+      integrate(at, master_points(), points, held.empty() ? nullptr : &held);
     write(at, u, factor);
   }
 
@@ -258,7 +261,8 @@ namespace lamella
     std::vector<GapPoint> on = points;
     if (lines != nullptr)
       lines->follow(*then.surface(false), *then.obstacle(), on);
-    held = slip_reference_points(then, interface.points_on_second, master_points(), search_radius, on);
+    held = slip_reference_points(
+      then, interface.points_on_second, master_points(), search_radius, on);
   }
 
 
@@ -273,8 +277,8 @@ namespace lamella
 
   void
   Contact::restore(const ContactHistory &known,
-                  const BlockVector   &u,
-                  const LoadFactor    &factor)
+                   const BlockVector    &u,
+                   const LoadFactor     &factor)
   {
     begun_at = BlockVector();
     held.clear();
@@ -664,8 +668,8 @@ namespace lamella
 
   PairingChange
   Contact::pairing_is_valid(const BlockVector               &u,
-                        const LoadFactor                &factor,
-                        const std::vector<unsigned int> &active)
+                            const LoadFactor                &factor,
+                            const std::vector<unsigned int> &active)
   {
     // What is nearest to a roller is found in every move().
     if (lines != nullptr)
@@ -676,7 +680,7 @@ namespace lamella
     std::vector<GapPoint> on       = points;
     const auto            now      = integrate(at, MasterPoints::projected, on);
     const std::vector<double> off  = wandering(on);
-    PairingChange              stale;
+    PairingChange             stale;
     for (unsigned int k = 0; k < now.size(); ++k)
       {
         const ContactInterface::Point &point = interface.points[k];
@@ -725,9 +729,9 @@ namespace lamella
       places.push_back(place_of(interface.points[k]));
     const ContactSides at(undeformed, u, factor);
     return CylinderContactLines::curvature(*at.obstacle(),
-                                  *undeformed.surface(false),
-                                  *at.surface(false),
-                                  places) > wrapping_onset;
+                                           *undeformed.surface(false),
+                                           *at.surface(false),
+                                           places) > wrapping_onset;
   }
 
 
@@ -758,14 +762,16 @@ namespace lamella
   const ContactSides &
   Contact::paired_sides(const ContactSides &now) const
   {
-    return undeformed.bodies()[interface.first_body]->has_finite_rotations() ? now :
-                                                                undeformed;
+    return undeformed.bodies()[interface.first_body]->has_finite_rotations() ?
+             now :
+             undeformed;
   }
 
 
 
   std::optional<CylinderPenetration>
-  Contact::cylinder_penetration(const BlockVector &u, const LoadFactor &factor) const
+  Contact::cylinder_penetration(const BlockVector &u,
+                                const LoadFactor  &factor) const
   {
     const Obstacle *const obstacle = interface.obstacle.get();
     if (lines != nullptr || !taken_out.empty() ||
@@ -774,32 +780,33 @@ namespace lamella
     const ContactSides now(undeformed, u, factor);
     if (obstacle == nullptr)
       {
-        const auto node = deepest_node(paired_sides(now), now, search_radius, false);
+        const auto node =
+          deepest_node(paired_sides(now), now, search_radius, false);
         if (!node)
           return {};
         const auto &[facet, st]  = node->at;
         const MeshSurface &faced = *undeformed.surface(!node->second);
         return CylinderPenetration{faced.facets()[facet].map(st).position,
-                         node->depth,
-                         !node->second};
+                                   node->depth,
+                                   !node->second};
       }
     return CylinderContactLines::deepest_in(*now.obstacle(),
-                                   *undeformed.surface(false),
-                                   *now.surface(false));
+                                            *undeformed.surface(false),
+                                            *now.surface(false));
   }
 
 
 
   bool
   Contact::passes_through(const BlockVector &before,
-                        const LoadFactor  &from,
-                        const BlockVector &u,
-                        const LoadFactor  &to) const
+                          const LoadFactor  &from,
+                          const BlockVector &u,
+                          const LoadFactor  &to) const
   {
     const ContactSides then(undeformed, before, from), now(undeformed, u, to);
     if (interface.obstacle != nullptr)
       return lamella::passes_through({*then.surface(false), *then.obstacle()},
-                                   {*now.surface(false), *now.obstacle()});
+                                     {*now.surface(false), *now.obstacle()});
     // What `adjust` has taken out of gaps is no depth.
     if (!taken_out.empty() || !may_go_through(then, now))
       return false;
@@ -811,7 +818,7 @@ namespace lamella
         BlockVector next = before;
         next.sadd(1. - double(k) / parts, double(k) / parts, u);
         if (lamella::passes_through(ContactSides(undeformed, reached, to),
-                                  ContactSides(undeformed, next, to)))
+                                    ContactSides(undeformed, next, to)))
           return true;
         reached = next;
       }

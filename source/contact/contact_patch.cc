@@ -54,14 +54,16 @@ namespace lamella
 
   std::pair<double, double>
   search_radius_along(const std::vector<ContactInterface::Point> &points,
-              const unsigned int                          axis)
+                      const unsigned int                          axis)
   {
     std::pair<double, double> search_radius{place_of(points.front())[axis],
-                                    place_of(points.front())[axis]};
+                                            place_of(points.front())[axis]};
     for (const ContactInterface::Point &point : points)
       {
-        search_radius.first  = std::min(search_radius.first, place_of(point)[axis]);
-        search_radius.second = std::max(search_radius.second, place_of(point)[axis]);
+        search_radius.first =
+          std::min(search_radius.first, place_of(point)[axis]);
+        search_radius.second =
+          std::max(search_radius.second, place_of(point)[axis]);
       }
     return search_radius;
   }
@@ -76,7 +78,7 @@ namespace lamella
     , shares(traction.shares(strip))
   {
     Tensor<1, 3> sum;
-    for (const ContactTraction::LinearFunctional &row : traction.rows())
+    for (const ContactTraction::Row &row : traction.rows())
       sum += row.area * row.normal;
     facing = largest_component(sum);
   }

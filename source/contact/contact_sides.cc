@@ -139,7 +139,7 @@ namespace lamella
   {
     const unsigned int number = region(second).body;
     const Body        &body   = *all_bodies[number];
-    const bool         turned = undeformed != nullptr && body.constraints_rotate();
+    const bool turned = undeformed != nullptr && body.constraints_rotate();
     if (undeformed != nullptr && !turned)
       return undeformed->trace_rows(second);
     if (rows[second].empty())
@@ -157,7 +157,8 @@ namespace lamella
   {
     const unsigned int number = region(second).body;
     const Body        &body   = *all_bodies[number];
-    if (undeformed != nullptr && body.constraints_rotate() && rows[second].empty())
+    if (undeformed != nullptr && body.constraints_rotate() &&
+        rows[second].empty())
       {
         std::vector<Location> at;
         for (const unsigned int node : numbers)

@@ -42,9 +42,8 @@ namespace lamella
 
 
 
-  ContactTraction::ContactTraction(
-    std::shared_ptr<const SlaveSurface> surface,
-    std::vector<Row>                       rows)
+  ContactTraction::ContactTraction(std::shared_ptr<const SlaveSurface> surface,
+                                   std::vector<Row>                    rows)
     : carrier(std::move(surface))
     , all(std::move(rows))
   {
@@ -108,9 +107,9 @@ namespace lamella
         else
           {
             const SlaveSurface::Integrals &whole = carrier->integrals()[k];
-            const double                      share = sums[k].area / whole.area;
-            sums[k]                                 = {share,
-                                                       (sums[k].moment - share * whole.moment) / whole.area};
+            const double                   share = sums[k].area / whole.area;
+            sums[k]                              = {share,
+                                                    (sums[k].moment - share * whole.moment) / whole.area};
           }
       }
     return sums;

@@ -17,7 +17,8 @@ namespace lamella
 
   namespace
   {
-    // Of a facet's length: how far a projection goes beyond a side with a neighbor.
+    // Of a facet's length: how far a projection goes beyond a side with a
+    // neighbor.
     constexpr double past_the_side = 0.05;
 
 
@@ -90,8 +91,8 @@ namespace lamella
 
   CylinderContactLines::Line
   CylinderContactLines::line_at(const MeshSurface &surface,
-                       const Obstacle    &roller,
-                       const double       station)
+                                const Obstacle    &roller,
+                                const double       station)
   {
     // Of a facet's width.
     constexpr double same = arithmetic::same_in_element;
@@ -123,8 +124,8 @@ namespace lamella
 
 
   CylinderContactLines::CylinderContactLines(const MeshSurface &surface,
-                           const Obstacle    &roller,
-                           ContactInterface  &interface)
+                                             const Obstacle    &roller,
+                                             ContactInterface  &interface)
   {
     // The nearest row of each station, stations in units far below any
     // distance of nodes.
@@ -163,9 +164,9 @@ namespace lamella
 
   MeshSurface::FacetPlace
   CylinderContactLines::nearest_place(const Line                    &line,
-                             const MeshSurface             &now,
-                             const Obstacle                &roller,
-                             const MeshSurface::FacetPlace &last)
+                                      const MeshSurface             &now,
+                                      const Obstacle                &roller,
+                                      const MeshSurface::FacetPlace &last)
   {
     constexpr unsigned int  samples  = 8;
     MeshSurface::FacetPlace best     = last;
@@ -205,21 +206,20 @@ namespace lamella
 
   void
   CylinderContactLines::follow(const MeshSurface     &now,
-                      const Obstacle        &roller,
-                      std::vector<GapPoint> &points) const
+                               const Obstacle        &roller,
+                               std::vector<GapPoint> &points) const
   {
     for (unsigned int k = 0; k < points.size(); ++k)
-      points[k].slave =
-        nearest_place(lines[k], now, roller, points[k].slave);
+      points[k].slave = nearest_place(lines[k], now, roller, points[k].slave);
   }
 
 
 
   double
   CylinderContactLines::curvature(const Obstacle              &roller,
-                         const MeshSurface           &surface,
-                         const MeshSurface           &now,
-                         const std::vector<Point<3>> &places)
+                                  const MeshSurface           &surface,
+                                  const MeshSurface           &now,
+                                  const std::vector<Point<3>> &places)
   {
     constexpr unsigned int samples = 24;
     double                 largest = 0.;
@@ -292,8 +292,8 @@ namespace lamella
 
   std::optional<CylinderPenetration>
   CylinderContactLines::deepest_in(const Obstacle    &roller,
-                          const MeshSurface &surface,
-                          const MeshSurface &now)
+                                   const MeshSurface &surface,
+                                   const MeshSurface &now)
   {
     const double   unit = arithmetic::as_written * surface.body().size();
     std::set<long> stations;
@@ -315,7 +315,8 @@ namespace lamella
         if (r * map.outward(place) < 0. &&
             depth > (deepest ? deepest->depth : 0.))
           deepest =
-            CylinderPenetration{surface.facets()[at.facet].map(at.st).position, depth};
+            CylinderPenetration{surface.facets()[at.facet].map(at.st).position,
+                                depth};
       }
     return deepest;
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/projection.h>
 #include <lamella/contact/end_penetration.h>
+#include <lamella/contact/closest_point_projection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +19,13 @@ namespace lamella
 
 
     /// Returns the closest-point projection of @p point onto @p other, at most
-    /// @p search_radius away. None if a place that @p point does not face is closer:
-    /// the point is then beside the body and projects onto its far side.
+    /// @p search_radius away. None if a place that @p point does not face is
+    /// closer: the point is then beside the body and projects onto its far
+    /// side.
     std::optional<SurfaceHit>
     nearest_projection(const MeshSurface  &other,
-                 const SurfacePoint &point,
-                 const double        search_radius)
+                       const SurfacePoint &point,
+                       const double        search_radius)
     {
       const auto projection_of = [&](const double opposed) {
         return closest_point_projection(
@@ -32,7 +33,7 @@ namespace lamella
       };
       const auto projection = projection_of(edge_faces_from);
       if (!projection || std::abs(projection_of(whatever_it_faces)->distance) <
-                     std::abs(projection->distance))
+                           std::abs(projection->distance))
         return {};
       return projection;
     }
@@ -80,14 +81,17 @@ namespace lamella
                    other_ends = paired.end_points(!second);
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
-            const auto projection = nearest_projection(other, nodes[k], search_radius);
-            if (!projection || (of_ends && is_at_end(other, *projection, other_ends)))
+            const auto projection =
+              nearest_projection(other, nodes[k], search_radius);
+            if (!projection ||
+                (of_ends && is_at_end(other, *projection, other_ends)))
               continue;
             const Tensor<1, 3> approach =
               (moved.facets()[projection->facet].map(projection->st).position -
                projection->position) -
               (are[k].position - nodes[k].position);
-            const double depth = projection->normal * approach - projection->distance;
+            const double depth =
+              projection->normal * approach - projection->distance;
             if (depth > (deepest ? deepest->depth : 0.))
               deepest = {second,
                          depth,

@@ -103,10 +103,10 @@ namespace lamella
       const bool on_second       = points_on_second(at, search_radius);
       interface.points_on_second = on_second;
       Sides sides;
-      sides.search_radius         = search_radius;
-      sides.slave      = at.surface(on_second);
-      sides.master_mesh = at.surface(!on_second);
-      sides.master      = sides.master_mesh;
+      sides.search_radius = search_radius;
+      sides.slave         = at.surface(on_second);
+      sides.master_mesh   = at.surface(!on_second);
+      sides.master        = sides.master_mesh;
       sides.of_edges      = at.are_of_edges();
       std::optional<ObstacleSurface> obstacle;
       if (at.obstacle() != nullptr)
@@ -142,7 +142,7 @@ namespace lamella
         arithmetic::rounding * (gap.position.norm() + gap.opposite.norm());
       row.initial_gap = std::abs(gap.gap) < rounding ? 0. : gap.gap;
       row.enforcement = contact.enforcement;
-      row.penalty = row_penalty(contact.penalty, gap.slave, gap.master);
+      row.penalty     = row_penalty(contact.penalty, gap.slave, gap.master);
       return row;
     }
 
@@ -175,13 +175,10 @@ namespace lamella
                            on_second ? interface.second : interface.first,
                          &master =
                            on_second ? interface.first : interface.second;
-      slave =
-        geometry(gaps.slave, gaps.gaps, &WeightedGap::slave_weights, -1.);
+      slave = geometry(gaps.slave, gaps.gaps, &WeightedGap::slave_weights, -1.);
       if (contact.obstacle == nullptr)
-        master = geometry(gaps.master,
-                            gaps.gaps,
-                            &WeightedGap::master_weights,
-                            1.);
+        master =
+          geometry(gaps.master, gaps.gaps, &WeightedGap::master_weights, 1.);
       const auto                  first = rows_on(contact.first.body,
                                  *bodies[contact.first.body],
                                  interface.first);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/projection.h>
 #include <lamella/contact/gap_integrals.h>
+#include <lamella/contact/closest_point_projection.h>
 
 namespace lamella
 {
@@ -13,10 +13,10 @@ namespace lamella
     class Sums
     {
     public:
-      Sums(const ContactSides    &sides,
-           const bool             on_second,
+      Sums(const ContactSides &sides,
+           const bool          on_second,
            const SlaveSurface *functions,
-           const unsigned int     n_rows)
+           const unsigned int  n_rows)
         : slave(*sides.surface(on_second))
         , master(sides.surface(!on_second))
         , functions(functions)
@@ -26,7 +26,7 @@ namespace lamella
       void
       add(const unsigned int  number,
           const GapPoint     &point,
-          const MasterPoint   &at,
+          const MasterPoint  &at,
           const Tensor<1, 3> &slid);
 
       std::vector<GapIntegrals>
@@ -34,7 +34,7 @@ namespace lamella
 
     private:
       const MeshSurface        &slave, *master;
-      const SlaveSurface    *functions;
+      const SlaveSurface       *functions;
       std::vector<GapIntegrals> rows;
       std::vector<double>       trace, trace_opposite;
     };
@@ -44,7 +44,7 @@ namespace lamella
     void
     Sums::add(const unsigned int  number,
               const GapPoint     &point,
-              const MasterPoint   &at,
+              const MasterPoint  &at,
               const Tensor<1, 3> &slid)
     {
       const Tensor<1, 3>       &n     = at.normal;
@@ -118,10 +118,12 @@ namespace lamella
          const double        search_radius)
     {
       if (master == nullptr)
-        return find_master_point(ObstacleSurface(sides.obstacle()), x, n1, search_radius);
-      const MeshSurface::Facet &facet =
-        master->facets()[point.master.facet];
-      MasterPoint at;
+        return find_master_point(ObstacleSurface(sides.obstacle()),
+                                 x,
+                                 n1,
+                                 search_radius);
+      const MeshSurface::Facet &facet = master->facets()[point.master.facet];
+      MasterPoint               at;
       at.hit.position = facet.map(point.master.st).position;
       at.hit.normal   = master->smooth_normal(facet, point.master.st);
       at.normal       = n1 - at.hit.normal;
@@ -147,11 +149,12 @@ namespace lamella
         master == nullptr ?
           closest_point_projection(*sides.obstacle(), x, n1, search_radius) :
           closest_point_projection(*master,
-                    x,
-                    n1,
-                    search_radius,
-                    point.master,
-                    sides.are_of_edges() ? edge_faces_from : faces_from_60);
+                                   x,
+                                   n1,
+                                   search_radius,
+                                   point.master,
+                                   sides.are_of_edges() ? edge_faces_from :
+                                                          faces_from_60);
       if (!hit)
         return {};
       point.master = {hit->facet, hit->st};
@@ -166,8 +169,8 @@ namespace lamella
 
   std::vector<std::pair<unsigned int, double>>
   shares_of(const SlaveSurface *functions,
-            const unsigned int     number,
-            const GapPoint        &point)
+            const unsigned int  number,
+            const GapPoint     &point)
   {
     if (functions == nullptr)
       return {{number, point.area}};
@@ -188,37 +191,39 @@ namespace lamella
     /// What @p point faces, of which it becomes the projection.
     std::optional<MasterPoint>
     master_point(const ContactSides &sides,
-               const bool          on_second,
-               const MasterPoints          master_points,
-               const double        search_radius,
-               GapPoint           &point)
+                 const bool          on_second,
+                 const MasterPoints  master_points,
+                 const double        search_radius,
+                 GapPoint           &point)
     {
-      const MeshSurface &slave    = *sides.surface(on_second),
-                        *master    = sides.surface(!on_second);
+      const MeshSurface &slave       = *sides.surface(on_second),
+                        *master      = sides.surface(!on_second);
       const auto &[facet, st]        = point.slave;
       const MeshSurface::Facet &from = slave.facets()[facet];
       const Point<3>            x    = from.map(st).position;
       const Tensor<1, 3>        n1   = slave.smooth_normal(from, st);
-      return master_points == MasterPoints::paired ? kept(sides, master, point, x, n1, search_radius) :
-                                  found(sides, master, point, x, n1, search_radius);
+      return master_points == MasterPoints::paired ?
+               kept(sides, master, point, x, n1, search_radius) :
+               found(sides, master, point, x, n1, search_radius);
     }
   } // namespace
 
 
 
   std::vector<GapIntegrals>
-  integrate_gaps(const ContactSides    &sides,
-                 const bool             on_second,
-                 const SlaveSurface *functions,
-                 const unsigned int     n_rows,
-                 const MasterPoints             master_points,
-                 const double           search_radius,
-                 std::vector<GapPoint> &points,
-                 SlipReferencePoints *const      held)
+  integrate_gaps(const ContactSides        &sides,
+                 const bool                 on_second,
+                 const SlaveSurface        *functions,
+                 const unsigned int         n_rows,
+                 const MasterPoints         master_points,
+                 const double               search_radius,
+                 std::vector<GapPoint>     &points,
+                 SlipReferencePoints *const held)
   {
     Sums sums(sides, on_second, functions, n_rows);
     for (unsigned int q = 0; q < points.size(); ++q)
-      if (const auto at = master_point(sides, on_second, master_points, search_radius, points[q]))
+      if (const auto at = master_point(
+            sides, on_second, master_points, search_radius, points[q]))
         {
           Tensor<1, 3> slid;
           if (held != nullptr && (*held)[q])
@@ -234,14 +239,15 @@ namespace lamella
 
   SlipReferencePoints
   slip_reference_points(const ContactSides    &sides,
-              const bool             on_second,
-              const MasterPoints             master_points,
-              const double           search_radius,
-              std::vector<GapPoint> &points)
+                        const bool             on_second,
+                        const MasterPoints     master_points,
+                        const double           search_radius,
+                        std::vector<GapPoint> &points)
   {
     SlipReferencePoints held(points.size());
     for (unsigned int q = 0; q < points.size(); ++q)
-      if (const auto at = master_point(sides, on_second, master_points, search_radius, points[q]))
+      if (const auto at = master_point(
+            sides, on_second, master_points, search_radius, points[q]))
         held[q] = held_place(sides, points[q], *at);
     return held;
   }

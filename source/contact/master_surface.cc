@@ -28,10 +28,10 @@ namespace lamella
 
   std::optional<MasterPoint>
   find_master_point(const MasterSurface &other,
-                 const Point<3>        &x,
-                 const Tensor<1, 3>    &n1,
-                 const double           search_radius,
-                 const double           opposed)
+                    const Point<3>      &x,
+                    const Tensor<1, 3>  &n1,
+                    const double         search_radius,
+                    const double         opposed)
   {
     // The error of an iterate is at most a few times its last change.
     constexpr unsigned int max_iterations = 50;

@@ -3,8 +3,8 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_grid.h>
 #include <lamella/contact/body_ends.h>
-#include <lamella/contact/slave_surface.h>
 #include <lamella/contact/mesh_surface.h>
+#include <lamella/contact/slave_surface.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -455,7 +455,11 @@ namespace lamella
                     const Tensor<1, 3> &d,
                     const double        search_radius) const
   {
-    return meet_among(facets_near({x - search_radius * d, x + search_radius * d}), x, d, search_radius);
+    return meet_among(facets_near(
+                        {x - search_radius * d, x + search_radius * d}),
+                      x,
+                      d,
+                      search_radius);
   }
 
 

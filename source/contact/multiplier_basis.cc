@@ -121,10 +121,10 @@ namespace lamella
 
 
   void
-  MultiplierBasis::add(const Cell       &cell,
-                    const Point<2>   &st,
-                    const double      weight,
-                    const MasterPoint &opposite)
+  MultiplierBasis::add(const Cell        &cell,
+                       const Point<2>    &st,
+                       const double       weight,
+                       const MasterPoint &opposite)
   {
     const auto            phi = values(cell, st);
     std::array<double, 4> shares;
@@ -159,9 +159,9 @@ namespace lamella
 
   void
   MultiplierBasis::add_traces(const Cell                  &cell,
-                           const Point<2>              &st,
-                           const std::array<double, 4> &share,
-                           const MasterPoint            &opposite)
+                              const Point<2>              &st,
+                              const std::array<double, 4> &share,
+                              const MasterPoint           &opposite)
   {
     const auto add = [&](std::vector<Tensor<1, 3>> &sums) {
       const unsigned int n = trace.size();
@@ -177,8 +177,9 @@ namespace lamella
     if (opposite.hit.facet != master_facet)
       close_master(cell);
     master_facet = opposite.hit.facet;
-    sides.master_mesh->evaluate_trace(
-      sides.master_mesh->facets()[master_facet], opposite.hit.st, trace);
+    sides.master_mesh->evaluate_trace(sides.master_mesh->facets()[master_facet],
+                                      opposite.hit.st,
+                                      trace);
     add(master_sums);
   }
 
@@ -189,8 +190,7 @@ namespace lamella
   {
     if (master_sums.empty())
       return;
-    const auto &numbers =
-      sides.master_mesh->facets()[master_facet].trace_nodes;
+    const auto &numbers = sides.master_mesh->facets()[master_facet].trace_nodes;
     for (unsigned int i = 0; i < 4; ++i)
       for (unsigned int j = 0; j < numbers.size(); ++j)
         nodes[cell.nodes[i]].sums.master_weights.emplace_back(
@@ -276,9 +276,9 @@ namespace lamella
           weight /= gap.area;
       }
     const auto facing = find_master_point(*sides.master,
-                                       gap.position,
-                                       slave.grid_nodes()[number].normal,
-                                       sides.search_radius);
+                                          gap.position,
+                                          slave.grid_nodes()[number].normal,
+                                          sides.search_radius);
     if (facing)
       {
         gap.opposite = facing->hit.position;
@@ -301,7 +301,7 @@ namespace lamella
         for (const auto &[row, share] : nodes[end].rows)
           nodes[node->node].rows.emplace_back(row, 0.5 * share);
     std::vector<SlaveSurface::Facet> facets;
-    std::vector<unsigned int>           numbers(parts.size());
+    std::vector<unsigned int>        numbers(parts.size());
     for (unsigned int f = 0; f < parts.size(); ++f)
       {
         if (parts[f].empty())
@@ -319,8 +319,9 @@ namespace lamella
       }
     for (GapPoint &point : result.points)
       point.part = numbers[point.slave.facet];
-    return std::make_shared<const SlaveSurface>(
-      SlaveSurface::Functions::hats, result.gaps.size(), std::move(facets));
+    return std::make_shared<const SlaveSurface>(SlaveSurface::Functions::hats,
+                                                result.gaps.size(),
+                                                std::move(facets));
   }
 
 
@@ -341,11 +342,9 @@ namespace lamella
       if (!hangs[k])
         add_row(k, result);
     result.surface = slave_surface(parts, result);
-    result.slave =
-      renumber(result.gaps, &WeightedGap::slave_weights, slave);
+    result.slave   = renumber(result.gaps, &WeightedGap::slave_weights, slave);
     if (sides.master_mesh != nullptr)
-      result.master = renumber(result.gaps,
-                                 &WeightedGap::master_weights,
-                                 *sides.master_mesh);
+      result.master =
+        renumber(result.gaps, &WeightedGap::master_weights, *sides.master_mesh);
   }
 } // namespace lamella

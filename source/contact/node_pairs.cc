@@ -21,8 +21,10 @@ namespace lamella
     {
       unsigned int count = 0;
       for (unsigned int k = 0; k < points.size(); ++k)
-        if (!is_paired[k] &&
-            find_master_point(other, points[k].position, points[k].normal, search_radius))
+        if (!is_paired[k] && find_master_point(other,
+                                               points[k].position,
+                                               points[k].normal,
+                                               search_radius))
           ++count;
       return count;
     }
@@ -61,10 +63,14 @@ namespace lamella
           first_paired[pair.first]   = true;
           second_paired[pair.second] = true;
         }
-      nodes.beside =
-        count_facing(nodes.first, first_paired, *sides.surface(true), search_radius);
-      nodes.beside_second =
-        count_facing(nodes.second, second_paired, *sides.surface(false), search_radius);
+      nodes.beside        = count_facing(nodes.first,
+                                  first_paired,
+                                  *sides.surface(true),
+                                  search_radius);
+      nodes.beside_second = count_facing(nodes.second,
+                                         second_paired,
+                                         *sides.surface(false),
+                                         search_radius);
       return nodes;
     }
 
@@ -89,9 +95,9 @@ namespace lamella
       gap.gap      = pair.initial_gap;
       gap.angle =
         2. * std::asin(std::min(1., 0.5 * (a.normal + b.normal).norm()));
-      gap.slave         = {a.normal_modulus, area, a.depth};
+      gap.slave          = {a.normal_modulus, area, a.depth};
       gap.master         = {b.normal_modulus, area, b.depth};
-      gap.slave_weights = {{k, pair.normal}};
+      gap.slave_weights  = {{k, pair.normal}};
       gap.master_weights = {{k, pair.normal}};
       return gap;
     }

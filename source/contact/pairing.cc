@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/projection.h>
 #include <lamella/contact/pairing.h>
+#include <lamella/contact/closest_point_projection.h>
 #include <lamella/contact/search.h>
 #include <lamella/contact/segments.h>
 
@@ -75,13 +75,15 @@ namespace lamella
     {
       bool found = false;
       for (const unsigned int j : nearest)
-        if (const auto one = facing(first, second, i, j, tolerance, search_radius))
+        if (const auto one =
+              facing(first, second, i, j, tolerance, search_radius))
           {
             candidates.push_back(*one);
             found = true;
           }
       for (unsigned int j = 0; !found && j < second.size(); ++j)
-        if (const auto one = facing(first, second, i, j, tolerance, search_radius))
+        if (const auto one =
+              facing(first, second, i, j, tolerance, search_radius))
           candidates.push_back(*one);
     }
 
@@ -126,7 +128,8 @@ namespace lamella
         const auto nearest = search.nearest(first[i].position, twins);
         for (const unsigned int j : nearest)
           update_nearest(first[i], second[j], result);
-        add_candidates(first, second, i, nearest, tolerance, search_radius, candidates);
+        add_candidates(
+          first, second, i, nearest, tolerance, search_radius, candidates);
       }
     std::stable_sort(candidates.begin(),
                      candidates.end(),
@@ -183,22 +186,22 @@ namespace lamella
     /// @p result, and that of the place opposite, if that is on a mesh.
     WeightedGap
     gap_at(const SurfacePoint &point,
-           const MasterPoint   &facing,
+           const MasterPoint  &facing,
            const MeshSurface  *master,
            Gaps               &result)
     {
       const SurfaceHit &hit = facing.hit;
       WeightedGap       gap;
-      gap.node             = point.location;
-      gap.position         = point.position;
-      gap.opposite         = hit.position;
-      gap.normal           = facing.normal;
-      gap.area             = point.area;
-      gap.spacing          = std::sqrt(point.area);
-      gap.gap              = hit.distance;
-      gap.angle            = facing.angle;
+      gap.node          = point.location;
+      gap.position      = point.position;
+      gap.opposite      = hit.position;
+      gap.normal        = facing.normal;
+      gap.area          = point.area;
+      gap.spacing       = std::sqrt(point.area);
+      gap.gap           = hit.distance;
+      gap.angle         = facing.angle;
       gap.slave         = {point.normal_modulus, point.area, point.depth};
-      gap.master         = gap.slave;
+      gap.master        = gap.slave;
       gap.slave_weights = {
         {static_cast<unsigned int>(result.slave.size()), facing.normal}};
       result.slave.push_back(point.location);
@@ -223,15 +226,15 @@ namespace lamella
     {
       if (!sides.of_edges)
         return find_master_point(*sides.master,
-                              point.position,
-                              point.normal,
-                              sides.search_radius);
+                                 point.position,
+                                 point.normal,
+                                 sides.search_radius);
       const auto projection = closest_point_projection(*sides.master_mesh,
-                                  point.position,
-                                  point.normal,
-                                  sides.search_radius,
-                                  {},
-                                  edge_faces_from);
+                                                       point.position,
+                                                       point.normal,
+                                                       sides.search_radius,
+                                                       {},
+                                                       edge_faces_from);
       if (!projection)
         return {};
       MasterPoint at;
@@ -277,9 +280,9 @@ namespace lamella
 
 
   unsigned int
-  nodes_facing_nothing(const MeshSurface     &a,
+  nodes_facing_nothing(const MeshSurface   &a,
                        const MasterSurface &b,
-                       const double           search_radius)
+                       const double         search_radius)
   {
     unsigned int count = 0;
     for (const MeshSurface::GridNode &node : a.grid_nodes())
@@ -290,7 +293,9 @@ namespace lamella
 
 
   double
-  cells_facing(const MeshSurface &a, const MeshSurface &b, const double search_radius)
+  cells_facing(const MeshSurface &a,
+               const MeshSurface &b,
+               const double       search_radius)
   {
     double cells = 0.;
     for (const MeshSurface::Facet &facet : a.facets())
@@ -299,8 +304,8 @@ namespace lamella
           find_master_point(b, facet.center, facet.normal, search_radius);
         const ChordPlane plane(facet.side.corners, facet.normal);
         double           covered = 0.;
-        for (const Segment &segment :
-             cut(plane, facing ? facing->normal : facet.normal, b, search_radius))
+        for (const Segment &segment : cut(
+               plane, facing ? facing->normal : facet.normal, b, search_radius))
           covered += segment.area;
         cells += std::min(1., covered / plane.area) * facet.side.degree_s *
                  facet.side.degree_t;

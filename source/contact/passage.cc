@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/projection.h>
 #include <lamella/contact/pairing.h>
 #include <lamella/contact/passage.h>
+#include <lamella/contact/closest_point_projection.h>
 
 #include <algorithm>
 #include <array>
@@ -123,15 +123,16 @@ namespace lamella
 
 
     /// Whether @p point is behind @p surface, by more than cells are deep if it
-    /// is to be @p too_deep and by less otherwise; projections @p search_radius away at most.
+    /// is to be @p too_deep and by less otherwise; projections @p search_radius
+    /// away at most.
     bool
     faces(const MeshSurface  &surface,
           const SurfacePoint &point,
           const double        search_radius,
           const bool          too_deep)
     {
-      const auto projection =
-        closest_point_projection(surface, point.position, point.normal, search_radius, {});
+      const auto projection = closest_point_projection(
+        surface, point.position, point.normal, search_radius, {});
       return projection &&
              is_too_deep(projection->distance,
                          point.depth,
@@ -186,10 +187,14 @@ namespace lamella
     const double search_radius = passage.way + passage.most;
     for (const bool second : {false, true})
       for (unsigned int k = 0; k < passage.were[second].size(); ++k)
-        if (faces(
-              *after.surface(!second), passage.are[second][k], search_radius, true) &&
-            faces(
-              *before.surface(!second), passage.were[second][k], search_radius, false))
+        if (faces(*after.surface(!second),
+                  passage.are[second][k],
+                  search_radius,
+                  true) &&
+            faces(*before.surface(!second),
+                  passage.were[second][k],
+                  search_radius,
+                  false))
           return true;
     return false;
   }

@@ -63,7 +63,7 @@ namespace lamella
   SearchCheck::look_within(const double            new_search_radius,
                            const ContactInterface &interface)
   {
-    search_radius            = new_search_radius;
+    search_radius    = new_search_radius;
     ContactPair same = contact;
     same.slave_side =
       interface.points_on_second ? SlaveSide::second : SlaveSide::first;

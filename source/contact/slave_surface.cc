@@ -123,8 +123,8 @@ namespace lamella
 
 
   SlaveSurface::SlaveSurface(const Functions    functions,
-                                   const unsigned int n_rows,
-                                   std::vector<Facet> facets)
+                             const unsigned int n_rows,
+                             std::vector<Facet> facets)
     : kind(functions)
     , rows(n_rows)
     , all(std::move(facets))
@@ -149,8 +149,8 @@ namespace lamella
 
   void
   SlaveSurface::evaluate(const Facet         &facet,
-                            const Point<2>      &st,
-                            std::vector<double> &values) const
+                         const Point<2>      &st,
+                         std::vector<double> &values) const
   {
     const GaussLobattoBasis &s = GaussLobattoBasis::of_degree(facet.degree_s),
                             &t = GaussLobattoBasis::of_degree(facet.degree_t);
@@ -183,8 +183,8 @@ namespace lamella
 
   void
   SlaveSurface::add_integrals(const Facet            &facet,
-                                 const Polygon          &part,
-                                 std::vector<Integrals> &sums) const
+                              const Polygon          &part,
+                              std::vector<Integrals> &sums) const
   {
     if (part.size() < 3)
       return;
@@ -236,15 +236,16 @@ namespace lamella
 
   std::optional<SlaveSurface::Place>
   SlaveSurface::on_line(const Point<3>     &x,
-                           const Tensor<1, 3> &d,
-                           const double        search_radius) const
+                        const Tensor<1, 3> &d,
+                        const double        search_radius) const
   {
     if (all.empty())
       return {};
     std::optional<Place> nearest;
     double               least = search_radius;
     for (const unsigned int f : boxes.meeting(
-           BoundingBox<3>(std::vector<Point<3>>{x - search_radius * d, x + search_radius * d})))
+           BoundingBox<3>(std::vector<Point<3>>{x - search_radius * d,
+                                                x + search_radius * d})))
       {
         const Facet &facet = all[f];
         const auto   st    = place_on_line(facet.map, x, d);
@@ -302,7 +303,7 @@ namespace lamella
     /// Links those of @p facet that follow each other on a line of its grid, if
     /// @p order of two places is not 0: 1 if the second comes after the first.
     void
-    link(const SlaveSurface::Facet                                 &facet,
+    link(const SlaveSurface::Facet                                    &facet,
          const std::function<int(const Point<3> &, const Point<3> &)> &order,
          LineNodes                                                    &nodes)
     {
@@ -343,8 +344,7 @@ namespace lamella
 
 
   std::vector<std::vector<std::vector<unsigned int>>>
-  SlaveSurface::lines(const unsigned int axis,
-                         const unsigned int across) const
+  SlaveSurface::lines(const unsigned int axis, const unsigned int across) const
   {
     LineNodes nodes;
     for (const Facet &facet : all)

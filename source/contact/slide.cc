@@ -44,9 +44,9 @@ namespace lamella
     /// The same on @p obstacle, from the place of @p then to @p hit: around a
     /// roller the arc, along its tangent at the hit.
     Tensor<1, 3>
-    way_on(const Obstacle   &obstacle,
-           const SlipReferencePoint  &then,
-           const SurfaceHit &hit)
+    way_on(const Obstacle           &obstacle,
+           const SlipReferencePoint &then,
+           const SurfaceHit         &hit)
     {
       const Tensor<1, 3> way =
         (hit.position - obstacle.point) - then.on_obstacle;
@@ -95,7 +95,7 @@ namespace lamella
   SlipReferencePoint
   held_place(const ContactSides &sides,
              const GapPoint     &point,
-             const MasterPoint   &at)
+             const MasterPoint  &at)
   {
     SlipReferencePoint held;
     held.point = point;
@@ -110,18 +110,17 @@ namespace lamella
 
 
   Tensor<1, 3>
-  slide(const ContactSides &sides,
-        const bool          on_second,
-        const SlipReferencePoint    &then,
-        const GapPoint     &now,
-        const MasterPoint   &at)
+  slide(const ContactSides       &sides,
+        const bool                on_second,
+        const SlipReferencePoint &then,
+        const GapPoint           &now,
+        const MasterPoint        &at)
   {
     Tensor<1, 3> way =
       way_on(*sides.surface(on_second), then.point.slave, now.slave);
-    way -=
-      sides.obstacle() != nullptr ?
-        way_on(*sides.obstacle(), then, at.hit) :
-        way_on(*sides.surface(!on_second), then.point.master, now.master);
+    way -= sides.obstacle() != nullptr ?
+             way_on(*sides.obstacle(), then, at.hit) :
+             way_on(*sides.surface(!on_second), then.point.master, now.master);
     return way - (way * at.normal) * at.normal;
   }
 } // namespace lamella

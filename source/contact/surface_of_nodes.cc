@@ -25,7 +25,7 @@ namespace lamella
     Shares
     row_on(const std::vector<unsigned int> &at_node,
            const Tensor<1, 3>              &normal,
-           const std::vector<SlaveNode> &nodes)
+           const std::vector<SlaveNode>    &nodes)
     {
       // cos 60.
       constexpr double like_it = 0.5;
@@ -121,8 +121,8 @@ namespace lamella
 
     /// The facets of @p topology with the rows of their nodes.
     std::vector<Facet>
-    all_facets(const Body                      &body,
-               const SurfaceTopology           &topology,
+    all_facets(const Body                   &body,
+               const SurfaceTopology        &topology,
                const std::vector<SlaveNode> &nodes)
     {
       std::vector<std::vector<unsigned int>> at_node(topology.n_grid);
@@ -164,10 +164,10 @@ namespace lamella
 
 
   SlaveSurface
-  surface_of_nodes(const Body                      &body,
-                   const std::string               &surface,
+  surface_of_nodes(const Body                   &body,
+                   const std::string            &surface,
                    const std::vector<SlaveNode> &nodes,
-                   const bool                       whole)
+                   const bool                    whole)
   {
     std::vector<Facet> facets =
       all_facets(body, body.surface_topology(surface), nodes);
@@ -199,7 +199,7 @@ namespace lamella
                                 }),
                  facets.end());
     return SlaveSurface(SlaveSurface::Functions::trace,
-                           nodes.size(),
-                           std::move(facets));
+                        nodes.size(),
+                        std::move(facets));
   }
 } // namespace lamella

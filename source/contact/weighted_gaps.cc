@@ -42,9 +42,8 @@ namespace lamella
         2 +
         std::max(a.trace_degree_s + a.trace_degree_t,
                  b.trace_degree_s + b.trace_degree_t) +
-        (slave.map.is_affine() && master.map.is_affine() ?
-           0 :
-           degrees_for_curves);
+        (slave.map.is_affine() && master.map.is_affine() ? 0 :
+                                                           degrees_for_curves);
       return triangle_rule(degree);
     }
 
@@ -101,18 +100,18 @@ namespace lamella
       };
       std::optional<MasterPoint>
       master_point(const SlavePoint &point,
-                 const Search        &search,
-                 const double         search_radius,
-                 const double         opposed) const;
+                   const Search     &search,
+                   const double      search_radius,
+                   const double      opposed) const;
       void
-      add_point(const Cell          &cell,
-                const SlavePoint &point,
-                const double         weight,
-                const MasterPoint    &opposite);
+      add_point(const Cell        &cell,
+                const SlavePoint  &point,
+                const double       weight,
+                const MasterPoint &opposite);
 
-      const Sides &sides;
+      const Sides    &sides;
       MultiplierBasis hats;
-      Gaps         result;
+      Gaps            result;
       /// Of each facet what faces the other side, in its unit square.
       std::vector<std::vector<Polygon>> parts;
     };
@@ -156,9 +155,9 @@ namespace lamella
       const ChordPlane plane(corners, middle.own_normal);
 
       const auto facing   = find_master_point(*sides.master,
-                                         middle.position,
-                                         middle.normal,
-                                         sides.search_radius);
+                                            middle.position,
+                                            middle.normal,
+                                            sides.search_radius);
       const auto segments = cut(plane,
                                 facing ? facing->normal : middle.normal,
                                 *sides.master_mesh,
@@ -190,10 +189,10 @@ namespace lamella
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
           const SlavePoint point    = evaluate(cell, cell.at(rule.point(q)));
-          const auto          opposite = find_master_point(*sides.master,
-                                               point.position,
-                                               point.normal,
-                                               sides.search_radius);
+          const auto       opposite = find_master_point(*sides.master,
+                                                  point.position,
+                                                  point.normal,
+                                                  sides.search_radius);
           if (opposite)
             add_point(cell,
                       point,
@@ -226,9 +225,9 @@ namespace lamella
       // end of the reach would be a matter of where the rule has its points.
       const Search search{segment.facet, candidates, layered};
       if (!master_point(point_above(cell, plane, centroid(corners)),
-                      search,
-                      sides.search_radius,
-                      faces_from_60))
+                        search,
+                        sides.search_radius,
+                        faces_from_60))
         return;
       add_part(cell, plane, corners);
       for (unsigned int k = 1; k + 1 < corners.size(); ++k)
@@ -301,14 +300,17 @@ namespace lamella
 
     std::optional<MasterPoint>
     Integrator::master_point(const SlavePoint &point,
-                           const Search        &search,
-                           const double         search_radius,
-                           const double         opposed) const
+                             const Search     &search,
+                             const double      search_radius,
+                             const double      opposed) const
     {
       const MeshSurface              &mesh = *sides.master_mesh;
       const std::vector<unsigned int> own{search.facet};
-      const auto                      on_own = find_master_point(
-        SurfacePart(mesh, own), point.position, point.normal, search_radius, opposed);
+      const auto on_own = find_master_point(SurfacePart(mesh, own),
+                                            point.position,
+                                            point.normal,
+                                            search_radius,
+                                            opposed);
       // Next to the edge of a curved facet the neighbor's segment may begin a
       // little earlier or later than the facet, or be a sliver that was left
       // out.
@@ -316,16 +318,17 @@ namespace lamella
         {
           const auto beside =
             find_master_point(SurfacePart(mesh, search.candidates),
-                           point.position,
-                           point.normal,
-                           search_radius,
-                           opposed);
+                              point.position,
+                              point.normal,
+                              search_radius,
+                              opposed);
           return beside ? beside :
                           find_master_point(mesh,
-                                         point.position,
-                                         point.normal,
-                                         std::min(search_radius, 2. * sides.search_radius),
-                                         opposed);
+                                            point.position,
+                                            point.normal,
+                                            std::min(search_radius,
+                                                     2. * sides.search_radius),
+                                            opposed);
         }
       if (search.layered)
         {
@@ -344,10 +347,10 @@ namespace lamella
 
 
     void
-    Integrator::add_point(const Cell          &cell,
-                          const SlavePoint &point,
-                          const double         weight,
-                          const MasterPoint    &opposite)
+    Integrator::add_point(const Cell        &cell,
+                          const SlavePoint  &point,
+                          const double       weight,
+                          const MasterPoint &opposite)
     {
       if (is_too_deep(sides, opposite.hit, cell.facet->depth))
         {

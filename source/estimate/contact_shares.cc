@@ -51,7 +51,7 @@ namespace lamella
 
   void
   ContactShares::compare(const std::vector<NamedQuantity> &goals,
-                         OtherModels                      &others,
+                         ComparisonModels                 &others,
                          const Scene                      &poorer,
                          const ResultNumbers              &numbers)
   {

@@ -170,8 +170,8 @@ namespace lamella
     /// Returns the share of the length of the beam @p body with gap rows.
     double
     loaded_share(const BuiltScene  &model,
-                  const Beam        &whole,
-                  const unsigned int body)
+                 const Beam        &whole,
+                 const unsigned int body)
     {
       std::set<unsigned int> nodes;
       for (const ContactInterface &contact : model.interfaces())
@@ -208,7 +208,7 @@ namespace lamella
             size.fields  = beam->section().n_fields();
             size.cells   = beam->section().n_cells();
             size.corners = n_corners(*beam);
-            size.touched = loaded_share(model, *beam, sizes.size() - 1);
+            size.loaded  = loaded_share(model, *beam, sizes.size() - 1);
             size.slenderness =
               beam->axis().length() / beam->section().extents().second;
           }
@@ -224,7 +224,7 @@ namespace lamella
                      const PlanRules       &rules)
   {
     return body.theory.is_layerwise() && body.pieces.empty() &&
-           !size.held_all_along && size.touched <= rules.long_contact &&
+           !size.held_all_along && size.loaded <= rules.long_contact &&
            size.fields > rules.worth_while * rules.fields_of_responses;
   }
 

@@ -2,8 +2,8 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/estimate/bars_from_half.h>
 #include <lamella/estimate/estimation.h>
+#include <lamella/estimate/halved_axis_estimate.h>
 #include <lamella/estimate/local_errors.h>
 #include <lamella/estimate/operations.h>
 

@@ -3,13 +3,13 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
-#include <lamella/estimate/bars_by_source.h>
-#include <lamella/estimate/bars_from_below.h>
-#include <lamella/estimate/bars_from_half.h>
+#include <lamella/estimate/coarser_model_estimate.h>
+#include <lamella/estimate/enrichment_estimate.h>
 #include <lamella/estimate/estimation.h>
 #include <lamella/estimate/goal_bars.h>
-#include <lamella/estimate/slip_reference_points.h>
+#include <lamella/estimate/halved_axis_estimate.h>
 #include <lamella/estimate/operations.h>
+#include <lamella/estimate/held_places.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ namespace lamella
     std::optional<HalfPlan>
     plan_of(const Simulation &run)
     {
-      if (!BarsFromHalf::reason_for_none(run).empty())
+      if (!HalvedAxisEstimate::reason_for_none(run).empty())
         return {};
       const GoalParameters &goals = run.model().scene().goals;
       // A tolerance leads to LE-3, which LE-2 is close to; LE-1 is far from
@@ -37,9 +37,9 @@ namespace lamella
       if (goals.bars != ErrorBars::automatic)
         return HalfPlan();
       const HalfRules rules;
-      return BarsFromHalf::plan(run,
-                                std::max(rules.most_of_run * operations(run),
-                                         rules.free_operations));
+      return HalvedAxisEstimate::plan(
+        run,
+        std::max(rules.most_of_run * operations(run), rules.free_operations));
     }
 
 
@@ -52,19 +52,19 @@ namespace lamella
     std::pair<std::function<Goals(std::ostream &, ModelCache &)>, std::string>
     maker_for(const Simulation &run)
     {
-      if (BarsFromBelow::reason_for_none(run).empty())
+      if (CoarserModelEstimate::reason_for_none(run).empty())
         return {[&run](std::ostream &out, ModelCache &cache) {
-                  return BarsFromBelow(run, out, cache).goals();
+                  return CoarserModelEstimate(run, out, cache).goals();
                 },
                 "poorer models"};
-      if (BarsBySource::reason_for_none(run).empty())
+      if (EnrichmentEstimate::reason_for_none(run).empty())
         return {[&run](std::ostream &out, ModelCache &cache) {
-                  return BarsBySource(run, out, cache).goals();
+                  return EnrichmentEstimate(run, out, cache).goals();
                 },
                 "models that differ in one source each"};
       if (const auto plan = plan_of(run))
         return {[&run, plan](std::ostream &out, ModelCache &cache) {
-                  return BarsFromHalf(run, *plan, out, cache).goals();
+                  return HalvedAxisEstimate(run, *plan, out, cache).goals();
                 },
                 "models on coarser axes"};
       return {};
@@ -157,14 +157,14 @@ namespace lamella
                        std::ostream     &out,
                        ModelCache       &cache)
     {
-      for (const std::string &why :
-           {RunGoals::reason_for_none(run), BarsFromHalf::reason_for_none(run)})
+      for (const std::string &why : {RunGoals::reason_for_none(run),
+                                     HalvedAxisEstimate::reason_for_none(run)})
         if (!why.empty())
           return {{}, why};
       out << "Error bars, from a model on a coarser axis:" << std::endl;
       Goals         goals;
       const Outcome outcome = outcome_of([&] {
-        goals = BarsFromHalf(run, HalfPlan{1, 0}, out, cache).goals();
+        goals = HalvedAxisEstimate(run, HalfPlan{1, 0}, out, cache).goals();
       });
       if (outcome.status != 0)
         return {{},

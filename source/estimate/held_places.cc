@@ -4,8 +4,8 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>
 #include <lamella/estimate/axis_marks.h>
-#include <lamella/estimate/slip_reference_points.h>
 #include <lamella/estimate/run_goals.h>
+#include <lamella/estimate/held_places.h>
 
 #include <algorithm>
 #include <optional>
@@ -108,8 +108,8 @@ namespace lamella
     /// Returns @p scene, a scene of the bodies of @p run, with long elements at
     /// supported places bisected @p rules.times; nothing if there are none.
     std::optional<Scene>
-    with_short_elements(Scene                 scene,
-                        const Simulation     &run,
+    with_short_elements(Scene                     scene,
+                        const Simulation         &run,
                         const SlipReferenceRules &rules)
     {
       const auto beams = beams_of(run.model().structure().bodies());
@@ -135,9 +135,9 @@ namespace lamella
 
 
   std::vector<double>
-  missed_at_held_places(const Simulation     &run,
-                        std::ostream         &out,
-                        ModelCache           &cache,
+  missed_at_held_places(const Simulation         &run,
+                        std::ostream             &out,
+                        ModelCache               &cache,
                         const SlipReferenceRules &rules)
   {
     const Scene scene = for_estimates(run);
@@ -146,7 +146,7 @@ namespace lamella
     const auto shorter = with_short_elements(scene, run, rules);
     if (!shorter)
       return {};
-    OtherModels         models(run, out, cache);
+    ComparisonModels    models(run, out, cache);
     const ResultNumbers as_is = models
                                   .solved(of_first_degree(scene),
                                           "LE-1, for places that are held")

@@ -19,13 +19,13 @@ namespace lamella
     // which is part of the key.
 
     std::string
-    words_of(const double number)
+    describe(const double number)
     {
       return to_text(number, std::numeric_limits<double>::max_digits10) + " ";
     }
 
     std::string
-    words_of(const unsigned int number)
+    describe(const unsigned int number)
     {
       return std::to_string(number) + " ";
     }
@@ -33,7 +33,7 @@ namespace lamella
 
 
     std::string
-    words_of(const Theory &theory)
+    describe(const Theory &theory)
     {
       const auto &[kind,
                    order,
@@ -42,9 +42,9 @@ namespace lamella
                    poisson_correction,
                    shear_factor,
                    twists] = theory;
-      return words_of(static_cast<unsigned int>(kind)) + words_of(order) +
-             words_of(section_order) + (hierarchical ? "h" : "") +
-             (poisson_correction ? "p" : "") + words_of(shear_factor) +
+      return describe(static_cast<unsigned int>(kind)) + describe(order) +
+             describe(section_order) + (hierarchical ? "h" : "") +
+             (poisson_correction ? "p" : "") + describe(shear_factor) +
              (twists ? "t" : "");
     }
 
@@ -52,11 +52,11 @@ namespace lamella
 
     template <typename Number>
     std::string
-    words_of(const std::vector<Number> &numbers)
+    describe(const std::vector<Number> &numbers)
     {
       std::string words;
       for (const Number &number : numbers)
-        words += words_of(number);
+        words += describe(number);
       return words + "| ";
     }
 
@@ -65,7 +65,7 @@ namespace lamella
     /// Returns the element ends of @p axis in any notation. Repeated halves are
     /// sums: ends are rounded to fractions of the length above rounding errors.
     std::string
-    words_of_ends(const AxisMesh &axis)
+    describe_ends(const AxisMesh &axis)
     {
       std::string words;
       double      end = 0.;
@@ -82,7 +82,7 @@ namespace lamella
 
 
     std::string
-    words_of(const AxisMesh &axis)
+    describe(const AxisMesh &axis)
     {
       const auto &[length,
                    degree,
@@ -92,30 +92,30 @@ namespace lamella
                    equidistant_nodes,
                    assumed_shear] = axis;
       // A graded axis has no elements yet.
-      return words_of(length) + words_of(degree) +
-             (fineness > 0. ? words_of(elements) + words_of(breaks) :
-                              words_of_ends(axis)) +
-             words_of(fineness) + (equidistant_nodes ? "e" : "") +
+      return describe(length) + describe(degree) +
+             (fineness > 0. ? describe(elements) + describe(breaks) :
+                              describe_ends(axis)) +
+             describe(fineness) + (equidistant_nodes ? "e" : "") +
              (assumed_shear ? "s" : "");
     }
 
 
 
     std::string
-    words_of(const SolidRefinement &refinement)
+    describe(const SolidRefinement &refinement)
     {
       const auto &[everywhere, balls, memory_limit] = refinement;
-      std::string words                             = words_of(everywhere);
+      std::string words                             = describe(everywhere);
       for (const auto &[center, radius, times] : balls)
-        words += words_of(center[0]) + words_of(center[1]) +
-                 words_of(center[2]) + words_of(radius) + words_of(times);
+        words += describe(center[0]) + describe(center[1]) +
+                 describe(center[2]) + describe(radius) + describe(times);
       return words;
     }
 
 
 
     std::string
-    words_of(const BodyDescription &body)
+    describe(const BodyDescription &body)
     {
       const auto &[name,
                    section,
@@ -128,16 +128,16 @@ namespace lamella
                    has_finite_rotations,
                    refinement]     = body;
       const auto &[theories, ends] = pieces;
-      return name + " " + section + " " + words_of(theory) +
-             words_of(theories) + words_of(ends) + words_of(axis) +
-             words_of(stabilization) + (is_held ? "held " : "") +
-             (has_finite_rotations ? "turns " : "") + words_of(refinement);
+      return name + " " + section + " " + describe(theory) +
+             describe(theories) + describe(ends) + describe(axis) +
+             describe(stabilization) + (is_held ? "held " : "") +
+             (has_finite_rotations ? "turns " : "") + describe(refinement);
     }
 
 
 
     std::string
-    words_of(const ContactPair &contact)
+    describe(const ContactPair &contact)
     {
       const auto &[name,
                    first,
@@ -162,23 +162,23 @@ namespace lamella
                                 static_cast<unsigned int>(is_automatic),
                                 part_of.value_or(0),
                                 static_cast<unsigned int>(kind)})
-        words += " " + words_of(choice);
-      return words + words_of(value) + words_of(tolerance) +
-             words_of(friction) +
-             (search_distance ? words_of(*search_distance) : "");
+        words += " " + describe(choice);
+      return words + describe(value) + describe(tolerance) +
+             describe(friction) +
+             (search_distance ? describe(*search_distance) : "");
     }
 
 
     /// Returns the refinements @p what of sections with their numbers, if not
     /// zero.
     std::string
-    words_of(const std::string                         &what,
+    describe(const std::string                         &what,
              const std::map<std::string, unsigned int> &times)
     {
       std::string words;
       for (const auto &[section, number] : times)
         if (number > 0)
-          words += section + " " + what + words_of(number) + "; ";
+          words += section + " " + what + describe(number) + "; ";
       return words;
     }
   } // namespace
@@ -216,13 +216,13 @@ namespace lamella
                  resolved] = scene;
     std::string key        = resolved;
     for (const unsigned int n : solve.substeps.each)
-      key += words_of(n);
+      key += describe(n);
     for (const BodyDescription &body : bodies)
-      key += words_of(body) + "; ";
-    key += words_of("divided", divisions);
-    key += words_of("corner layers", corner_layers);
+      key += describe(body) + "; ";
+    key += describe("divided", divisions);
+    key += describe("corner layers", corner_layers);
     for (const ContactPair &contact : contacts)
-      key += words_of(contact) + "; ";
+      key += describe(contact) + "; ";
     return key;
   }
 } // namespace lamella

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/end_fields.h>
+#include <lamella/adapt/boundary_layer_modes.h>
 #include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/operations.h>
@@ -12,7 +12,7 @@ namespace lamella
   namespace
   {
     double
-    operations(const BodyFacts &body)
+    operations(const BodySummary &body)
     {
       return body.solver ?
                operations_of_factor(body.solver->non_zeros, body.dofs) :
@@ -38,7 +38,7 @@ namespace lamella
   operations(const Simulation &run)
   {
     double sum = 0.;
-    for (const BodyFacts &body : run.results().bodies)
+    for (const BodySummary &body : run.results().bodies)
       sum += operations(body);
     return sum;
   }
@@ -65,11 +65,11 @@ namespace lamella
         // The body is LE-N, since it may have responses: a beam.
         const Beam  &beam    = *beams[b];
         const auto   touches = find_interactions(beam,
-                                          b,
-                                          bodies,
-                                          scene.supports,
-                                          scene.loads,
-                                          run.model().interfaces());
+                                               b,
+                                               bodies,
+                                               scene.supports,
+                                               scene.loads,
+                                               run.model().interfaces());
         const double answers = 2. * cost.waves * n_load_vectors(touches);
         sum += sizes[b].fields * answers * answers +
                cost.of_eigenvectors * answers * answers * answers;

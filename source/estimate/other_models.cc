@@ -25,9 +25,9 @@ namespace lamella
 
 
 
-  OtherModels::OtherModels(const Simulation &run,
-                           std::ostream     &out,
-                           ModelCache       &cache)
+  ComparisonModels::ComparisonModels(const Simulation &run,
+                                     std::ostream     &out,
+                                     ModelCache       &cache)
     : run(run)
     , out(out)
     , cache(cache)
@@ -36,9 +36,9 @@ namespace lamella
 
 
   Model
-  OtherModels::solved(const Scene                                   &scene,
-                      const std::string                             &what,
-                      const std::function<void(const Simulation &)> &look)
+  ComparisonModels::solved(const Scene                                   &scene,
+                           const std::string                             &what,
+                           const std::function<void(const Simulation &)> &look)
   {
     if (const Model *known = cache.find(scene); known != nullptr && !look)
       return *known;

@@ -202,7 +202,7 @@ namespace lamella
 
 
   std::vector<GoalResult>
-  Passes::staying() const
+  Passes::active_goals() const
   {
     std::vector<GoalResult> goals;
     for (unsigned int g = 0; g < last().goals.size(); ++g)
@@ -214,7 +214,7 @@ namespace lamella
 
 
   std::vector<std::string>
-  Passes::farewells() const
+  Passes::dropped_goals() const
   {
     std::vector<std::string> sentences;
     for (unsigned int g = 0; g < last().goals.size(); ++g)

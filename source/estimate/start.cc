@@ -67,7 +67,7 @@ namespace lamella
     std::vector<unsigned int>   elements;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
-        PlanFacts facts;
+        PlanInput facts;
         facts.size         = sizes[b];
         facts.theory       = scene.bodies[b].theory;
         facts.is_assumed   = is_assumed(scene, b);

@@ -198,7 +198,7 @@ namespace lamella
 
 
 
-  SurplusBySource
+  SurplusParts
   Surpluses::of(const BlockVector &z) const
   {
     const Parts parts = parts_of(z);

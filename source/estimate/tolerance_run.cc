@@ -9,8 +9,8 @@
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/goal_bars.h>
-#include <lamella/estimate/stand_in.h>
 #include <lamella/estimate/start.h>
+#include <lamella/estimate/surrogate.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/report/fields_table.h>
 #include <lamella/report/goals_table.h>
@@ -117,7 +117,7 @@ namespace lamella
     for (unsigned int g = 0; g < lost_by_fields.size(); ++g)
       hold_share(pass.goals[g], Source::fields, lost_by_fields[g]);
     pass.seconds = wall.wall_time();
-    for (const BodyFacts &body : next->results().bodies)
+    for (const BodySummary &body : next->results().bodies)
       pass.theories +=
         (pass.theories.empty() ? "" : "; ") + body.name + " " + body.theory;
     passes.add(pass, refined);
@@ -210,7 +210,7 @@ namespace lamella
     // Other fields have other errors along the axis; those of EBBT do not
     // apply.
     if (!wants(Source::fields))
-      next = merged(next, kept, passes.staying(), pass_rules.most_merged);
+      next = merged(next, kept, passes.active_goals(), pass_rules.most_merged);
     if (wants(Source::axis))
       refined.marked = marked_elements(next,
                                        passes.next_goals(),
@@ -220,7 +220,7 @@ namespace lamella
     if (passes.degrees_stall())
       plan_rules.corner_degree = plan_rules.first_degree;
     Scene richer = with_less_of(next, plan_rules);
-    if (const auto lost = lost_by_stand_ins(*simulation, richer, out, cache);
+    if (const auto lost = surrogate_error(*simulation, richer, out, cache);
         !lost.empty() && !passes.can_lose(lost))
       {
         plan_rules.most_dofs_of_layers = std::numeric_limits<double>::max();
@@ -252,7 +252,7 @@ namespace lamella
     if (passes.all().size() > 1)
       out << "  since the last pass goals have changed by at most "
           << to_text(passes.largest_change(), 2) << " of their tolerances\n";
-    for (const std::string &sentence : passes.farewells())
+    for (const std::string &sentence : passes.dropped_goals())
       out << "  " << sentence << "\n";
     out << std::flush;
   }

@@ -50,7 +50,7 @@ namespace lamella
 
 
   void
-  ClosureError::add(const ClosureError &other)
+  EquilibriumDefect::add(const EquilibriumDefect &other)
   {
     error    = std::max(error, other.error);
     largest  = std::max(largest, other.largest);
@@ -60,7 +60,7 @@ namespace lamella
 
 
   double
-  ClosureError::relative() const
+  EquilibriumDefect::relative() const
   {
     constexpr double nothing = arithmetic::dependent;
     return error > nothing * in_plane ? error / largest : 0.;
@@ -166,7 +166,7 @@ namespace lamella
     FieldSample    sample = recovery.sample(location);
     const Point<3> x      = box.frame.to_body(location.position);
     const Column  &column = column_at(x[0], x[1]);
-    closure.add(column.closure);
+    defect.add(column.defect);
 
     const Tensor<1, 3> found = transverse_stress(column, location.ply, x[2]);
 
@@ -218,10 +218,10 @@ namespace lamella
 
 
 
-  ClosureError
-  EquilibriumStress::take_closure()
+  EquilibriumDefect
+  EquilibriumStress::take_defect()
   {
-    return std::exchange(closure, ClosureError());
+    return std::exchange(defect, EquilibriumDefect());
   }
 
 
@@ -305,9 +305,9 @@ namespace lamella
                                          column.normal[size - 1]) -
                                 above;
     distribute(missed, column);
-    column.closure.error    = missed.norm();
-    column.closure.largest  = std::max(column.closure.largest, missed.norm());
-    column.closure.in_plane = source.in_plane;
+    column.defect.error    = missed.norm();
+    column.defect.largest  = std::max(column.defect.largest, missed.norm());
+    column.defect.in_plane = source.in_plane;
     return column;
   }
 
@@ -326,10 +326,10 @@ namespace lamella
           column.shear[of] -= share * missed[0];
           column.shear[size + of] -= share * missed[1];
           column.normal[of] -= share * missed[2];
-          column.closure.largest = std::max(column.closure.largest,
-                                            std::hypot(column.shear[of],
-                                                       column.shear[size + of],
-                                                       column.normal[of]));
+          column.defect.largest = std::max(column.defect.largest,
+                                           std::hypot(column.shear[of],
+                                                      column.shear[size + of],
+                                                      column.normal[of]));
         }
   }
 } // namespace lamella

@@ -92,8 +92,8 @@ namespace lamella
 
 
   Plausibility::Extreme
-  Plausibility::deepest(const CurrentBody       &a,
-                        const CurrentBody       &b,
+  Plausibility::deepest(const CurrentBody &a,
+                        const CurrentBody &b,
                         const unsigned int number_of_b,
                         const Vector      &u) const
   {
@@ -152,8 +152,8 @@ namespace lamella
 
   void
   Plausibility::add_overlaps(const std::vector<CurrentBody> &moved,
-                             const BlockVector        &u,
-                             std::vector<std::string> &sentences) const
+                             const BlockVector              &u,
+                             std::vector<std::string>       &sentences) const
   {
     Extreme                               worst;
     std::pair<unsigned int, unsigned int> who;
@@ -215,7 +215,7 @@ namespace lamella
 
   void
   Plausibility::add_doubts_of_units(const std::vector<CurrentBody> &moved,
-                                    const bool                is_rigid,
+                                    const bool                      is_rigid,
                                     std::vector<std::string> &sentences) const
   {
     const std::string remedy =
@@ -290,17 +290,18 @@ namespace lamella
                    [](const double energy) { return energy != 0.; });
     const unsigned int       n = bodies.size();
     std::vector<std::string> sentences;
-    const auto current_points = [&](std::vector<std::vector<SurfacePoint>> &known,
-                                  const auto &points_of) {
-      std::vector<CurrentBody> moved;
-      for (unsigned int b = 0; b < n; ++b)
-        {
-          if (known.size() == b)
-            known.push_back((this->*points_of)(b));
-          moved.push_back(moved_by(u.block(b), b, known[b]));
-        }
-      return moved;
-    };
+    const auto               current_points =
+      [&](std::vector<std::vector<SurfacePoint>> &known,
+          const auto                             &points_of) {
+        std::vector<CurrentBody> moved;
+        for (unsigned int b = 0; b < n; ++b)
+          {
+            if (known.size() == b)
+              known.push_back((this->*points_of)(b));
+            moved.push_back(moved_by(u.block(b), b, known[b]));
+          }
+        return moved;
+      };
     if (!units.length.empty() || is_rigid)
       {
         const auto moved = current_points(nodes, &Plausibility::some_nodes);

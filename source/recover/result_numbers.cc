@@ -15,9 +15,10 @@ namespace lamella
   using dealii::Tensor;
 
   ContactTraction
-  traction_of(const ContactFacts &contact, const std::vector<ContactRow> &rows)
+  traction_of(const ContactSummary          &contact,
+              const std::vector<ContactRow> &rows)
   {
-    std::vector<ContactTraction::LinearFunctional> all;
+    std::vector<ContactTraction::Row> all;
     for (const ContactRow &row : rows)
       {
         all.push_back({place_of(row.point),
@@ -44,7 +45,7 @@ namespace lamella
     std::string
     material_of(const Results &results, const FieldRow &row)
     {
-      for (const BodyFacts &body : results.bodies)
+      for (const BodySummary &body : results.bodies)
         if (body.name == row.body && row.ply < body.materials.size())
           return body.materials[row.ply];
       return "";
@@ -157,7 +158,7 @@ namespace lamella
     traction_json(const ContactTraction &traction)
     {
       nlohmann::json rows = nlohmann::json::array(), surface;
-      for (const ContactTraction::LinearFunctional &row : traction.rows())
+      for (const ContactTraction::Row &row : traction.rows())
         rows.push_back({{"place", point_json(row.place)},
                         {"normal", point_json(row.normal)},
                         {"area", row.area},
@@ -181,7 +182,7 @@ namespace lamella
     ContactTraction
     read_traction(const nlohmann::json &json)
     {
-      std::vector<ContactTraction::LinearFunctional> rows;
+      std::vector<ContactTraction::Row> rows;
       for (const auto &row : json.at("rows"))
         rows.push_back({Point<3>(point_of(row.at("place"))),
                         point_of(row.at("normal")),
@@ -190,7 +191,7 @@ namespace lamella
                         point_of(row.at("moment")),
                         point_of(row.at("shear")),
                         row.at("dissipated")});
-      const nlohmann::json                  &surface = json.at("surface");
+      const nlohmann::json               &surface = json.at("surface");
       std::shared_ptr<const SlaveSurface> carrier;
       if (!surface.is_null())
         {

@@ -32,7 +32,7 @@ namespace lamella
   Results::n_dofs() const
   {
     unsigned int sum = 0;
-    for (const BodyFacts &body : bodies)
+    for (const BodySummary &body : bodies)
       sum += body.dofs;
     return sum;
   }
@@ -328,7 +328,7 @@ namespace lamella
   Results::contact(const std::string &name) const
   {
     std::vector<std::string> names;
-    for (const ContactFacts &facts : contacts)
+    for (const ContactSummary &facts : contacts)
       names.push_back(facts.name);
     return last().checks.contacts[place_of("contact", name, names)];
   }

@@ -196,11 +196,11 @@ namespace lamella
     /// What has been left of equilibrium since the last call; none where it
     /// was not asked for.
     std::optional<double>
-    closure(const unsigned int body, const StressValues values)
+    defect(const unsigned int body, const StressValues values)
     {
       if (values != StressValues::equilibrium)
         return std::nullopt;
-      return columns.at(body).take_closure().relative();
+      return columns.at(body).take_defect().relative();
     }
 
   private:
@@ -240,14 +240,13 @@ namespace lamella
         for (LineRow &row : results.lines.back())
           if (in_scene_axes)
             to_scene_axes(row.fields.sample);
-        results.closures.lines.push_back(
-          recoveries.closure(lines[l].body, lines[l].stress));
+        results.defects.lines.push_back(
+          recoveries.defect(lines[l].body, lines[l].stress));
       }
     for (const Cut &cut : cuts)
       {
         results.cuts.push_back(cut_rows(cut, u, recoveries));
-        results.closures.cuts.push_back(
-          recoveries.closure(cut.body, cut.stress));
+        results.defects.cuts.push_back(recoveries.defect(cut.body, cut.stress));
       }
   }
 
@@ -290,7 +289,7 @@ namespace lamella
           told(recoveries(body, stress, entry_of("Probe", probes[p])));
         for (const BoxPoints &points : probe_points[p])
           results.probes[p].push_back(mean_row(p, points, fields));
-        results.closures.probes.push_back(recoveries.closure(body, stress));
+        results.defects.probes.push_back(recoveries.defect(body, stress));
       }
   }
 
@@ -441,11 +440,11 @@ namespace lamella
 
 
   void
-  for_each_closure(const Results                           &results,
-                   const Closures                          &closures,
-                   const std::function<void(const std::string &kind,
-                                            const std::string &name,
-                                            double             share)> &use)
+  for_each_defect(const Results                           &results,
+                  const EquilibriumDefects                &defects,
+                  const std::function<void(const std::string &kind,
+                                           const std::string &name,
+                                           double             share)> &use)
   {
     const auto of_kind = [&use](const char                     *kind,
                                 const std::vector<std::string> &names,
@@ -454,8 +453,8 @@ namespace lamella
         if (shares[k])
           use(kind, names[k], *shares[k]);
     };
-    of_kind("probe", results.probes, closures.probes);
-    of_kind("line", results.lines, closures.lines);
-    of_kind("cut", results.cuts, closures.cuts);
+    of_kind("probe", results.probes, defects.probes);
+    of_kind("line", results.lines, defects.lines);
+    of_kind("cut", results.cuts, defects.cuts);
   }
 } // namespace lamella

@@ -97,11 +97,11 @@ namespace lamella
                   const Results     &results,
                   const unsigned int k)
     {
-      const ContactFacts  &contact = results.contacts[k];
+      const ContactSummary &contact = results.contacts[k];
       const KktResidual    &kkt     = results.last().checks.contacts[k];
-      const StatusChanges &change  = results.last().changes[k];
-      const std::string    force   = unit(results.units.force),
-                        length     = unit(results.units.length),
+      const StatusChanges  &change  = results.last().changes[k];
+      const std::string     force   = unit(results.units.force),
+                        length      = unit(results.units.length),
                         work = unit(results.units.force, results.units.length);
       out << "  contact " << contact.name << " ("
           << name_of(contact.discretization) << ", "
@@ -176,7 +176,7 @@ namespace lamella
             << std::lround(results.peak_memory_of_all / 1048576.) << " MB (all "
             << results.processes << " processes)";
       out << "\n";
-      for (const BodyFacts &body : results.bodies)
+      for (const BodySummary &body : results.bodies)
         if (body.solver)
           out << "Solver of " << body.name << ": "
               << lamella::to_text(*body.solver) << "\n";
@@ -197,11 +197,11 @@ namespace lamella
 
     /// Of stresses by equilibrium.
     void
-    print_closures(std::ostream &out, const Results &results)
+    print_defects(std::ostream &out, const Results &results)
     {
-      for_each_closure(
+      for_each_defect(
         results,
-        results.last().closures,
+        results.last().defects,
         [&out](const std::string &kind,
                const std::string &name,
                const double       share) {
@@ -294,7 +294,8 @@ namespace lamella
               << to_text(100. * checks.max_strain, 3) << " %";
           if (checks.max_element_rotation > 0.)
             out << ", elements turn by up to "
-                << to_text(checks.max_element_rotation * 180. / dealii::numbers::PI,
+                << to_text(checks.max_element_rotation * 180. /
+                             dealii::numbers::PI,
                            3)
                 << " degrees";
           out << "; places, moments and balances are those of the "
@@ -337,7 +338,7 @@ namespace lamella
             << " of the line's largest stress, "
             << percent(100. * step.jumps[l].of_traction)
             << " of its largest traction\n";
-    print_closures(out, results);
+    print_defects(out, results);
     print_reserves(out, results);
     print_probes(out, results);
     print_goals(out, results);

@@ -64,7 +64,7 @@ namespace boost
 
     template <typename Archive>
     void
-    serialize(Archive                 &archive,
+    serialize(Archive                  &archive,
               lamella::StrategyHistory &memory,
               const unsigned int)
     {
@@ -77,15 +77,15 @@ namespace boost
     void
     serialize(Archive &archive, lamella::GapPoint &point, const unsigned int)
     {
-      archive &point.slave.facet &point.slave.st &point.master
-        .facet &point.master.st &point.area &point.part;
+      archive &point.slave.facet &point.slave.st &point.master.facet &point
+        .master.st &point.area &point.part;
     }
 
 
 
     template <typename Archive>
     void
-    serialize(Archive                &archive,
+    serialize(Archive                 &archive,
               lamella::ContactHistory &memory,
               const unsigned int)
     {

@@ -127,7 +127,8 @@ namespace lamella
     if (!is_root_process())
       return;
     // Of bodies that turn who faces whom is another matter in each step.
-    if (surfaces.empty() || step.step == 1 || of.structure.has_finite_rotations())
+    if (surfaces.empty() || step.step == 1 ||
+        of.structure.has_finite_rotations())
       make_surfaces();
     for (unsigned int k = 0; k < surfaces.size(); ++k)
       {

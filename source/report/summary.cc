@@ -28,8 +28,8 @@ namespace lamella
     Json
     contact_json(const Results &results, const unsigned int k)
     {
-      const ContactFacts       &contact = results.contacts[k];
-      const KktResidual         &kkt = results.steps.back().checks.contacts[k];
+      const ContactSummary     &contact = results.contacts[k];
+      const KktResidual        &kkt = results.steps.back().checks.contacts[k];
       std::vector<unsigned int> closed, opened;
       for (const StepResults &step : results.steps)
         {
@@ -126,10 +126,10 @@ namespace lamella
       json["units"]   = {{"length", results.units.length},
                          {"force", results.units.force},
                          {"stress", results.units.stress}};
-      for (const BodyFacts &body : results.bodies)
+      for (const BodySummary &body : results.bodies)
         json["theory"][body.name] = body.theory;
       json["dofs"] = results.n_dofs();
-      for (const BodyFacts &body : results.bodies)
+      for (const BodySummary &body : results.bodies)
         {
           json["bodies"][body.name]["dofs"] = body.dofs;
           if (body.solver)
@@ -205,15 +205,17 @@ namespace lamella
 
     /// By kind and name; nothing where no stress is by equilibrium.
     void
-    add_closures(const Results &results, const Closures &closures, Json &json)
+    add_defects(const Results            &results,
+                const EquilibriumDefects &defects,
+                Json                     &json)
     {
-      for_each_closure(results,
-                       closures,
-                       [&json](const std::string &kind,
-                               const std::string &name,
-                               const double       share) {
-                         json["equilibrium_closure"][kind + "s"][name] = share;
-                       });
+      for_each_defect(results,
+                      defects,
+                      [&json](const std::string &kind,
+                              const std::string &name,
+                              const double       share) {
+                        json["equilibrium_closure"][kind + "s"][name] = share;
+                      });
     }
 
 
@@ -300,10 +302,10 @@ namespace lamella
       json["rotations"]            = checks.is_large ? "large" : "linear";
       if (checks.is_large)
         {
-          json["max_strain"]       = checks.max_strain;
-          json["max_mean_strain"]  = checks.max_mean_strain;
+          json["max_strain"]           = checks.max_strain;
+          json["max_mean_strain"]      = checks.max_mean_strain;
           json["max_element_rotation"] = checks.max_element_rotation;
-          json["shape_change"]     = checks.shape_change;
+          json["shape_change"]         = checks.shape_change;
           return;
         }
       json["beyond_linear"]  = beyond_json(results);
@@ -340,7 +342,7 @@ namespace lamella
           json["first_failure"]["safe"]        = first->safe;
         }
       add_jumps(results, last, json);
-      add_closures(results, last.closures, json);
+      add_defects(results, last.defects, json);
     }
   } // namespace
 

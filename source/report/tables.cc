@@ -24,7 +24,7 @@ namespace lamella
             header += "," + kind + ":" + name + ":" + letter + c;
       };
       std::vector<std::string> contacts;
-      for (const ContactFacts &contact : results.contacts)
+      for (const ContactSummary &contact : results.contacts)
         contacts.push_back(contact.name);
       add("support", results.supports, "f");
       add("contact", contacts, "f");
@@ -139,7 +139,7 @@ namespace lamella
     for (const std::string &cut : results.cuts)
       headers["cuts/" + cut + ".csv"] =
         "step,cut,cell,i,j," + fields_header() + "\n";
-    for (const ContactFacts &contact : results.contacts)
+    for (const ContactSummary &contact : results.contacts)
       headers["contact_" + contact.name + ".csv"] =
         "step,x,y,z,x2,y2,z2,nx,ny,nz,area,initial_gap,gap,force,pressure,"
         "active" +

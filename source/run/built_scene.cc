@@ -37,7 +37,7 @@ namespace lamella
 
 
 
-    ContactFacts
+    ContactSummary
     contact_facts(const ContactInterface &contact,
                   const Enforcement       enforcement)
     {
@@ -233,7 +233,7 @@ namespace lamella
     for (unsigned int k = 0; k < contacts.size(); ++k)
       {
         ContactPair &contact = given.contacts[k];
-        contacts.push_back(
+        moving.push_back(
           std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
         contact.discretization = contacts[k].discretization;
         drop_held_slips(contacts[k], *whole);
@@ -421,7 +421,7 @@ namespace lamella
 
 
   void
-  BuiltScene::tell_pairs(std::vector<ContactFacts> &found) const
+  BuiltScene::tell_pairs(std::vector<ContactSummary> &found) const
   {
     for (unsigned int k = 0; k < contacts.size(); ++k)
       {

@@ -101,8 +101,9 @@ namespace lamella
       std::any_of(scene.loads.begin(), scene.loads.end(), rotates_along);
     const double turned   = along ? rotation : rotation * rotation,
                  left_out = std::max({stiffening, turned, amplification});
-    is_enough = large == nullptr || (!is_buckled && left_out <= needs_finite_rotations &&
-                                     rotation <= scene.solve.rotation_limit);
+    is_enough =
+      large == nullptr || (!is_buckled && left_out <= needs_finite_rotations &&
+                           rotation <= scene.solve.rotation_limit);
     const auto per_cent = [](const double share) {
       return to_text(100. * share, 2) + " %";
     };
@@ -118,7 +119,7 @@ namespace lamella
 
 
   void
-  LinearTrial::write(const std::string  &directory,
+  LinearTrial::write(const std::string    &directory,
                      const PostProcessing &bars) const
   {
     bars();

@@ -156,9 +156,9 @@ namespace lamella
 
 
   void
-  run_scene(Simulation         &simulation,
-            const std::string  &directory,
-            const bool          resume,
+  run_scene(Simulation           &simulation,
+            const std::string    &directory,
+            const bool            resume,
             const PostProcessing &post_processing)
   {
     ResultsWriter  writer(directory,

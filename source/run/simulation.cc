@@ -8,8 +8,8 @@
 #include <lamella/report/validation.h>
 #include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
-#include <lamella/solve/large_step.h>
 #include <lamella/solve/ill_conditioned.h>
+#include <lamella/solve/large_step.h>
 #include <lamella/solve/memory_budget.h>
 
 #include <optional>
@@ -195,7 +195,8 @@ namespace lamella
   {
     prepare();
     // What touched is told by rows where pairs may be others in the next step.
-    if (last_is_bare && (!path->has_more() || built->structure().has_finite_rotations()))
+    if (last_is_bare &&
+        (!path->has_more() || built->structure().has_finite_rotations()))
       complete_last_step();
     do_steps(observer);
     if (const std::string note = recorder->note_on_idle_contacts();
@@ -250,7 +251,7 @@ namespace lamella
       solver->recall(found.last().memory);
     return std::make_unique<LinearStep>(*solver,
                                         built->interfaces(),
-                                        built->contacts(),
+                                        built->contact_objects(),
                                         scene().supports.size(),
                                         scene().solve,
                                         timer);
@@ -267,7 +268,7 @@ namespace lamella
     };
     return std::make_unique<LargeStep>(
       built->structure(),
-      MovingContacts(built->interfaces(), built->contacts()),
+      MovingContacts(built->interfaces(), built->contact_objects()),
       scene().supports.size(),
       scene().solve,
       [this](const std::string &line) { out << "  " << line << std::endl; },
@@ -281,7 +282,7 @@ namespace lamella
   Simulation::make_solver(const MemoryBudget &budget)
   {
     std::shared_ptr<const TangentOperator> about;
-    std::optional<TimerOutput::Scope>    phase;
+    std::optional<TimerOutput::Scope>      phase;
     if (scene().solve.strategy == Strategy::condensed)
       about = linearize(budget);
     else
@@ -314,7 +315,7 @@ namespace lamella
   {
     // Phases that alternate from body to body, and end with whatever is thrown.
     std::optional<TimerOutput::Scope> phase;
-    TangentOperator::BodyMonitor        monitor;
+    TangentOperator::BodyMonitor      monitor;
     const auto                        begin = [&](const Phase which) {
       phase.reset();
       phase.emplace(timer, name_of(which));

@@ -98,8 +98,8 @@ namespace lamella
             const ContactInterface::Point &pair = contact.points[k];
             // Of rows that move Eq. 17 of the places that face each other, if
             // they do.
-            const bool moves =
-              structure.has_finite_rotations() && !contact.rows[k].parts.empty();
+            const bool moves = structure.has_finite_rotations() &&
+                               !contact.rows[k].parts.empty();
             rows.push_back(
               {pair,
                moves ? (pair.second - pair.first) * pair.normal :

@@ -121,7 +121,9 @@ namespace lamella
                                       solved.checks,
                                       sampled.step ==
                                         scene.solve.load_factors.size()));
-    for (unsigned int k = 0; k < contacts.size() && !structure.has_finite_rotations(); ++k)
+    for (unsigned int k = 0;
+         k < contacts.size() && !structure.has_finite_rotations();
+         ++k)
       add(
         broken_assumptions(contacts[k],
                            structure.bodies(),
@@ -138,7 +140,7 @@ namespace lamella
         to_text(100. * *solved.change, 2) +
         " %: where it slips while pressures change, results depend on the way; "
         "put load factors between");
-    add(warnings_of_closures(sampled.closures));
+    add(warnings_of_defects(sampled.defects));
     if (built.strength() != nullptr)
       if (const std::string doubt = doubt_of_worst(
             sampled.plies, scene.supports, scene.loads, structure.bodies());
@@ -184,10 +186,8 @@ namespace lamella
         if (contact.obstacle == nullptr ||
             contact.obstacle->shape != Obstacle::Shape::cylinder)
           continue;
-        const bool wraps_around =
-                     built.contacts()[c]->wraps_around(solved.state.u,
-                                                            solved.load_factor,
-                                                            active),
+        const bool wraps_around = built.contact_objects()[c]->wraps_around(
+                     solved.state.u, solved.load_factor, active),
                    is_line =
                      contact.discretization == Discretization::line_to_roller;
         if (is_line && wraps_around)
@@ -244,14 +244,16 @@ namespace lamella
           continue;
         const ContactInterface &contact = built.interfaces()[c];
         const auto              penetration =
-          built.contacts()[c]->cylinder_penetration(solved.state.u,
-                                               solved.load_factor);
-        const unsigned int number =
-          penetration && penetration->of_second ? *contact.second_body : contact.first_body;
-        const Body &body = *structure.bodies()[number];
-        if (!penetration || penetration->depth <
-                       std::max(worth_failing * solved.checks.max_displacement,
-                                arithmetic::as_written * body.size()))
+          built.contact_objects()[c]->cylinder_penetration(solved.state.u,
+                                                           solved.load_factor);
+        const unsigned int number = penetration && penetration->of_second ?
+                                      *contact.second_body :
+                                      contact.first_body;
+        const Body        &body   = *structure.bodies()[number];
+        if (!penetration ||
+            penetration->depth <
+              std::max(worth_failing * solved.checks.max_displacement,
+                       arithmetic::as_written * body.size()))
           continue;
         throw_undetected_penetration(contact, *penetration, number);
       }
@@ -260,9 +262,10 @@ namespace lamella
 
 
   void
-  StepRecorder::throw_undetected_penetration(const ContactInterface &contact,
-                                             const CylinderPenetration        &penetration,
-                                             const unsigned int      body) const
+  StepRecorder::throw_undetected_penetration(
+    const ContactInterface    &contact,
+    const CylinderPenetration &penetration,
+    const unsigned int         body) const
   {
     // Nodes of B4 beside the common end of two elements are 0.28 of their
     // length h apart. If the roller is deepest at one of them, the mean gap
@@ -273,11 +276,13 @@ namespace lamella
         std::sqrt(1.5 * contact.obstacle->radius * penetration.depth);
     throw UndetectedPenetration(
       "contact " + contact.name + ": nothing touches, but '" +
-        (penetration.of_second ? structure.bodies()[contact.first_body]->name() :
-                          contact.second_name) +
+        (penetration.of_second ?
+           structure.bodies()[contact.first_body]->name() :
+           contact.second_name) +
         "' is inside of the body at " + to_text(penetration.position) +
-        ", between its points, by " + to_text(penetration.depth, 2) + ". Give body '" +
-        structure.bodies()[body]->name() + "' Axis elements = auto, or " +
+        ", between its points, by " + to_text(penetration.depth, 2) +
+        ". Give body '" + structure.bodies()[body]->name() +
+        "' Axis elements = auto, or " +
         (longest > 0. ? "elements of at most " + to_text(longest, 2) :
                         std::string("shorter elements")) +
         " there (Axis breaks)" +
@@ -315,13 +320,15 @@ namespace lamella
 
 
   std::optional<EndPenetration>
-  StepRecorder::end_penetration(const unsigned int c, const SolvedStep &solved) const
+  StepRecorder::end_penetration(const unsigned int c,
+                                const SolvedStep  &solved) const
   {
     // Shares of the cell's depth and of the displacements: gaps of faces are
     // averages. Penetrations of the latter change a contact force by 0.1 %.
     constexpr double worth_saying = 1e-2, of_displacements = 1e-3;
     const auto       end =
-      built.contacts()[c]->end_penetration(solved.state.u, solved.load_factor);
+      built.contact_objects()[c]->end_penetration(solved.state.u,
+                                                  solved.load_factor);
     // The penetration of a penalty is no lack of constraints.
     if (end && end->depth >
                  std::min(worth_saying * end->cell,
@@ -352,7 +359,7 @@ namespace lamella
         // Of several contacts of the same surfaces one says it.
         if (!have_rows.emplace(one, other).second)
           continue;
-        const bool is_automatic = built.contacts()[c]->is_automatic();
+        const bool is_automatic = built.contact_objects()[c]->is_automatic();
         if (is_automatic)
           missing.push_back({c, end->second});
         (is_automatic ? of_missing : warnings)
@@ -444,13 +451,13 @@ namespace lamella
 
 
   std::vector<std::string>
-  StepRecorder::warnings_of_closures(const Closures &closures) const
+  StepRecorder::warnings_of_defects(const EquilibriumDefects &defects) const
   {
     constexpr double         much = 0.05;
     std::vector<std::string> warnings;
-    for_each_closure(
+    for_each_defect(
       facts,
-      closures,
+      defects,
       [&](const std::string &kind,
           const std::string &name,
           const double       share) {

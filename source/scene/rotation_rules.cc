@@ -38,7 +38,7 @@ namespace lamella
                "",
                rule,
                "Give the body one Theory.");
-      const unsigned int cubic = 3;
+      const unsigned int cubic                = 3;
       const bool         has_finite_rotations = theory.has_rotating_sections();
       if (!can_rotate(theory))
         refuse(
@@ -47,7 +47,8 @@ namespace lamella
           "Rotations = large wants sections that turn or that can deform "
           "as a turned one does",
           "Take EBBT, TBT, SV or SV-N, or LE-N, TE-N from TE-2 on, or solid-2.");
-      if (!has_finite_rotations && !theory.is_solid() && body.axis.degree != cubic)
+      if (!has_finite_rotations && !theory.is_solid() &&
+          body.axis.degree != cubic)
         refuse(place + "Kinematics/Axis element",
                "B" + std::to_string(body.axis.degree + 1),
                "elements of lower degree lock where they bend and stretch at "

@@ -134,9 +134,9 @@ namespace lamella
   stretch_of(const Gradient &H)
   {
     Stretch result;
-    result.rotation   = angle_of(PolarDecomposition(H).rotation());
-    const Voigt E = green_strain(H);
-    result.along  = std::abs(E[1]);
+    result.rotation = angle_of(PolarDecomposition(H).rotation());
+    const Voigt E   = green_strain(H);
+    result.along    = std::abs(E[1]);
     for (const double principal : eigenvalues(strain_tensor(E)))
       result.strain = std::max(result.strain, std::abs(principal));
     return result;

@@ -68,8 +68,9 @@ namespace lamella
 
 
 
-  FiniteStrainSectionOperator::FiniteStrainSectionOperator(const SectionSpace  &space,
-                           const unsigned int n_stations)
+  FiniteStrainSectionOperator::FiniteStrainSectionOperator(
+    const SectionSpace &space,
+    const unsigned int  n_stations)
     : space(space)
   {
     const unsigned int degree = n_stations - 1;
@@ -112,7 +113,8 @@ namespace lamella
 
 
   std::vector<std::vector<Gradient>>
-  FiniteStrainSectionOperator::gradients(const Cell &cell, const FieldParts &q) const
+  FiniteStrainSectionOperator::gradients(const Cell       &cell,
+                                         const FieldParts &q) const
   {
     const unsigned int n = cell.fields->size(), n_points = cell.points.size();
     std::vector<std::vector<Gradient>> at_stations(
@@ -151,9 +153,10 @@ namespace lamella
 
 
   std::vector<Vector>
-  FiniteStrainSectionOperator::first_stresses(const Cell                               &cell,
-                              const std::vector<std::vector<Gradient>> &H,
-                              std::vector<double> &energy) const
+  FiniteStrainSectionOperator::first_stresses(
+    const Cell                               &cell,
+    const std::vector<std::vector<Gradient>> &H,
+    std::vector<double>                      &energy) const
   {
     std::vector<Vector> P(H.size(), Vector(cell.G.m()));
     for (unsigned int p = 0; p < cell.points.size(); ++p)
@@ -225,7 +228,7 @@ namespace lamella
             for (unsigned int k = 0; k < squares.size(); ++k)
               {
                 const Stretch here = stretch_of(H[k][p]);
-                found.rotation         = std::max(found.rotation, here.rotation);
+                found.rotation     = std::max(found.rotation, here.rotation);
                 found.strain       = std::max(found.strain, here.strain);
                 squares[k] += weight * here.along * here.along;
               }
@@ -257,8 +260,8 @@ namespace lamella
 
   FiniteStrainSectionOperator::CellTangent
   FiniteStrainSectionOperator::tangent_at(const Cell                  &cell,
-                          const std::vector<Gradient> &H,
-                          const std::vector<Voigt>    &second)
+                                          const std::vector<Gradient> &H,
+                                          const std::vector<Voigt>    &second)
   {
     CellTangent tangent = tangent_of(cell, [&](const unsigned int p) {
       return green_tangent(H[p], second[p], cell.points[p].law);

@@ -32,11 +32,11 @@ namespace lamella
 
   void
   PointwiseSectionOperator::add_point(const SectionPoint  &point,
-                         const double         weight,
-                         const ElasticLaw    &law,
-                         const Coefficients  &q,
-                         Coefficients        &work,
-                         std::vector<double> &energy) const
+                                      const double         weight,
+                                      const ElasticLaw    &law,
+                                      const Coefficients  &q,
+                                      Coefficients        &work,
+                                      std::vector<double> &energy) const
   {
     const std::vector<unsigned int> &fields   = *point.fields;
     const unsigned int               n_fields = q.size() / energy.size();

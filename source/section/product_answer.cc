@@ -26,9 +26,9 @@ namespace lamella
 
 
   bool
-  ProductSectionOperator::is_possible(const SectionSpace                &space,
-                             const std::vector<unsigned int> &list,
-                             const bool                       assumed_shear)
+  ProductSectionOperator::is_possible(const SectionSpace              &space,
+                                      const std::vector<unsigned int> &list,
+                                      const bool assumed_shear)
   {
     return space.section().spans_the_section() ?
              space.n_modes() == 0 :
@@ -37,9 +37,10 @@ namespace lamella
 
 
 
-  ProductSectionOperator::ProductSectionOperator(const SectionSpace         &space,
-                               std::vector<unsigned int> fields,
-                               const bool                assumed_shear)
+  ProductSectionOperator::ProductSectionOperator(
+    const SectionSpace       &space,
+    std::vector<unsigned int> fields,
+    const bool                assumed_shear)
     : SectionOperator(space, std::move(fields), stride_of(space))
     , parts(assumed_shear ? std::vector<unsigned int>{FieldPart::value,
                                                       FieldPart::shear_value,
@@ -61,9 +62,9 @@ namespace lamella
 
   double
   ProductSectionOperator::product(const unsigned int p,
-                         const unsigned int q,
-                         const unsigned int a,
-                         const unsigned int b) const
+                                  const unsigned int q,
+                                  const unsigned int a,
+                                  const unsigned int b) const
   {
     const unsigned int alpha = list[a], beta = list[b];
     if (!space.section().spans_the_section())
@@ -137,7 +138,8 @@ namespace lamella
 
 
   std::array<double, 5>
-  ProductSectionOperator::entries(const unsigned int a, const unsigned int b) const
+  ProductSectionOperator::entries(const unsigned int a,
+                                  const unsigned int b) const
   {
     const unsigned int shear = first_row(FieldPart::shear_value),
                        along = first_row(FieldPart::derivative);

@@ -40,7 +40,9 @@ namespace lamella
     const unsigned int n_dense =
       std::count_if(fields.begin(),
                     fields.end(),
-                    [](const SectionFunction &field) { return field.level == 0; });
+                    [](const SectionFunction &field) {
+                      return field.level == 0;
+                    });
     DenseRows dense;
     for (std::vector<Vector> &rows : dense)
       rows.assign(n_dense, Vector(n_fields()));

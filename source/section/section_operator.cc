@@ -21,7 +21,7 @@ namespace lamella
 
 
   SectionForces
-  on_list(const SectionSpace                &space,
+  on_list(const SectionSpace              &space,
           const std::vector<unsigned int> &list,
           const SectionForces             &forces)
   {
@@ -72,14 +72,14 @@ namespace lamella
 
 
   std::unique_ptr<const SectionOperator>
-  make_section_operator(const SectionSpace         &space,
-                      std::vector<unsigned int> list,
-                      const bool                assumed_shear)
+  make_section_operator(const SectionSpace       &space,
+                        std::vector<unsigned int> list,
+                        const bool                assumed_shear)
   {
     if (ProductSectionOperator::is_possible(space, list, assumed_shear))
       return std::make_unique<ProductSectionOperator>(space,
-                                             std::move(list),
-                                             assumed_shear);
+                                                      std::move(list),
+                                                      assumed_shear);
     return std::make_unique<PointwiseSectionOperator>(space, std::move(list));
   }
 } // namespace lamella

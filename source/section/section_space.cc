@@ -56,7 +56,7 @@ namespace lamella
 
 
   SectionSpace::SectionSpace(std::shared_ptr<const Section> section,
-                         FieldColumns                   columns)
+                             FieldColumns                   columns)
     : base(std::move(section))
     , modes(std::move(columns))
     , of_fields(measured())
@@ -192,7 +192,7 @@ namespace lamella
 
   LAPACKFullMatrix<double>
   SectionSpace::in_section(const std::vector<unsigned int> &list,
-                         const LAPACKFullMatrix<double>  &q) const
+                           const LAPACKFullMatrix<double>  &q) const
   {
     AssertDimension(q.m(), list.size());
     const unsigned int       n = base->n_fields();
@@ -210,7 +210,7 @@ namespace lamella
 
   LAPACKFullMatrix<double>
   SectionSpace::on_list(const std::vector<unsigned int> &list,
-                      const LAPACKFullMatrix<double>  &work) const
+                        const LAPACKFullMatrix<double>  &work) const
   {
     const unsigned int n = base->n_fields();
     AssertDimension(work.m(), n);

@@ -126,9 +126,9 @@ namespace lamella
           of_warping += weight * u[1] * X;
           second_moments += weight * outer_product(X, X);
         });
-      mean = sum / area;
+      mean     = sum / area;
       rotation = moment / polar;
-      tilt = invert(second_moments) * of_warping;
+      tilt     = invert(second_moments) * of_warping;
     }
 
 

@@ -112,7 +112,8 @@ namespace lamella
     Tensor<1, 2>     normal;
     const auto       consider =
       [&](const Side &side, const double s, const double factor) {
-        const Point<2> projection = side.ends[0] + s * (side.ends[1] - side.ends[0]);
+        const Point<2> projection =
+          side.ends[0] + s * (side.ends[1] - side.ends[0]);
         if (const double distance = factor * x.distance(projection);
             distance < smallest)
           {

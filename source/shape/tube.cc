@@ -13,7 +13,8 @@ namespace lamella
 
   namespace
   {
-    /// The parameter of a point's projection on an ellipse, and its depth below it.
+    /// The parameter of a point's projection on an ellipse, and its depth below
+    /// it.
     class WallManifold : public ChartManifold<2, 2, 2>
     {
     public:
@@ -85,9 +86,9 @@ namespace lamella
     /// towards +x.
     Point<2>
     vertex_of(const EllipseProjection &outside,
-              const double       depth,
-              const unsigned int k,
-              const unsigned int n)
+              const double             depth,
+              const unsigned int       k,
+              const unsigned int       n)
     {
       const double phi = 0.5 * numbers::PI - 2. * numbers::PI * k / n;
       return outside.point(phi) - depth * outside.normal(phi);
@@ -101,9 +102,9 @@ namespace lamella
     /// The cells of @p rings, @p n in each, into @p mesh.
     void
     make_cells(const EllipseProjection &outside,
-               const Rings       &rings,
-               const unsigned int n,
-               Triangulation<2>  &mesh)
+               const Rings             &rings,
+               const unsigned int       n,
+               Triangulation<2>        &mesh)
     {
       std::vector<Point<2>>    vertices;
       std::vector<CellData<2>> cells;
@@ -130,11 +131,11 @@ namespace lamella
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Tube &tube, const Materials &materials)
   {
-    auto              section = std::make_shared<SectionMesh>();
-    const double      a = 0.5 * tube.width, b = 0.5 * tube.height;
+    auto                    section = std::make_shared<SectionMesh>();
+    const double            a = 0.5 * tube.width, b = 0.5 * tube.height;
     const EllipseProjection outside(Point<2>(a, b), a, b);
-    const Rings       rings = rings_of(tube);
-    Triangulation<2> &mesh  = section->mesh;
+    const Rings             rings = rings_of(tube);
+    Triangulation<2>       &mesh  = section->mesh;
     make_cells(outside, rings, tube.cells_around, mesh);
     mesh.set_all_manifold_ids(0);
     mesh.set_manifold(0, WallManifold(outside));

@@ -93,7 +93,7 @@ namespace lamella
     /// @p places, and gives their work; adds to the forces @p on_body the
     /// moments that the body's theory feels.
     double
-    add_reactions(const TangentOperator         &tangent,
+    add_reactions(const TangentOperator       &tangent,
                   const std::vector<Point<3>> &places,
                   const unsigned int           b,
                   const Vector                &unbalanced,
@@ -274,11 +274,11 @@ namespace lamella
     /// that is rounding.
     double
     check_body(const TangentOperator &tangent,
-               const unsigned int   b,
-               const State         &state,
-               const Vector        &load,
-               BodyForces          &on_body,
-               Checks              &checks)
+               const unsigned int     b,
+               const State           &state,
+               const Vector          &load,
+               BodyForces            &on_body,
+               Checks                &checks)
     {
       // Reactions below that share of what heat would do to a body that is
       // held, or of loads that balance each other, are rounding.
@@ -356,7 +356,7 @@ namespace lamella
     /// unbalanced are the forces on degrees of freedom that loads, contacts and
     /// strains leave to the supports.
     void
-    add_forces_from_outside(const TangentOperator                 &tangent,
+    add_forces_from_outside(const TangentOperator               &tangent,
                             const std::vector<Point<3>>         &places,
                             const std::vector<ContactInterface> &contacts,
                             const BlockVector                   &unbalanced,
@@ -400,7 +400,7 @@ namespace lamella
 
 
   Checks
-  check_state(const TangentOperator                 &tangent,
+  check_state(const TangentOperator               &tangent,
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,

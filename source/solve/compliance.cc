@@ -4,8 +4,8 @@
 
 namespace lamella
 {
-  Compliance::Compliance(const TangentOperator  &tangent_operator,
-                         const GapConstraints &rows)
+  Compliance::Compliance(const TangentOperator &tangent_operator,
+                         const GapConstraints  &rows)
     : tangent_operator(tangent_operator)
     , rows(rows)
     , place(rows.end_of_slips(), dealii::numbers::invalid_unsigned_int)
@@ -39,8 +39,8 @@ namespace lamella
           for (const BodyFunctional &part : rows.constraint(r).parts)
             if (part.body == b)
               {
-                reduced.push_back(
-                  part.row.reduced(tangent_operator.reduction(b).constraints()));
+                reduced.push_back(part.row.reduced(
+                  tangent_operator.reduction(b).constraints()));
                 bodies[b].place.push_back(place[r]);
               }
         bodies[b].solved->append(reduced);

@@ -49,8 +49,8 @@ namespace lamella
 
 
 
-  CondensedStrategy::CondensedStrategy(const TangentOperator  &tangent_operator,
-                                       const GapConstraints &rows)
+  CondensedStrategy::CondensedStrategy(const TangentOperator &tangent_operator,
+                                       const GapConstraints  &rows)
     : ContactStrategy(tangent_operator, rows)
     , compliance(tangent_operator, rows)
   {}
@@ -58,7 +58,7 @@ namespace lamella
 
 
   double
-  CondensedStrategy::compliance(const unsigned int number) const
+  CondensedStrategy::compliance_of_law(const unsigned int number) const
   {
     const GapConstraint &row   = rows[rows.row_of(number)];
     const double         given = numerical_compliance(row),
@@ -110,7 +110,7 @@ namespace lamella
             system[j * n + i] += along[a] * C[slip * all.size() + i];
       }
     for (std::size_t i = 0; i < n; ++i)
-      system[i * n + i] += compliance(numbers[i]);
+      system[i * n + i] += compliance_of_law(numbers[i]);
     return system;
   }
 
@@ -129,14 +129,15 @@ namespace lamella
         std::vector<double>       sizes;
         const std::vector<double> system = system_of(closed);
         for (const unsigned int number : closed.numbers)
-          sizes.push_back(compliance.diagonal(number) + compliance(number));
+          sizes.push_back(compliance.diagonal(number) +
+                          compliance_of_law(number));
         lambda = solve_dependent(system, sizes, lambda, dependent);
         return;
       }
     compliance.include(closed.numbers);
     std::vector<double> d;
     for (const unsigned int number : closed.numbers)
-      d.push_back(compliance(number));
+      d.push_back(compliance_of_law(number));
     if (!factor || factorized_for != closed.numbers || factorized_with != d)
       {
         factor.emplace(system_of(closed), n, "The compliance of contact");
@@ -199,7 +200,7 @@ namespace lamella
     for (std::size_t i = 0; i < n; ++i)
       {
         const unsigned int r = part[i];
-        const double       d = compliance(r);
+        const double       d = compliance_of_law(r);
         small.q[i] =
           problem.gap[r] - (d - law_compliance(rows[r])) * problem.estimate[r];
         for (std::size_t j = 0; j < n; ++j)
@@ -429,7 +430,7 @@ namespace lamella
         monitor(round_of(solution, joining));
         if (joining.empty() && !all_interactions && !solution.active.empty())
           {
-            joining        = touching_rows(problem, part, g);
+            joining          = touching_rows(problem, part, g);
             all_interactions = true;
           }
         else

@@ -28,9 +28,9 @@ namespace lamella
 
   ContactSolver::ContactSolver(
     std::shared_ptr<const TangentOperator> linearization_,
-    const GapConstraints                &rows,
-    const SolverParameters              &parameters,
-    const Strategy                       which)
+    const GapConstraints                  &rows,
+    const SolverParameters                &parameters,
+    const Strategy                         which)
     : progress([](const std::string &) {})
     , describe(
         [](const unsigned int row) { return "row " + std::to_string(row); })
@@ -87,7 +87,7 @@ namespace lamella
         state.contact_corrections = refine(state, factor, 1);
 
         const ContactViolations missed = find_violations(state, factor);
-        const bool   slow   = missed.gap > parameters.slow * before;
+        const bool              slow   = missed.gap > parameters.slow * before;
         if (missed.is_right_set() ?
               satisfies_contact_law(state, factor, missed.gap, slow) :
               (found.active == last && correct_set(state, factor)) ||
@@ -152,7 +152,7 @@ namespace lamella
                                         const unsigned int r,
                                         const double       closed,
                                         const double       small,
-                                        ContactViolations            &found) const
+                                        ContactViolations &found) const
   {
     const Tensor<1, 2> v     = slip_in_step(rows[r], r, state, factor),
                        shear = along_tangents(rows[r], state.friction.shear[r]),
@@ -171,8 +171,8 @@ namespace lamella
 
   ContactSolver::ContactViolations
   ContactSolver::violations(const State      &state,
-                        const LoadFactor &factor,
-                        const double      closed) const
+                            const LoadFactor &factor,
+                            const double      closed) const
   {
     const std::vector<double> g       = gaps(state.u, factor);
     double                    largest = 0.;
@@ -203,23 +203,24 @@ namespace lamella
 
 
   ContactSolver::ContactViolations
-  ContactSolver::find_violations(const State &state, const LoadFactor &factor) const
+  ContactSolver::find_violations(const State      &state,
+                                 const LoadFactor &factor) const
   {
     return violations(state,
-                  factor,
-                  length_of(std::max(parameters.rounding,
-                                     state.contact_corrections.back()),
-                            state,
-                            factor));
+                      factor,
+                      length_of(std::max(parameters.rounding,
+                                         state.contact_corrections.back()),
+                                state,
+                                factor));
   }
 
 
 
   bool
   ContactSolver::satisfies_contact_law(const State      &state,
-                           const LoadFactor &factor,
-                           const double      error,
-                           const bool        was_slow) const
+                                       const LoadFactor &factor,
+                                       const double      error,
+                                       const bool        was_slow) const
   {
     return error <= length_of(parameters.law_tolerance, state, factor) ||
            (was_slow &&
@@ -230,17 +231,17 @@ namespace lamella
 
   bool
   ContactSolver::multipliers_are_reliable(State            &state,
-                                  const State      &settled,
-                                  const LoadFactor &factor)
+                                          const State      &settled,
+                                          const LoadFactor &factor)
   {
     if (!strategy->forces_stand_alone() || !state.friction.empty())
       return false;
     const double good_enough = length_of(parameters.good_enough, state, factor);
     state                    = settled;
     state.active.clear();
-    state.contact_corrections = refine(state, factor, 1);
-    state.active              = settled.active;
-    const ContactViolations left         = violations(state, factor, good_enough);
+    state.contact_corrections    = refine(state, factor, 1);
+    state.active                 = settled.active;
+    const ContactViolations left = violations(state, factor, good_enough);
     return left.closing.empty() && left.gap <= good_enough;
   }
 
@@ -265,13 +266,13 @@ namespace lamella
           }
         for (const unsigned int r : found.opening)
           at.force[r] = 0.;
-        std::vector<unsigned int> staying;
+        std::vector<unsigned int> active_goals;
         std::set_difference(at.active.begin(),
                             at.active.end(),
                             found.opening.begin(),
                             found.opening.end(),
-                            std::back_inserter(staying));
-        at.active = united(std::move(staying), found.closing);
+                            std::back_inserter(active_goals));
+        at.active = united(std::move(active_goals), found.closing);
         std::sort(at.active.begin(), at.active.end());
         ++at.iterations;
         at.contact_corrections = refine(at, factor, 1);

@@ -10,9 +10,9 @@ namespace lamella
 
 
   std::unique_ptr<ContactStrategy>
-  make_strategy(const Strategy        which,
-                const TangentOperator  &tangent_operator,
-                const GapConstraints &rows)
+  make_strategy(const Strategy         which,
+                const TangentOperator &tangent_operator,
+                const GapConstraints  &rows)
   {
     if (which == Strategy::full)
       return std::make_unique<FullStrategy>(tangent_operator, rows);

@@ -115,8 +115,8 @@ namespace lamella
       by_cones(const PointVectors &start) const;
       CoulombSolution
       by_compliance(const PointVectors &start,
-                  const double        first,
-                  const double        falls) const;
+                    const double        first,
+                    const double        falls) const;
 
       CoulombRules        rules;
       PointCompliance     W;
@@ -546,8 +546,8 @@ namespace lamella
 
     CoulombSolution
     CoulombSearch::by_compliance(const PointVectors &start,
-                               const double        first,
-                               const double        falls) const
+                                 const double        first,
+                                 const double        falls) const
     {
       constexpr double   least = 1e-12;
       constexpr unsigned tries = 8;
@@ -626,8 +626,9 @@ namespace lamella
           is_it("sweeps", from(start)) ||
           is_it("sweeps from nothing", from(none)) ||
           is_it("cones", by_cones(best.force)) ||
-          is_it("softness",
-                by_compliance(best.force, rules.first_compliance, rules.falls)) ||
+          is_it(
+            "softness",
+            by_compliance(best.force, rules.first_compliance, rules.falls)) ||
           is_it("softness from nothing",
                 by_compliance(none, rules.second_compliance, rules.falls)))
         return best;

@@ -21,8 +21,8 @@ namespace lamella
 
 
 
-  FullStrategy::FullStrategy(const TangentOperator  &tangent_operator,
-                             const GapConstraints &rows)
+  FullStrategy::FullStrategy(const TangentOperator &tangent_operator,
+                             const GapConstraints  &rows)
     : ContactStrategy(tangent_operator, rows)
     , matrix(tangent_operator, rows)
   {}
@@ -54,8 +54,8 @@ namespace lamella
                       BlockVector             &du,
                       Vector                  &dlambda)
   {
-    const std::vector<unsigned int> &numbers  = closed.numbers;
-    const auto                       compliance = [&](const unsigned int number) {
+    const std::vector<unsigned int> &numbers = closed.numbers;
+    const auto compliance                    = [&](const unsigned int number) {
       return numerical_compliance(rows[rows.row_of(number)]);
     };
     std::vector<PenaltyTerm> terms;
@@ -92,7 +92,10 @@ namespace lamella
   FullStrategy::solve(const ContactProblem &problem, const Monitor &monitor)
   {
     if (!problem.slip.empty())
-      return FrictionNewton(tangent_operator, rows, numerical_compliance, matrix)
+      return FrictionNewton(tangent_operator,
+                            rows,
+                            numerical_compliance,
+                            matrix)
         .solve(problem, monitor);
     // Of the displacements: what one solution with K + K^p is accurate to.
     constexpr double accurate = arithmetic::rounding_of_solutions;
@@ -172,9 +175,10 @@ namespace lamella
   {
     std::vector<double> overlap;
     for (unsigned int r = 0; r < rows.size(); ++r)
-      overlap.push_back((numerical_compliance(rows[r]) - law_compliance(rows[r])) *
-                          at.force[r] -
-                        problem.gap[r] - rows[r].jump(at.du));
+      overlap.push_back(
+        (numerical_compliance(rows[r]) - law_compliance(rows[r])) *
+          at.force[r] -
+        problem.gap[r] - rows[r].jump(at.du));
     return overlap;
   }
 

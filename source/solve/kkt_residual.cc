@@ -45,7 +45,7 @@ namespace lamella
                const BlockVector      &u,
                const LoadFactor       &factor,
                const double            displacement,
-               KktResidual             &kkt)
+               KktResidual            &kkt)
     {
       double smallest = std::numeric_limits<double>::max(), largest = 0.;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
@@ -85,7 +85,7 @@ namespace lamella
     void
     check_friction(const ContactInterface &contact,
                    const ConstraintForces &forces,
-                   KktResidual             &kkt)
+                   KktResidual            &kkt)
     {
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
@@ -176,7 +176,7 @@ namespace lamella
     void
     add_contact_forces(const ContactInterface  &contact,
                        const ConstraintForces  &forces,
-                       KktResidual              &kkt,
+                       KktResidual             &kkt,
                        std::vector<BodyForces> &on_body)
     {
       std::vector<Wrench> on_first =

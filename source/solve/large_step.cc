@@ -11,13 +11,13 @@ namespace lamella
 {
   using dealii::TimerOutput;
 
-  LargeStep::LargeStep(const Structure                  &structure,
-                       const MovingContacts             &contacts,
-                       const unsigned int                n_supports,
-                       const SolveParameters            &parameters,
-                       const Newton::Progress           &progress,
+  LargeStep::LargeStep(const Structure                    &structure,
+                       const MovingContacts               &contacts,
+                       const unsigned int                  n_supports,
+                       const SolveParameters              &parameters,
+                       const Newton::Progress             &progress,
                        const TangentOperator::BodyMonitor &monitor,
-                       TimerOutput                      &timer)
+                       TimerOutput                        &timer)
     : structure(structure)
     , newton(structure, contacts, parameters.solver, parameters.newton)
     , n_supports(n_supports)
@@ -97,9 +97,9 @@ namespace lamella
   Checks
   LargeStep::check(const State &state, const LoadFactor &factor, const bool)
   {
-    TimerOutput::Scope  scope(timer, name_of(Phase::solve));
+    TimerOutput::Scope    scope(timer, name_of(Phase::solve));
     const TangentOperator here(structure, state.u);
-    const Checks        checks = check_state(
+    const Checks          checks = check_state(
       here, newton.moving().interfaces(), n_supports, state, factor);
     check_solution(state, checks, parameters.rotation_limit);
     check_followed(here, factor);

@@ -51,10 +51,9 @@ namespace lamella
     /// been, and these are pairs no more. @p forces and @p slips are those of
     /// its rows.
     void
-    check_small_slip(
-      const ContactInterface                              &contact,
-      const dealii::ArrayView<const double>               &forces,
-      const dealii::ArrayView<const dealii::Tensor<1, 3>> &slips)
+    check_small_slip(const ContactInterface                &contact,
+                     const dealii::ArrayView<const double> &forces,
+                     const dealii::ArrayView<const dealii::Tensor<1, 3>> &slips)
     {
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
@@ -142,14 +141,14 @@ namespace lamella
 
   LinearStep::LinearStep(ContactSolver                       &solver,
                          const std::vector<ContactInterface> &contacts,
-                         const Contacts                      &contacts,
+                         const Contacts                      &contact_objects,
                          const unsigned int                   n_supports,
                          const SolveParameters               &parameters,
                          TimerOutput                         &timer)
     : solver(solver)
     , structure(solver.tangent().of())
     , contacts(contacts)
-    , contacts(contacts)
+    , contact_objects(contact_objects)
     , rows(contacts)
     , n_supports(n_supports)
     , parameters(parameters)
@@ -196,13 +195,12 @@ namespace lamella
       check_solution(state, checks, parameters.rotation_limit);
       for (unsigned int k = 0; k < contacts.size(); ++k)
         {
-          contacts[k]->require_found(state.u,
-                                  factor,
-                                  rows.among_contact(k, state.active));
+          contact_objects[k]->require_found(
+            state.u, factor, rows.among_contact(k, state.active));
           if (!state.friction.empty())
             check_small_slip(contacts[k],
-                               rows.of_contact(k, state.force),
-                               rows.of_contact(k, state.friction.before));
+                             rows.of_contact(k, state.force),
+                             rows.of_contact(k, state.friction.before));
         }
     }
     if (!parameters.is_judged || !last)

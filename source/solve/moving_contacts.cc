@@ -13,7 +13,8 @@ namespace lamella
   using namespace dealii;
 
   MultiplierTransfer::Key
-  MultiplierTransfer::key(const unsigned int c, const ContactInterface::Point &point)
+  MultiplierTransfer::key(const unsigned int             c,
+                          const ContactInterface::Point &point)
   {
     const Location::Place &place = point.node.places.front();
     return {{double(c),
@@ -25,8 +26,9 @@ namespace lamella
 
 
 
-  MultiplierTransfer::MultiplierTransfer(const std::vector<ContactInterface> &contacts,
-                               const State                         &state)
+  MultiplierTransfer::MultiplierTransfer(
+    const std::vector<ContactInterface> &contacts,
+    const State                         &state)
   {
     const GapConstraints rows(contacts);
     const auto           keep = [&](const unsigned int row) -> Pressed           &{
@@ -54,7 +56,7 @@ namespace lamella
 
   void
   MultiplierTransfer::give(const std::vector<ContactInterface> &contacts,
-                      State                               &state) const
+                           State                               &state) const
   {
     const GapConstraints rows(contacts);
     state.force.assign(rows.size(), 0.);
@@ -87,8 +89,9 @@ namespace lamella
 
 
   void
-  MultiplierTransfer::keep_dissipated(const std::vector<ContactInterface> &contacts,
-                                 FrictionState                       &of) const
+  MultiplierTransfer::keep_dissipated(
+    const std::vector<ContactInterface> &contacts,
+    FrictionState                       &of) const
   {
     unsigned int first = 0;
     for (unsigned int c = 0; c < contacts.size(); ++c)
@@ -107,9 +110,9 @@ namespace lamella
 
   MovingContacts::MovingContacts(
     const std::vector<ContactInterface> &interfaces,
-    const Contacts                      &contacts)
+    const Contacts                      &contact_objects)
     : all(interfaces)
-    , contacts(contacts)
+    , contact_objects(contact_objects)
     , numbered(interfaces)
   {}
 
@@ -137,8 +140,7 @@ namespace lamella
     };
     return std::any_of(all.begin(), all.end(), [&](const auto &other) {
       return other.discretization == Discretization::edge_to_surface &&
-             slave(other) == master(all[c]) &&
-             master(other) == slave(all[c]);
+             slave(other) == master(all[c]) && master(other) == slave(all[c]);
     });
   }
 
@@ -164,7 +166,7 @@ namespace lamella
   MovingContacts::memory() const
   {
     std::vector<ContactHistory> known;
-    for (const auto &contact : contacts)
+    for (const auto &contact : contact_objects)
       known.push_back(contact->memory());
     return known;
   }
@@ -173,12 +175,12 @@ namespace lamella
 
   void
   MovingContacts::restore(const std::vector<ContactHistory> &known,
-                         const BlockVector                &u,
-                         const LoadFactor                 &factor)
+                          const BlockVector                 &u,
+                          const LoadFactor                  &factor)
   {
-    AssertDimension(known.size(), contacts.size());
-    for (unsigned int c = 0; c < contacts.size(); ++c)
-      contacts[c]->restore(known[c], u, factor);
+    AssertDimension(known.size(), contact_objects.size());
+    for (unsigned int c = 0; c < contact_objects.size(); ++c)
+      contact_objects[c]->restore(known[c], u, factor);
     numbered = GapConstraints(all);
   }
 
@@ -211,7 +213,7 @@ namespace lamella
   void
   MovingContacts::move_rows(State &state, const LoadFactor &factor)
   {
-    for (const auto &contact : contacts)
+    for (const auto &contact : contact_objects)
       contact->move(state.u, factor);
     std::vector<unsigned int> facing;
     for (const unsigned int row : state.active)
@@ -240,7 +242,7 @@ namespace lamella
       ": what bears a force faces nothing, past an end of the other side "
       "or through it. Where that end is to take over, give it a contact "
       "of its own, edge to surface.";
-    if (all[c].second_body && contacts[c]->is_automatic())
+    if (all[c].second_body && contact_objects[c]->is_automatic())
       throw MissingEnds("Contact " + all[c].name + " is lost" + how,
                         {{c, !all[c].points_on_second}});
     lose(c, how);
@@ -255,13 +257,12 @@ namespace lamella
     lost.clear();
     // Its shear forces are where they were.
     move_rows(state, factor);
-    for (unsigned int c = 0; c < contacts.size(); ++c)
+    for (unsigned int c = 0; c < contact_objects.size(); ++c)
       {
-        contacts[c]->begin_step(state.u, factor);
-        if (contacts[c]->is_line() &&
-            contacts[c]->wraps_around(state.u,
-                                   factor,
-                                   numbered.among_contact(c, state.active)))
+        contact_objects[c]->begin_step(state.u, factor);
+        if (contact_objects[c]->is_line() &&
+            contact_objects[c]->wraps_around(
+              state.u, factor, numbered.among_contact(c, state.active)))
           lost = "Contact " + all[c].name +
                  ", line to roller, becomes more than a line: the body bends "
                  "around '" +
@@ -291,13 +292,13 @@ namespace lamella
                                 const LoadFactor  &factor,
                                 BlockVector       &f) const
   {
-    for (unsigned int c = 0; c < contacts.size(); ++c)
+    for (unsigned int c = 0; c < contact_objects.size(); ++c)
       {
         std::vector<Tensor<1, 2>> shear;
         const auto of_rows = numbered.of_contact(c, state.friction.shear);
         for (unsigned int k = 0; k < of_rows.size(); ++k)
           shear.push_back(along_tangents(all[c].rows[k], of_rows[k]));
-        if (!contacts[c]->add_forces_at(
+        if (!contact_objects[c]->add_forces_at(
               u, factor, numbered.of_contact(c, state.force), shear, f))
           return false;
       }
@@ -331,15 +332,17 @@ namespace lamella
   MovingContacts::find_loads(State &state, const LoadFactor &factor)
   {
     const MultiplierTransfer transfer(all, state);
-    bool                any = false;
+    bool                     any = false;
     for (unsigned int c = 0; c < all.size(); ++c)
       {
-        const auto active   = numbered.among_contact(c, state.active);
-        const bool switches = contacts[c]->is_line() &&
-                              contacts[c]->wraps_around(state.u, factor, active) &&
-                              contacts[c]->switch_to_points();
-        if (!switches &&
-            contacts[c]->pairing_is_valid(state.u, factor, active).unseen == 0)
+        const auto active = numbered.among_contact(c, state.active);
+        const bool switches =
+          contact_objects[c]->is_line() &&
+          contact_objects[c]->wraps_around(state.u, factor, active) &&
+          contact_objects[c]->switch_to_points();
+        if (!switches && contact_objects[c]
+                             ->pairing_is_valid(state.u, factor, active)
+                             .unseen == 0)
           continue;
         any = true;
         pair(c, state, factor);
@@ -356,12 +359,12 @@ namespace lamella
 
   void
   MovingContacts::check_kept(const BlockVector &before,
-                               const LoadFactor  &from,
-                               const State       &state,
-                               const LoadFactor  &to)
+                             const LoadFactor  &from,
+                             const State       &state,
+                             const LoadFactor  &to)
   {
-    for (unsigned int c = 0; c < contacts.size(); ++c)
-      if (contacts[c]->passes_through(before, from, state.u, to))
+    for (unsigned int c = 0; c < contact_objects.size(); ++c)
+      if (contact_objects[c]->passes_through(before, from, state.u, to))
         lose(c,
              ": its body went through '" + all[c].second_name +
                "' in one step.");
@@ -379,7 +382,7 @@ namespace lamella
   {
     try
       {
-        contacts[c]->pair(state.u, factor);
+        contact_objects[c]->pair(state.u, factor);
       }
     catch (const InputError &)
       {

@@ -22,8 +22,8 @@ namespace lamella
     /// body @p b.
     double
     rounding_of_forces(const TangentOperator &here,
-                       const BlockVector   &u,
-                       const unsigned int   b)
+                       const BlockVector     &u,
+                       const unsigned int     b)
     {
       return here.largest_stiffness(b) * rounding_of_places(u.block(b));
     }
@@ -54,7 +54,7 @@ namespace lamella
   {
     for (const auto &body : structure.bodies())
       sizes.push_back(body->constraints_rotate() ? body->dof_sizes() :
-                                          std::vector<double>());
+                                                   std::vector<double>());
   }
 
 
@@ -94,10 +94,10 @@ namespace lamella
 
   bool
   Newton::measure(const TangentOperator &here,
-                  const BlockVector   &r,
-                  const LoadFactor    &factor,
-                  double              &began,
-                  Equilibrium         &at) const
+                  const BlockVector     &r,
+                  const LoadFactor      &factor,
+                  double                &began,
+                  Equilibrium           &at) const
   {
     const BlockVector load     = structure.load(factor, at.state.u);
     BlockVector       internal = load;
@@ -148,7 +148,8 @@ namespace lamella
 
 
   bool
-  Newton::is_equilibrium(const ResidualHistory &unbalanced, const double change) const
+  Newton::is_equilibrium(const ResidualHistory &unbalanced,
+                         const double           change) const
   {
     // Forces that are nothing tell nothing of how far it is.
     if (unbalanced.now == 0.)
@@ -166,8 +167,8 @@ namespace lamella
 
   bool
   Newton::is_rounding(const TangentOperator &here,
-                      const BlockVector   &r,
-                      const BlockVector   &u) const
+                      const BlockVector     &r,
+                      const BlockVector     &u) const
   {
     for (unsigned int b = 0; b < u.n_blocks(); ++b)
       if (!(r.block(b).l2_norm() <= rounding_of_forces(here, u, b)))
@@ -186,7 +187,8 @@ namespace lamella
 
 
   bool
-  Newton::satisfies_contact_law(const ResidualHistory &missed, const double size) const
+  Newton::satisfies_contact_law(const ResidualHistory &missed,
+                                const double           size) const
   {
     return missed.now <= std::max(parameters.law * size,
                                   parameters.touching * structure.size()) ||
@@ -227,7 +229,7 @@ namespace lamella
   Newton::Beginning
   Newton::beginning(const LoadFactor &to, const Equilibrium &at) const
   {
-    Beginning           result;
+    Beginning             result;
     const TangentOperator here(structure, at.state.u);
     result.moved = here.way_to_supports(at.factor, to);
     result.r     = unbalanced(at.state, to);
@@ -267,18 +269,18 @@ namespace lamella
 
 
   bool
-  Newton::step(const LoadFactor    &to,
+  Newton::step(const LoadFactor         &to,
                const MultiplierTransfer &transfer,
-               const bool           predicted,
-               Equilibrium         &at)
+               const bool                predicted,
+               Equilibrium              &at)
   {
     State            &state  = at.state;
     const BlockVector before = state.u;
     contacts.begin_step(state, at.factor);
     auto [moved, r, began] = beginning(to, at);
-    Correction   last;
-    ResidualHistory        forces, gaps;
-    unsigned int pairings = 0;
+    Correction      last;
+    ResidualHistory forces, gaps;
+    unsigned int    pairings = 0;
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
       {
         ++state.iterations;
@@ -301,7 +303,8 @@ namespace lamella
         gaps.add(at.law_error);
         const double change   = length_of(last.du);
         const bool   balances = is_equilibrium(forces, change);
-        if (is_still(moved) && satisfies_contact_law(gaps, length_of(state.u)) &&
+        if (is_still(moved) &&
+            satisfies_contact_law(gaps, length_of(state.u)) &&
             (balances || (is_still(last.du) &&
                           is_rounding(here, condensed(here, r), state.u))))
           {
@@ -330,8 +333,8 @@ namespace lamella
 
   void
   Newton::end_friction(const MultiplierTransfer &began,
-                       const LoadFactor    &to,
-                       State               &state) const
+                       const LoadFactor         &to,
+                       State                    &state) const
   {
     State then = state;
     began.give(contacts.interfaces(), then);
@@ -343,9 +346,9 @@ namespace lamella
   bool
   Newton::attempt(const LoadFactor &to, Equilibrium &at)
   {
-    const Equilibrium   before = at;
+    const Equilibrium        before = at;
     const MultiplierTransfer transfer(contacts.interfaces(), before.state);
-    const auto          back = [&] {
+    const auto               back = [&] {
       const unsigned int iterations = at.state.iterations;
       at                            = before;
       at.state.iterations           = iterations;

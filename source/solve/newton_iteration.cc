@@ -47,9 +47,9 @@ namespace lamella
 
   ContactSolution
   Newton::solve_contact(ContactStrategy      &strategy,
-                const GapConstraints &rows,
-                const LoadFactor     &to,
-                State                &state) const
+                        const GapConstraints &rows,
+                        const LoadFactor     &to,
+                        State                &state) const
   {
     ContactProblem problem;
     for (const GapConstraint &row : rows)
@@ -77,9 +77,9 @@ namespace lamella
 
   BlockVector
   Newton::rotation_of_constraints(const State       &state,
-                       const BlockVector &u,
-                       const BlockVector &w,
-                       const LoadFactor  &to) const
+                                  const BlockVector &u,
+                                  const BlockVector &w,
+                                  const LoadFactor  &to) const
   {
     BlockVector  f      = structure.zero();
     const double length = length_of(w);
@@ -115,7 +115,8 @@ namespace lamella
     const Vector            held(closed.numbers.size());
     Vector                  forces;
     const auto              answer = [&](const BlockVector &w) {
-      BlockVector x = structure.zero(), f = rotation_of_constraints(state, u, w, to);
+      BlockVector x = structure.zero(),
+                  f = rotation_of_constraints(state, u, w, to);
       add_spring_forces(regularization_factor, w, f);
       strategy.solve(closed, f, held, x, forces);
       return x;
@@ -128,7 +129,10 @@ namespace lamella
         {
           x += du;
           dealii::SolverGMRES<BlockVector>(control).solve(
-            WithRotatingConstraints{answer}, x, du, dealii::PreconditionIdentity());
+            WithRotatingConstraints{answer},
+            x,
+            du,
+            dealii::PreconditionIdentity());
           x = answer(x);
         }
       catch (const dealii::SolverControl::NoConvergence &)
@@ -182,12 +186,13 @@ namespace lamella
                   const LoadFactor  &to,
                   State             &state) const
   {
-    Regularization                 regularization;
-    const TangentOperator about    = tangent(state, correction, to, regularization);
-    const auto         &shift  = regularization.shift;
-    const BlockVector   before   = state.u;
-    BlockVector         du       = about.solve(r);
-    bool                unstable = false;
+    Regularization        regularization;
+    const TangentOperator about =
+      tangent(state, correction, to, regularization);
+    const auto       &shift    = regularization.shift;
+    const BlockVector before   = state.u;
+    BlockVector       du       = about.solve(r);
+    bool              unstable = false;
     du += moved;
     if (!contacts.none())
       {
@@ -197,12 +202,18 @@ namespace lamella
         if (shift)
           shift->take_springs_off(sum_of(before, moved), to, state);
         state.u += du;
-        const ContactSolution transfer = solve_contact(*strategy, rows, to, state);
+        const ContactSolution transfer =
+          solve_contact(*strategy, rows, to, state);
         du += transfer.du;
         unstable = transfer.is_unstable;
         if (shift)
           shift->put_springs_on(sum_of(before, du), to, state);
-        du = follow_rows(*strategy, before, du, regularization.regularization_factor, to, state);
+        du = follow_rows(*strategy,
+                         before,
+                         du,
+                         regularization.regularization_factor,
+                         to,
+                         state);
       }
     shorten(du);
     state.u = structure.retract(before, du);

@@ -64,7 +64,7 @@ namespace lamella
   Newton::tangent(const State       &state,
                   const BlockVector &correction,
                   const LoadFactor  &to,
-                  Regularization               &regularization) const
+                  Regularization    &regularization) const
   {
     // A row that leans has a spring for its gap, and its slip would hang on
     // what that bears.
@@ -76,18 +76,20 @@ namespace lamella
           regularization.shift.reset();
           regularization.regularization_factor = trial.regularization_factor;
           if (trial.shift > 0.)
-            regularization.shift = std::make_unique<const ActiveConstraintShift>(
-              contacts.interfaces(),
-              state,
-              structure.bodies().size(),
-              trial.shift);
+            regularization.shift =
+              std::make_unique<const ActiveConstraintShift>(
+                contacts.interfaces(),
+                state,
+                structure.bodies().size(),
+                trial.shift);
           if (regularization.shift && regularization.shift->none())
             continue;
           ActiveConstraintShift::Springs more;
           if (regularization.shift)
             more = regularization.shift->springs();
           else if (regularization.regularization_factor > 1.)
-            more = springs_of(structure, regularization.regularization_factor - 1.);
+            more =
+              springs_of(structure, regularization.regularization_factor - 1.);
           return TangentOperator(
             structure, state.u, asked, monitor, correction, to, more);
         }
@@ -107,7 +109,8 @@ namespace lamella
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       for (const auto &[row, stiffness] : structure.spring_terms(b))
-        row.add_to(f.block(b), regularization_factor * stiffness * row(w.block(b)));
+        row.add_to(f.block(b),
+                   regularization_factor * stiffness * row(w.block(b)));
   }
 
 
@@ -116,14 +119,16 @@ namespace lamella
   {
     /// The root of k times r of each stabilizing spring, as a load.
     std::vector<BlockVector>
-    loads_of_springs(const Structure &structure, const double regularization_factor)
+    loads_of_springs(const Structure &structure,
+                     const double     regularization_factor)
     {
       std::vector<BlockVector> loads;
       for (unsigned int b = 0; b < structure.bodies().size(); ++b)
         for (const auto &[row, stiffness] : structure.spring_terms(b))
           {
             loads.push_back(structure.zero());
-            row.add_to(loads.back().block(b), std::sqrt(regularization_factor * stiffness));
+            row.add_to(loads.back().block(b),
+                       std::sqrt(regularization_factor * stiffness));
           }
       return loads;
     }
@@ -169,7 +174,7 @@ namespace lamella
     /// What each of @p loads moves bodies by about the state that @p about is
     /// of, with the @p rows of @p state that bear a force held.
     std::vector<BlockVector>
-    answers(const TangentOperator            &about,
+    answers(const TangentOperator          &about,
             const GapConstraints           &rows,
             const State                    &state,
             const std::vector<BlockVector> &loads)
@@ -206,11 +211,13 @@ namespace lamella
     const BlockVector internal = structure.internal_forces(state.u, state.rest);
     if (is_rounding(TangentOperator(structure, state.u), internal, state.u))
       return false;
-    Regularization                  regularization;
-    const TangentOperator  about = tangent(state, BlockVector(), to, regularization);
+    Regularization        regularization;
+    const TangentOperator about =
+      tangent(state, BlockVector(), to, regularization);
     const GapConstraints rows =
       regularization.shift ? regularization.shift->rows() : contacts.rows();
-    const auto                 loads = loads_of_springs(structure, regularization.regularization_factor);
+    const auto loads =
+      loads_of_springs(structure, regularization.regularization_factor);
     const auto                 modes = answers(about, rows, state, loads);
     dealii::FullMatrix<double> G(modes.size()), energy(modes.size());
     for (unsigned int i = 0; i < modes.size(); ++i)
@@ -219,7 +226,8 @@ namespace lamella
     G.mmult(energy, G);
     for (unsigned int j = 0; j < modes.size(); ++j)
       {
-        const BlockVector turned = rotation_of_constraints(state, state.u, modes[j], to);
+        const BlockVector turned =
+          rotation_of_constraints(state, state.u, modes[j], to);
         for (unsigned int i = 0; i < modes.size(); ++i)
           energy(i, j) = G(i, j) - energy(i, j) - modes[i] * turned;
       }

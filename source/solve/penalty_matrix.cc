@@ -16,8 +16,8 @@ namespace lamella
 {
   using namespace dealii;
 
-  PenaltyMatrix::PenaltyMatrix(const TangentOperator  &tangent_operator,
-                               const GapConstraints &rows)
+  PenaltyMatrix::PenaltyMatrix(const TangentOperator &tangent_operator,
+                               const GapConstraints  &rows)
     : structure(tangent_operator.of())
     , rows(rows)
     , symmetry(rows.rub() ? Symmetry::none : Symmetry::definite)
@@ -56,8 +56,8 @@ namespace lamella
     template <typename Use>
     void
     for_each_block(const TangentOperator &tangent_operator,
-                   const bool           with_values,
-                   const Use           &use)
+                   const bool             with_values,
+                   const Use             &use)
     {
       const Structure &structure = tangent_operator.of();
       const auto      &blocks    = structure.blocks();

@@ -33,7 +33,7 @@ namespace lamella
     constexpr double sound = 1e-6;
     // Forces come out of displacements that are held in doubles, which leaves
     // about eps (L/h)^2 of them: tolerable, but to be told.
-    constexpr double tolerable = 1e-3, worth_telling = 1e-7;
+    constexpr double tolerable = 1e-3, worth_reporting = 1e-7;
 
 
 
@@ -95,21 +95,22 @@ namespace lamella
             std::make_pair("strain energy is not the work done",
                            checks.energy_balance)})
         if (!(error < tolerable))
-          throw IllConditioned("The " + std::string(what) +
-                           ": the relative error "
-                           "is " +
-                           to_text(error, 3) +
-                           ". The scene is beyond what double precision "
-                           "holds: make bodies less slender, or stiffnesses "
-                           "and penalties less different.");
+          throw IllConditioned(
+            "The " + std::string(what) +
+            ": the relative error "
+            "is " +
+            to_text(error, 3) +
+            ". The scene is beyond what double precision "
+            "holds: make bodies less slender, or stiffnesses "
+            "and penalties less different.");
     }
 
 
 
     void
     check_contact_law(const KktResidual &contact,
-                        const double      displacement,
-                        const double      rounding)
+                      const double       displacement,
+                      const double       rounding)
     {
       if (!(contact.imbalance < tolerable))
         throw NumericsError(
@@ -152,8 +153,8 @@ namespace lamella
 
   void
   check_solution(const State  &state,
-                const Checks &checks,
-                const double  rotation_limit)
+                 const Checks &checks,
+                 const double  rotation_limit)
   {
     check_no_springs(checks);
     check_correction(state);
@@ -180,7 +181,7 @@ namespace lamella
   {
     void
     add_contact_warnings(const ContactInterface   &contact,
-                         const KktResidual         &kkt,
+                         const KktResidual        &kkt,
                          const double              displacement,
                          const bool                is_large,
                          std::vector<std::string> &warnings)
@@ -235,7 +236,7 @@ namespace lamella
     /// Of bodies that turn.
     void
     add_warnings_of_rotations(const Checks             &checks,
-                          std::vector<std::string> &warnings)
+                              std::vector<std::string> &warnings)
     {
       if (checks.max_strain > large_strain)
         warnings.push_back(
@@ -264,8 +265,9 @@ namespace lamella
           "an element of an axis turns by " +
           to_text(checks.max_element_rotation * 180. / dealii::numbers::PI, 3) +
           " degrees from end to end, which it follows to some per cent only: " +
-          to_text(
-            std::ceil(checks.max_element_rotation / (large_element_rotation / 2.)), 3) +
+          to_text(std::ceil(checks.max_element_rotation /
+                            (large_element_rotation / 2.)),
+                  3) +
           " times as many there would turn by 10");
     }
   } // namespace
@@ -314,7 +316,7 @@ namespace lamella
                                     checks.moment_balance,
                                     checks.residual,
                                     checks.energy_balance});
-    if (forces > worth_telling)
+    if (forces > worth_reporting)
       warnings.push_back("reactions and contact forces hold to " +
                          to_text(forces, 2) +
                          " only (their balance, relative): bodies are very "

@@ -112,7 +112,8 @@ namespace lamella
       if (depends_on_state(load, *all_bodies[region.body]))
         {
           follower_loads[region.body].emplace_back(
-            follower_load(load, region, *all_bodies[region.body]), load.history);
+            follower_load(load, region, *all_bodies[region.body]),
+            load.history);
           at_start.block(region.body) = 0.;
         }
     histories[load.history].load += at_start;
@@ -127,10 +128,12 @@ namespace lamella
       {
         initial_energies.push_back(
           all_bodies[b]->add_heat(initial_load.block(b)));
-        if (!all_bodies[b]->has_finite_rotations() || !all_bodies[b]->is_heated())
+        if (!all_bodies[b]->has_finite_rotations() ||
+            !all_bodies[b]->is_heated())
           continue;
         initial_load.block(b) = 0.;
-        follower_loads[b].emplace_back(turning_heat(*all_bodies[b]), LoadFactor::heat);
+        follower_loads[b].emplace_back(turning_heat(*all_bodies[b]),
+                                       LoadFactor::heat);
       }
   }
 
@@ -146,7 +149,9 @@ namespace lamella
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       if (all_bodies[b]->constraints_rotate())
         {
-          follower_loads[b].emplace_back(follower_weight(gravity, *all_bodies[b]), 0);
+          follower_loads[b].emplace_back(follower_weight(gravity,
+                                                         *all_bodies[b]),
+                                         0);
           dead.block(b) = before.block(b);
         }
   }
@@ -182,7 +187,8 @@ namespace lamella
   Structure::check_rotations(const std::vector<std::string> &names) const
   {
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      if (has_follower_loads(b) && all_bodies[b]->has_finite_rotations() && !all_bodies[b]->constraints_rotate())
+      if (has_prescribed_rotation(b) && all_bodies[b]->has_finite_rotations() &&
+          !all_bodies[b]->constraints_rotate())
         {
           std::vector<PrescribedFunctional> whole = rows;
           for (PrescribedFunctional &row : whole)
@@ -286,11 +292,12 @@ namespace lamella
   bool
   Structure::has_skew_loads() const
   {
-    return std::any_of(follower_loads.begin(), follower_loads.end(), [](const auto &loads) {
-      return std::any_of(loads.begin(), loads.end(), [](const auto &load) {
-        return load.first->is_skew();
+    return std::any_of(
+      follower_loads.begin(), follower_loads.end(), [](const auto &loads) {
+        return std::any_of(loads.begin(), loads.end(), [](const auto &load) {
+          return load.first->is_skew();
+        });
       });
-    });
   }
 
 
@@ -386,7 +393,9 @@ namespace lamella
   {
     return std::any_of(all_bodies.begin(),
                        all_bodies.end(),
-                       [](const auto &body) { return body->has_finite_rotations(); });
+                       [](const auto &body) {
+                         return body->has_finite_rotations();
+                       });
   }
 
 

@@ -2,8 +2,8 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/solve/tangent_operator.h>
 #include <lamella/solve/ill_conditioned.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -16,8 +16,8 @@ namespace lamella
   using dealii::Tensor;
 
   TangentOperator::TangentOperator(const Structure   &structure,
-                               const BlockVector &u,
-                               const LoadFactor  &factor)
+                                   const BlockVector &u,
+                                   const LoadFactor  &factor)
     : structure(structure)
     , state(u)
     , factor(factor)
@@ -78,7 +78,7 @@ namespace lamella
 
   BlockVector
   TangentOperator::way_to_supports(const LoadFactor &from,
-                                 const LoadFactor &to) const
+                                   const LoadFactor &to) const
   {
     BlockVector u = structure.particular(to);
     u -= structure.particular(from);
@@ -86,7 +86,7 @@ namespace lamella
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
         const bool moves = !moved_reductions.empty() && moved_reductions[b];
-        if (moves || structure.has_follower_loads(b))
+        if (moves || structure.has_prescribed_rotation(b))
           u.block(b) = reduction(b).influence([&](const unsigned int k) {
             const double s  = from.of(rows[k].history),
                          is = moves ? measured[k] :
@@ -128,7 +128,8 @@ namespace lamella
       const std::vector<LinearFunctional> rows = body.rows_at({location}, u)[0];
       for (unsigned int c = 0; c < 3; ++c)
         turned[c] = rows[c](warpings);
-      return (turned - transpose(body.rotation_at(location, u)) * turned).norm();
+      return (turned - transpose(body.rotation_at(location, u)) * turned)
+        .norm();
     }
 
 
@@ -214,13 +215,14 @@ namespace lamella
 
 
 
-  TangentOperator::TangentOperator(const Structure   &structure,
-                               const BlockVector &u,
-                               const SolverKind   asked,
-                               const BodyMonitor &monitor,
-                               const BlockVector &correction,
-                               const LoadFactor  &factor,
-                               const std::vector<std::vector<SpringTerm>> &more)
+  TangentOperator::TangentOperator(
+    const Structure                            &structure,
+    const BlockVector                          &u,
+    const SolverKind                            asked,
+    const BodyMonitor                          &monitor,
+    const BlockVector                          &correction,
+    const LoadFactor                           &factor,
+    const std::vector<std::vector<SpringTerm>> &more)
     : TangentOperator(structure, u, factor)
   {
     const Vector none;
@@ -255,10 +257,10 @@ namespace lamella
 
   std::unique_ptr<LinearSolver>
   TangentOperator::make_solver(const unsigned int             body,
-                             const SolverKind               asked,
-                             const Vector                  &correction,
-                             const std::vector<SpringTerm> &springs,
-                             const SolverMonitor           &monitor) const
+                               const SolverKind               asked,
+                               const Vector                  &correction,
+                               const std::vector<SpringTerm> &springs,
+                               const SolverMonitor           &monitor) const
   {
     const Body        &one         = *structure.bodies()[body];
     const Vector      &u           = state.block(body);
@@ -406,14 +408,14 @@ namespace lamella
 
 
   std::shared_ptr<const TangentOperator>
-  linearized(const Structure                  &structure,
-             const SolverKind                  asked,
+  linearized(const Structure                    &structure,
+             const SolverKind                    asked,
              const TangentOperator::BodyMonitor &monitor)
   {
     return std::make_shared<const TangentOperator>(structure,
-                                                 structure.zero(),
-                                                 asked,
-                                                 monitor);
+                                                   structure.zero(),
+                                                   asked,
+                                                   monitor);
   }
 
 

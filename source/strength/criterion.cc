@@ -52,9 +52,9 @@ namespace lamella
                      const double                core_angle)
   {
     const double rotation = (face_angle - core_angle) * numbers::PI / 180.;
-    const double c    = std::pow(std::cos(rotation), 2),
-                 s    = std::pow(std::sin(rotation), 2);
-    const auto hoff   = [&core](const double E, const double G) {
+    const double c        = std::pow(std::cos(rotation), 2),
+                 s        = std::pow(std::sin(rotation), 2);
+    const auto hoff       = [&core](const double E, const double G) {
       return 0.5 * std::cbrt(E * core.E3 * G);
     };
     return {hoff(face.E1, core.G13 * c + core.G23 * s),

@@ -6,7 +6,7 @@
 #include "fixtures.h"
 
 #include <lamella/adapt/graded_axis.h>
-#include <lamella/adapt/known_end_fields.h>
+#include <lamella/adapt/known_boundary_layer_modes.h>
 #include <lamella/adapt/node_fields.h>
 #include <lamella/section/embedding.h>
 #include <lamella/shape/shapes.h>
@@ -94,12 +94,12 @@ namespace
 
   /// Where tractions of the warpings stand in for them.
   FieldRules
-  without_end_fields()
+  without_boundary_layer_modes()
   {
-    EndFieldRules ends;
+    BoundaryLayerRules ends;
     ends.most_dofs = 0.;
     FieldRules rules;
-    rules.ends = std::make_shared<EndFields>(ends);
+    rules.ends = std::make_shared<BoundaryLayerModes>(ends);
     return rules;
   }
 
@@ -135,18 +135,20 @@ namespace
     std::vector<ConstrainedSection>
     held(const std::vector<Support> &supports) const
     {
-      const auto interactions = find_interactions(beam, 0, bodies, supports, {}, {});
+      const auto interactions =
+        find_interactions(beam, 0, bodies, supports, {}, {});
       std::vector<ConstrainedSection> result;
       for (unsigned int t = 0; t < interactions.size(); ++t)
-        for (const ConstrainedSection &one : constrained_sections(interactions, t, beam.axis()))
+        for (const ConstrainedSection &one :
+             constrained_sections(interactions, t, beam.axis()))
           result.push_back(one);
       return result;
     }
 
-    std::vector<EndZone>
+    std::vector<BoundaryLayerZone>
     zones(const ConstrainedSection &held) const
     {
-      return end_fields(section, states, warping, warpings, held);
+      return boundary_layer_modes(section, states, warping, warpings, held);
     }
 
     Bodies                         bodies;
@@ -161,10 +163,10 @@ namespace
 
   /// The columns of all of @p zones.
   FieldColumns
-  fields_of(const std::vector<EndZone> &zones)
+  fields_of(const std::vector<BoundaryLayerZone> &zones)
   {
     FieldColumns fields;
-    for (const EndZone &zone : zones)
+    for (const BoundaryLayerZone &zone : zones)
       fields = beside(fields, zone.fields);
     return fields;
   }
@@ -390,8 +392,10 @@ BOOST_AUTO_TEST_CASE(responses_stay_near_what_they_answer)
     BOOST_TEST(beam_of(sv).dofs().fields(node).size() == 12);
 
   // Those to tractions: end fields have reaches of their own.
-  const Bodies six =
-    chosen(description("SV-6"), {clamp()}, {patch()}, without_end_fields());
+  const Bodies       six  = chosen(description("SV-6"),
+                            {clamp()},
+                            {patch()},
+                            without_boundary_layer_modes());
   const Beam        &beam = beam_of(six);
   const unsigned int near = fields_at(beam, 10.5), far = fields_at(beam, 5.),
                      held = fields_at(beam, 0.);
@@ -457,16 +461,16 @@ BOOST_AUTO_TEST_CASE(end_fields_are_made_once)
 {
   // For sections with the same matrices, held alike; and a halved axis finds
   // those of the axis that `auto` makes.
-  const End  end("strip"), again("strip"), other("coupled");
-  EndFields  ends;
+  const End          end("strip"), again("strip"), other("coupled");
+  BoundaryLayerModes ends;
   const auto zones = [&ends](const End &of, const ConstrainedSection &held) {
     return ends.zones(of.section, of.states, of.warping, of.warpings, held);
   };
-  ConstrainedSection  held   = end.held({clamp()})[0];
-  const auto   box    = end.section->element().bounding_box();
-  const double height = std::min(box.side_length(0), box.side_length(1));
-  held.element        = 0.15 * height;
-  const auto first    = zones(end, held);
+  ConstrainedSection held   = end.held({clamp()})[0];
+  const auto         box    = end.section->element().bounding_box();
+  const double       height = std::min(box.side_length(0), box.side_length(1));
+  held.element              = 0.15 * height;
+  const auto first          = zones(end, held);
   BOOST_TEST(ends.n_made() == 1);
   held.element /= 2.;
   const auto second = zones(again, held);
@@ -501,9 +505,9 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
   BOOST_TEST(!have_same_cells(*end.section, *other.section));
   const ConstrainedSection held = end.held({clamp()})[0];
   // Short pieces are as good for this.
-  EndFieldRules rules;
+  BoundaryLayerRules rules;
   rules.length = 3.;
-  EndFields  ends(rules);
+  BoundaryLayerModes ends(rules);
   const auto made_for = [&ends](const End &of, const ConstrainedSection &one) {
     return ends.zones(of.section, of.states, of.warping, of.warpings, one);
   };
@@ -542,7 +546,7 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
   BOOST_TEST(ends.n_made() == 2);
   made_for(other, other.held({clamp()})[0]);
   BOOST_TEST(ends.n_made() == 3);
-  of_richer.is_looked_at = true;
+  of_richer.is_sampled = true;
   BOOST_TEST(!suffice(reused, of_richer));
   BOOST_TEST(suffice(made_for(richer, of_richer), of_richer));
   BOOST_TEST(ends.n_made() == 4);
@@ -550,9 +554,9 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
   made_for(richer, of_richer);
   BOOST_TEST(ends.n_made() == 4);
   // Another body's are not taken: its support may hold it in another way.
-  const End   third("coupled", "LE-4");
+  const End          third("coupled", "LE-4");
   ConstrainedSection of_other = third.held({clamp()})[0];
-  of_other.body        = "another";
+  of_other.body               = "another";
   made_for(third, of_other);
   BOOST_TEST(ends.n_made() == 5);
 }
@@ -632,7 +636,7 @@ BOOST_AUTO_TEST_CASE(end_fields_against_all_fields)
     return solve_linear(std::move(bodies[0]), {clamp()}, {patch()});
   };
   const Solved full = solve("LE-2", {}), ends = solve("SV-6", {}),
-               tractions = solve("SV-6", without_end_fields());
+               tractions = solve("SV-6", without_boundary_layer_modes());
   const auto error       = [&](const Solved &solved) {
     double worst = 0., largest = 0.;
     for (const double y : {0.5, 0.8, 1.2, 2., 3.1, 19.3})

@@ -231,7 +231,8 @@ BOOST_AUTO_TEST_CASE(rows_are_gradients_of_the_gap_at_any_state)
                           bodies,
                           interface);
           // Turned, slid along and across, and bent anyhow.
-          BlockVector u = against == 0 ? both(bodies, rotation(0.6)) : zero(bodies);
+          BlockVector u =
+            against == 0 ? both(bodies, rotation(0.6)) : zero(bodies);
           u.block(0) += affine(*bodies[0], {}, Tensor<1, 3>({0.2, 1.1, 0.3}));
           u.add(0.02, any(bodies, 1));
           BOOST_TEST(off_from_differences(contact, u, any(bodies, 5)) < 1e-6);

@@ -174,11 +174,12 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
         {
           ContactPair contact =
             blocks_contact(Discretization::surface_to_surface, slave_side);
-          contact.enforcement        = Enforcement::exact;
-          const UnpairedContact    touching = solve(two_blocks(placement, theory, nu),
-                                          contact,
-                                          walls_and_press(moved));
-          const KktResidual &kkt      = touching.checks.contacts[0];
+          contact.enforcement = Enforcement::exact;
+          const UnpairedContact touching =
+            solve(two_blocks(placement, theory, nu),
+                  contact,
+                  walls_and_press(moved));
+          const KktResidual &kkt = touching.checks.contacts[0];
           BOOST_TEST((kkt.force + 6. * p * placement.axes[2]).norm() <
                      1e-9 * p);
           const Point<3> center = placement.to_body(kkt.center_of_pressure);
@@ -357,8 +358,8 @@ BOOST_AUTO_TEST_CASE(crossed_beams)
           Placement::from_directions(corner, axis, Point<3>(0., 0., 1.))));
         bodies.push_back(make_beam(
           "lower", rectangle(0.5, 0.4, {0.}, 3), layer_wise(2), 6., 10));
-        ContactPair contact     = pair_of("bottom", "top", discretization);
-        contact.penalty         = {PenaltyKind::automatic, 1000.};
+        ContactPair contact = pair_of("bottom", "top", discretization);
+        contact.penalty     = {PenaltyKind::automatic, 1000.};
         const UnpairedContact touching = solve(
           std::move(bodies),
           contact,
@@ -414,15 +415,16 @@ BOOST_AUTO_TEST_CASE(a_block_on_a_floor_that_rises)
                                    EngineeringConstants::isotropic(E, 0.3)));
         ContactPair contact =
           blocks_contact(discretization, SlaveSide::automatic);
-        contact.obstacle                  = make_floor(placement, -0.01);
-        const UnpairedContact          touching  = solve(std::move(bodies),
-                                        contact,
-                                        {{"walls",
-                                                    {{0, Kind::surface, "left", {}},
-                                                     {0, Kind::surface, "start", {}},
-                                                     {0, Kind::surface, "top", {}}},
-                                                    {},
-                                                    0.}});
+        contact.obstacle = make_floor(placement, -0.01);
+        const UnpairedContact touching =
+          solve(std::move(bodies),
+                contact,
+                {{"walls",
+                  {{0, Kind::surface, "left", {}},
+                   {0, Kind::surface, "start", {}},
+                   {0, Kind::surface, "top", {}}},
+                  {},
+                  0.}});
         const ContactInterface &interface = touching.contacts[0];
         BOOST_TEST(!interface.second_body);
         BOOST_TEST(interface.second_name == "floor");

@@ -56,8 +56,8 @@ namespace
                   const std::function<bool(const SurfacePoint &point)> &keep)
   {
     ContactInterface contact;
-    contact.name             = "floor";
-    contact.second_name      = "plane";
+    contact.name          = "floor";
+    contact.second_name   = "plane";
     contact.slave_surface = surface;
     for (const SurfacePoint &point :
          structure.bodies()[0]->surface_points(surface))
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(only_faces_of_the_surface)
                         below.points.begin(),
                         below.points.end());
   contact.slave_surface = "all";
-  contact.surface          = surface_of(contact, *structure->bodies()[0]);
+  contact.surface       = surface_of(contact, *structure->bodies()[0]);
   const ContactSurface surface(contact, *structure);
   BOOST_TEST(surface.quadrilaterals().size() == 48u);
 }

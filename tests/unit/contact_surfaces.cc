@@ -130,8 +130,8 @@ BOOST_AUTO_TEST_CASE(rays_against_closed_forms)
       for (unsigned int k = 0; k < 50; ++k)
         {
           const Point<3> projection(0.3 + 0.29 * number(random),
-                              1.5 + 1.49 * number(random),
-                              0.2);
+                                    1.5 + 1.49 * number(random),
+                                    0.2);
           Tensor<1, 3>   d(
             Point<3>(0.4 * number(random), 0.4 * number(random), -1.));
           d /= d.norm();
@@ -141,7 +141,8 @@ BOOST_AUTO_TEST_CASE(rays_against_closed_forms)
                                     0.2);
           BOOST_REQUIRE(hit.has_value());
           BOOST_TEST(std::abs(hit->distance - t) < 1e-13);
-          BOOST_TEST(hit->position.distance(placement.to_scene(projection)) < 1e-13);
+          BOOST_TEST(hit->position.distance(placement.to_scene(projection)) <
+                     1e-13);
           BOOST_TEST((hit->normal - placement.axes[2]).norm() < 1e-13);
           // Out of reach, and along the normal instead of against it.
           BOOST_TEST(!top.meet(placement.to_scene(projection - t * d),
@@ -167,8 +168,8 @@ BOOST_AUTO_TEST_CASE(rays_against_closed_forms)
         {
           const double   angle = 0.5 * PI * (1. + 0.8 * number(random));
           const Point<3> projection(0.5 + 0.5 * std::cos(angle),
-                              0.5 + 0.49 * number(random),
-                              0.5 * std::sin(angle));
+                                    0.5 + 0.49 * number(random),
+                                    0.5 * std::sin(angle));
           Tensor<1, 3>   n(Point<3>(std::cos(angle), 0., std::sin(angle)));
           Tensor<1, 3>   d = -n + 0.3 * Tensor<1, 3>(Point<3>(number(random),
                                                             number(random),

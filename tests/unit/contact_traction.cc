@@ -6,8 +6,8 @@
 
 #include "contact_fixtures.h"
 
-#include <lamella/contact/contact_traction.h>
 #include <lamella/contact/contact_patch.h>
+#include <lamella/contact/contact_traction.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -324,7 +324,7 @@ namespace
   /// The numbers of the fields @p list whose combination is @p field, by least
   /// squares in the energy of S_00 + S_11.
   Vector
-  in_list(const SectionSpace                &space,
+  in_list(const SectionSpace              &space,
           const std::vector<unsigned int> &list,
           const Vector                    &field)
   {

@@ -272,24 +272,25 @@ namespace
     for (unsigned int i = 0; i + 1 < x.size(); ++i)
       for (unsigned int j = 0; j + 1 < y.size(); ++j)
         {
-          const unsigned int     n = y.size(), k = i * n + j;
+          const unsigned int  n = y.size(), k = i * n + j;
           SlaveSurface::Facet facet{FacetMap(1,
-                                                1,
-                                                {{x[i], y[j], 0.},
-                                                 {x[i + 1], y[j], 0.},
-                                                 {x[i], y[j + 1], 0.},
-                                                 {x[i + 1], y[j + 1], 0.}}),
-                                       1,
-                                       1,
-                                       {k, k + n, k + 1, k + n + 1},
-                                       {},
-                                       {square}};
+                                             1,
+                                             {{x[i], y[j], 0.},
+                                              {x[i + 1], y[j], 0.},
+                                              {x[i], y[j + 1], 0.},
+                                              {x[i + 1], y[j + 1], 0.}}),
+                                    1,
+                                    1,
+                                    {k, k + n, k + 1, k + n + 1},
+                                    {},
+                                    {square}};
           for (const unsigned int node : facet.nodes)
             facet.rows.push_back({{node, 1.}});
           facets.push_back(facet);
         }
-    return std::make_shared<const SlaveSurface>(
-      SlaveSurface::Functions::hats, x.size() * y.size(), facets);
+    return std::make_shared<const SlaveSurface>(SlaveSurface::Functions::hats,
+                                                x.size() * y.size(),
+                                                facets);
   }
 
 
@@ -317,12 +318,12 @@ namespace
       return points;
     };
     // Roots along x, straight lines along y.
-    const dealii::QGauss<1>                        fine(200), coarse(2);
-    std::vector<ContactTraction::LinearFunctional> rows;
+    const dealii::QGauss<1>           fine(200), coarse(2);
+    std::vector<ContactTraction::Row> rows;
     for (unsigned int i = 0; i < x.size(); ++i)
       for (unsigned int j = 0; j < y.size(); ++j)
         {
-          ContactTraction::LinearFunctional row;
+          ContactTraction::Row row;
           row.place  = Point<3>(x[i], y[j], 0.);
           row.normal = Point<3>(0., 0., -1.);
           for (const auto &[s, in_x] : hat(x, i, fine))
@@ -412,7 +413,7 @@ BOOST_AUTO_TEST_CASE(strips_of_a_contact)
     }
   // Where nothing presses there is nothing.
   auto open = traction.rows();
-  for (ContactTraction::LinearFunctional &row : open)
+  for (ContactTraction::Row &row : open)
     row.force = 0.;
   const ContactTraction nothing(traction.surface(), open);
   BOOST_TEST(ContactPatch(nothing).width() == 0.);

@@ -6,9 +6,9 @@
 #include "finite_rotation_fixtures.h"
 
 #include <lamella/base/exceptions.h>
+#include <lamella/body/second_order.h>
 #include <lamella/body/total_lagrangian_beam.h>
 #include <lamella/body/total_lagrangian_solid.h>
-#include <lamella/body/second_order.h>
 #include <lamella/conditions/follower_load.h>
 #include <lamella/material/library.h>
 #include <lamella/solve/beyond_linear.h>
@@ -192,10 +192,11 @@ BOOST_AUTO_TEST_CASE(a_solid_of_incompatible_modes_does_not_turn)
 {
   BOOST_CHECK_THROW(
     TotalLagrangianSolid("s",
-               make_section_mesh(two_plies, {{"material", nine_constants()}}),
-               two_elements(),
-               Placement(),
-               1),
+                         make_section_mesh(two_plies,
+                                           {{"material", nine_constants()}}),
+                         two_elements(),
+                         Placement(),
+                         1),
     InputError);
 }
 
@@ -334,8 +335,8 @@ namespace
                    2);
     const auto axis = make_axis(10., elements);
     if (kind == "large")
-      bodies.push_back(
-        std::make_unique<TotalLagrangianBeam>("strip", section, axis, Placement()));
+      bodies.push_back(std::make_unique<TotalLagrangianBeam>(
+        "strip", section, axis, Placement()));
     else
       bodies.push_back(
         std::make_unique<Beam>("strip", section, axis, Placement()));
@@ -396,9 +397,9 @@ namespace
   /// size.
   double
   off_derivative(const FollowerLoad &load,
-                 const Vector      &u,
-                 const Vector      &v,
-                 const Vector      &w)
+                 const Vector       &u,
+                 const Vector       &v,
+                 const Vector       &w)
   {
     const auto work = [&](const Vector &along, const Vector &of) {
       constexpr double h     = 1e-5;

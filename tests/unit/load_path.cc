@@ -34,15 +34,14 @@ namespace
 
     explicit BlocksInContact(const std::vector<std::string> &overrides = {})
     {
-      const Scene scene = read_scene(
-        SceneText::read(LAMELLA_SOURCE_DIR "/tests/scenes/blocks_in_contact.prm",
-                        overrides));
+      const Scene scene = read_scene(SceneText::read(
+        LAMELLA_SOURCE_DIR "/tests/scenes/blocks_in_contact.prm", overrides));
       built = std::make_unique<BuiltScene>(scene, FieldRules(), nowhere, timer);
       solver = std::make_unique<ContactSolver>(linearized(built->structure()),
                                                built->rows());
       step   = std::make_shared<LinearStep>(*solver,
                                           built->interfaces(),
-                                          built->contacts(),
+                                          built->contact_objects(),
                                           built->scene().supports.size(),
                                           built->scene().solve,
                                           timer);
@@ -66,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_path_goes_up_and_down)
 {
   // Contact without friction forgets: on the way down the states are those of
   // the way up.
-  BlocksInContact           blocks;
+  BlocksInContact         blocks;
   LoadPath                path(blocks.step, {0.5, 1., 0.5});
   std::vector<SolvedStep> steps;
   while (path.has_more())
@@ -87,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_path_goes_up_and_down)
 
 BOOST_AUTO_TEST_CASE(a_path_that_goes_on_is_the_same_path)
 {
-  BlocksInContact    blocks, others;
+  BlocksInContact  blocks, others;
   LoadPath         path(blocks.step, {0.5, 1.});
   const SolvedStep kept   = path.advance();
   const auto       memory = blocks.solver->memory();
@@ -111,7 +110,7 @@ BOOST_AUTO_TEST_CASE(histories_superpose)
     std::vector<std::string> all{"Contacts=", "Load factors=1, 0.5"};
     all.insert(all.end(), overrides.begin(), overrides.end());
     BlocksInContact blocks(all);
-    LoadPath      path(blocks.step, blocks.built->scene().solve.load_factors);
+    LoadPath        path(blocks.step, blocks.built->scene().solve.load_factors);
     std::vector<SolvedStep> steps;
     while (path.has_more())
       steps.push_back(path.advance());
@@ -148,10 +147,10 @@ BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
 {
   const double                   mu = 0.05;
   const std::vector<std::string> rubs{"Contact faces/Friction=0.05"};
-  BlocksInContact                  blocks(rubs), others(rubs);
+  BlocksInContact                blocks(rubs), others(rubs);
   LoadPath                       path(blocks.step, {0.5, 1., 0.9, 0.5});
   std::vector<State>             states;
-  StrategyHistory                 memory;
+  StrategyHistory                memory;
   while (path.has_more())
     {
       if (states.size() == 2)
@@ -209,7 +208,7 @@ BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
 BOOST_AUTO_TEST_CASE(substeps_are_steps_between)
 {
   const std::vector<std::string> rubs{"Contact faces/Friction=0.05"};
-  BlocksInContact                  blocks(rubs);
+  BlocksInContact                blocks(rubs);
   LoadPath                       by_steps(blocks.step,
                     {0.25, 0.5, 0.75, 1., 0.875, 0.75, 0.625, 0.5}),
     by_parts(blocks.step, {1., 0.5}, {4});
@@ -305,7 +304,7 @@ BOOST_AUTO_TEST_CASE(work_is_energy_and_what_is_lost)
 BOOST_AUTO_TEST_CASE(branches_leave_the_path_where_it_is)
 {
   BlocksInContact blocks;
-  LoadPath      path(blocks.step, {0.5, 1.}, {}, true);
+  LoadPath        path(blocks.step, {0.5, 1.}, {}, true);
   path.advance();
   const State at = path.state();
   // Between the stored ones, before the first, beyond the last, and back.
@@ -326,7 +325,7 @@ BOOST_AUTO_TEST_CASE(branches_leave_the_path_where_it_is)
 BOOST_AUTO_TEST_CASE(branches_go_the_path_where_bodies_rub)
 {
   BlocksInContact blocks({"Contact faces/Friction=0.05"});
-  const auto    by_path = [&](const std::vector<LoadFactor> &factors) {
+  const auto      by_path = [&](const std::vector<LoadFactor> &factors) {
     LoadPath way(blocks.step, factors);
     while (way.has_more())
       way.advance();
@@ -358,7 +357,7 @@ BOOST_AUTO_TEST_CASE(branches_go_the_path_where_bodies_rub)
 BOOST_AUTO_TEST_CASE(a_path_stays_where_a_step_fails)
 {
   BlocksInContact blocks({"Rotation limit=1e-3"});
-  LoadPath      path(blocks.step, {0.01, 1e6});
+  LoadPath        path(blocks.step, {0.01, 1e6});
   path.advance();
   const State at = path.state();
   BOOST_CHECK_THROW(path.advance(), NumericsError);

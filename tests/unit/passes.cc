@@ -133,18 +133,18 @@ BOOST_AUTO_TEST_CASE(a_number_without_limit_leaves_and_keeps_no_other)
   passes.add(pass_of({open, without_bar(1.)}));
   // A pass is made for those that have a bar; the other one sees what it does.
   BOOST_TEST((passes.wanted() == std::vector<Source>{Source::axis}));
-  BOOST_TEST(passes.farewells().empty());
+  BOOST_TEST(passes.dropped_goals().empty());
   passes.add(pass_of({met, without_bar(1.2)}), {{Source::axis}});
-  BOOST_REQUIRE(passes.farewells().size() == 1u);
-  BOOST_TEST(passes.farewells().front() ==
+  BOOST_REQUIRE(passes.dropped_goals().size() == 1u);
+  BOOST_TEST(passes.dropped_goals().front() ==
              "no further pass is made for tip: uz: it grows");
-  BOOST_TEST(passes.staying().size() == 1u);
+  BOOST_TEST(passes.active_goals().size() == 1u);
   BOOST_TEST(passes.next_goals().empty());
   BOOST_TEST(!passes.all_met());
   BOOST_TEST(!passes.reason_to_stop().empty());
   // Told once.
   passes.add(pass_of({met, without_bar(1.4)}), {{Source::axis}});
-  BOOST_TEST(passes.farewells().empty());
+  BOOST_TEST(passes.dropped_goals().empty());
 
   // Of some places it is known before: no pass has to show it.
   GoalResult known = without_bar(1.);
@@ -152,10 +152,10 @@ BOOST_AUTO_TEST_CASE(a_number_without_limit_leaves_and_keeps_no_other)
   known.why        = "below a load";
   Passes first;
   first.add(pass_of({open, known}));
-  BOOST_REQUIRE(first.farewells().size() == 1u);
-  BOOST_TEST(first.farewells().front() ==
+  BOOST_REQUIRE(first.dropped_goals().size() == 1u);
+  BOOST_TEST(first.dropped_goals().front() ==
              "no further pass is made for tip: uz: below a load");
-  BOOST_TEST(first.staying().size() == 1u);
+  BOOST_TEST(first.active_goals().size() == 1u);
 
   // What settles may have its bar yet.
   Passes settling;

@@ -17,10 +17,10 @@ namespace
 {
   /// A slender beam of SV-6 with a large section, of which nothing speaks
   /// against fields of its own.
-  PlanFacts
+  PlanInput
   slender()
   {
-    PlanFacts facts;
+    PlanInput facts;
     facts.size          = {60000, 100, 600, 100, false, 0.1, 8.4};
     facts.theory        = Theory::of_solutions(6, 3);
     facts.grades_itself = true;
@@ -31,7 +31,7 @@ namespace
 
   struct LinearFunctional
   {
-    std::function<void(PlanFacts &)> but;
+    std::function<void(PlanInput &)> but;
     const char                      *theory;
     unsigned int                     equal_elements;
     bool                             all_fields;
@@ -42,25 +42,25 @@ namespace
 
 BOOST_AUTO_TEST_CASE(facts_make_a_plan)
 {
-  const auto assumed = [](PlanFacts &f) {
+  const auto assumed = [](PlanInput &f) {
     f.is_assumed = f.has_contacts = true;
   };
   const std::vector<LinearFunctional> table{
-    {[](PlanFacts &) {}, "SV-6 (of LE-3)", 0, false, "", ""},
+    {[](PlanInput &) {}, "SV-6 (of LE-3)", 0, false, "", ""},
     // What was asked for stays what it is.
-    {[](PlanFacts &f) { f.size.touched = 0.9; },
+    {[](PlanInput &f) { f.size.loaded = 0.9; },
      "SV-6 (of LE-3)",
      0,
      false,
      "",
      ""},
-    {[](PlanFacts &f) { f.theory = Theory::layerwise(2); },
+    {[](PlanInput &f) { f.theory = Theory::layerwise(2); },
      "LE-2 (L9)",
      0,
      true,
      "",
      ""},
-    {[](PlanFacts &f) {
+    {[](PlanInput &f) {
        f.theory = Theory::of_solutions(0, 3);
        f.wanted = 599;
      },
@@ -70,19 +70,19 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      "",
      ""},
     // An assumed theory.
-    {[&](PlanFacts &f) { assumed(f); }, "SV-6 (of LE-3)", 0, false, "", ""},
-    {[&](PlanFacts &f) {
+    {[&](PlanInput &f) { assumed(f); }, "SV-6 (of LE-3)", 0, false, "", ""},
+    {[&](PlanInput &f) {
        assumed(f);
-       f.size.touched = 0.51;
+       f.size.loaded = 0.51;
      },
      "LE-3 (L16)",
      8,
      true,
      "51 % of its length",
      ""},
-    {[&](PlanFacts &f) {
+    {[&](PlanInput &f) {
        assumed(f);
-       f.size.touched     = 0.51;
+       f.size.loaded      = 0.51;
        f.size.slenderness = 0.3;
      },
      "LE-3 (L16)",
@@ -90,9 +90,9 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      true,
      "51 % of its length",
      ""},
-    {[&](PlanFacts &f) {
+    {[&](PlanInput &f) {
        assumed(f);
-       f.size.touched     = 0.51;
+       f.size.loaded      = 0.51;
        f.size.slenderness = 80.;
      },
      "LE-3 (L16)",
@@ -100,9 +100,9 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      true,
      "51 % of its length",
      ""},
-    {[&](PlanFacts &f) {
+    {[&](PlanInput &f) {
        assumed(f);
-       f.size.touched        = 0.51;
+       f.size.loaded         = 0.51;
        f.size.held_all_along = true;
      },
      "LE-3 (L16)",
@@ -110,9 +110,9 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      true,
      "51 % of its length",
      ""},
-    {[&](PlanFacts &f) {
+    {[&](PlanInput &f) {
        assumed(f);
-       f.size.touched  = 0.51;
+       f.size.loaded   = 0.51;
        f.grades_itself = false;
      },
      "LE-3 (L16)",
@@ -120,9 +120,9 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      true,
      "51 % of its length",
      ""},
-    {[&](PlanFacts &f) {
+    {[&](PlanInput &f) {
        assumed(f);
-       f.size.touched = 0.5;
+       f.size.loaded = 0.5;
      },
      "SV-6 (of LE-3)",
      0,
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      "",
      ""},
     // 3 * 100 * (2 * 3.5 + 1)^2 = 19200.
-    {[&](PlanFacts &f) {
+    {[&](PlanInput &f) {
        assumed(f);
        f.size.cells = 12;
      },
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      true,
      "LE-2 has some",
      ""},
-    {[&](PlanFacts &f) {
+    {[&](PlanInput &f) {
        assumed(f);
        f.size.cells = 13;
      },
@@ -148,10 +148,10 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      false,
      "",
      ""},
-    {[&](PlanFacts &f) {
+    {[&](PlanInput &f) {
        assumed(f);
        f.has_contacts = false;
-       f.size.touched = 0.9;
+       f.size.loaded  = 0.9;
      },
      "SV-6 (of LE-3)",
      0,
@@ -159,13 +159,13 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      "",
      ""},
     // Fields, the first rule that speaks.
-    {[](PlanFacts &f) { f.is_unsolved = f.size.held_all_along = true; },
+    {[](PlanInput &f) { f.is_unsolved = f.size.held_all_along = true; },
      "SV-6 (of LE-3)",
      0,
      true,
      "",
      "double precision"},
-    {[](PlanFacts &f) {
+    {[](PlanInput &f) {
        f.size.held_all_along = true;
        f.size.nodes          = 10;
      },
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      true,
      "",
      "all along"},
-    {[](PlanFacts &f) {
+    {[](PlanInput &f) {
        f.size.nodes = 15;
        f.held       = 31.;
      },
@@ -183,13 +183,13 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      true,
      "",
      "15 nodes only"},
-    {[](PlanFacts &f) { f.size.nodes = 16; },
+    {[](PlanInput &f) { f.size.nodes = 16; },
      "SV-6 (of LE-3)",
      0,
      false,
      "",
      ""},
-    {[](PlanFacts &f) {
+    {[](PlanInput &f) {
        f.held   = 30.9;
        f.wanted = 500;
      },
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      true,
      "",
      "hold 30 of 600 fields"},
-    {[](PlanFacts &f) {
+    {[](PlanInput &f) {
        f.held   = 30.;
        f.wanted = 300;
      },
@@ -207,14 +207,14 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      false,
      "",
      ""},
-    {[](PlanFacts &f) { f.wanted = 301; },
+    {[](PlanInput &f) { f.wanted = 301; },
      "SV-6 (of LE-3)",
      0,
      true,
      "",
      "carry 301 of 600"},
     // What is not known does not speak, and Theories are taken at their word.
-    {[](PlanFacts &f) {
+    {[](PlanInput &f) {
        f.held   = {};
        f.wanted = {};
      },
@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      false,
      "",
      ""},
-    {[](PlanFacts &f) {
+    {[](PlanInput &f) {
        f.wanted     = 600;
        f.size.nodes = 5;
        f.has_pieces = true;
@@ -236,13 +236,13 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
   for (const LinearFunctional &row : table)
     BOOST_TEST_CONTEXT("row " << &row - table.data())
     {
-      PlanFacts facts = slender();
+      PlanInput facts = slender();
       row.but(facts);
       const BodyPlan planned = plan(facts);
       BOOST_TEST(planned.theory.name() == row.theory);
       BOOST_TEST(planned.equal_elements == row.equal_elements);
       BOOST_TEST(planned.all_fields == row.all_fields);
-      BOOST_TEST((words_of_fields(facts, planned).find("all fields") == 0) ==
+      BOOST_TEST((describe_fields(facts, planned).find("all fields") == 0) ==
                  row.all_fields);
       BOOST_TEST(planned.why_theory.empty() == (*row.why_theory == 0));
       BOOST_TEST(planned.why_fields.empty() == (*row.why_fields == 0));

@@ -130,16 +130,16 @@ namespace
 
   void
   check_answers_agree(const SectionSpace &space,
-                      const List       &list,
-                      const bool        assumed_shear)
+                      const List         &list,
+                      const bool          assumed_shear)
   {
-    const PointwiseSectionOperator   by_points(space, list);
-    const ProductSectionOperator by_products(space, list, assumed_shear);
-    const FieldParts    q      = random_parts(list.size(), assumed_shear);
-    const SectionForces found  = by_products.forces(q),
-                        wanted = by_points.forces(q);
-    const FieldParts one       = told_apart(found.work, assumed_shear),
-                     two       = told_apart(wanted.work, assumed_shear);
+    const PointwiseSectionOperator by_points(space, list);
+    const ProductSectionOperator   by_products(space, list, assumed_shear);
+    const FieldParts               q = random_parts(list.size(), assumed_shear);
+    const SectionForces            found = by_products.forces(q),
+                        wanted           = by_points.forces(q);
+    const FieldParts one = told_apart(found.work, assumed_shear),
+                     two = told_apart(wanted.work, assumed_shear);
     for (unsigned int p = 0; p < FieldPart::n; ++p)
       check_same(one[p], two[p]);
     for (unsigned int k = 0; k < wanted.energy.size(); ++k)
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(points_and_products_agree_for_taylor)
   for (const unsigned int order : {2, 4})
     {
       const SectionSpace space(coupled_section(Theory::Kind::TE, order));
-      List             fewer = numbers(space.n_fields());
+      List               fewer = numbers(space.n_fields());
       fewer.erase(fewer.begin() + 8, fewer.begin() + 12);
       for (const bool assumed_shear : {false, true})
         for (const List &list : {numbers(space.n_fields()), fewer})
@@ -219,9 +219,9 @@ BOOST_AUTO_TEST_CASE(points_and_products_agree_for_taylor)
 
 BOOST_AUTO_TEST_CASE(points_and_products_agree_for_modes)
 {
-  const auto       section = coupled_section(Theory::Kind::LE, 2);
+  const auto         section = coupled_section(Theory::Kind::LE, 2);
   const SectionSpace space(section, random_columns(section->n_fields(), 7, 17));
-  List             dense = numbers(6);
+  List               dense = numbers(6);
   for (const unsigned int j : {0, 1, 3, 6})
     dense.push_back(space.first_mode() + j);
   check_answers_agree(space, dense, false);
@@ -240,12 +240,12 @@ BOOST_AUTO_TEST_CASE(forces_are_conjugate_to_coefficients)
       const SectionSpace space(coupled_section(kind, order));
       for (const bool assumed_shear : {false, true})
         check_answer(*make_section_operator(space,
-                                          numbers(space.n_fields()),
-                                          assumed_shear),
+                                            numbers(space.n_fields()),
+                                            assumed_shear),
                      assumed_shear);
     }
   // Modes beside all fields, too.
-  const auto       section = coupled_section(Theory::Kind::LE, 2);
+  const auto         section = coupled_section(Theory::Kind::LE, 2);
   const SectionSpace space(section, random_columns(section->n_fields(), 4, 17));
   check_answer(*make_section_operator(space, numbers(space.n_fields()), false),
                false);
@@ -255,18 +255,18 @@ BOOST_AUTO_TEST_CASE(forces_are_conjugate_to_coefficients)
 
 BOOST_AUTO_TEST_CASE(the_factory_takes_what_suits)
 {
-  const auto       section = coupled_section(Theory::Kind::LE, 2);
+  const auto         section = coupled_section(Theory::Kind::LE, 2);
   const SectionSpace space(section, random_columns(section->n_fields(), 2, 17)),
     taylor(coupled_section(Theory::Kind::TE, 2));
   List dense = numbers(6), mixed = numbers(9);
   dense.push_back(space.first_mode());
   mixed.push_back(space.first_mode());
-  const auto by_products = [](const SectionSpace &space,
-                              const List       &list,
-                              const bool        assumed_shear) {
-    return dynamic_cast<const ProductSectionOperator *>(
-             make_section_operator(space, list, assumed_shear).get()) != nullptr;
-  };
+  const auto by_products =
+    [](const SectionSpace &space, const List &list, const bool assumed_shear) {
+      return dynamic_cast<const ProductSectionOperator *>(
+               make_section_operator(space, list, assumed_shear).get()) !=
+             nullptr;
+    };
   BOOST_TEST(by_products(space, dense, false));
   BOOST_TEST(!by_products(space, dense, true));
   BOOST_TEST(!by_products(space, mixed, false));

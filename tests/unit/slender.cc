@@ -69,8 +69,8 @@ namespace
         result.first_correction = state.free_corrections.front();
         // A run accepts the scene (at L/h = 1e6 with a warning on reactions).
         check_solution(state,
-                      check_state(newton.tangent(), {}, 1, state, 1.),
-                      1e9);
+                       check_state(newton.tangent(), {}, 1, state, 1.),
+                       1e9);
       }
     else
       {

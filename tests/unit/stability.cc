@@ -84,18 +84,19 @@ BOOST_AUTO_TEST_CASE(nearly_incompressible)
     for (const char *theory :
          {"EBBT", "TBT", "TE-1", "TE-2", "TE-5", "LE-1", "LE-2"})
       {
-        const Strip  strip{"bar",
+        const Strip strip{"bar",
                           {1., {0.}, {1.}, {"m"}, {2}, {2}},
                           {{"m", EngineeringConstants::isotropic(1., nu)}}};
-        Support      axial{"axial",
+        Support     axial{"axial",
                       {{0, Region::Kind::surface, "start", {}}},
                       {{{}, 0., {}}}};
-        Support      corner{"corner",
+        Support     corner{"corner",
                        {{0, Region::Kind::point, "", {Point<3>(0., 0., 0.)}}},
                        {{0., {}, 0.}}};
-        Support      no_rotation{"no turn",
-                        {{0, Region::Kind::point, "", {Point<3>(1., 0., 0.)}}},
-                        {{{}, {}, 0.}}};
+        Support     no_rotation{
+          "no turn",
+          {{0, Region::Kind::point, "", {Point<3>(1., 0., 0.)}}},
+          {{{}, {}, 0.}}};
         const Solved solved =
           solve_linear(std::make_unique<Beam>("bar",
                                               strip.section(theory),

@@ -6,7 +6,7 @@
 #include <lamella/base/gauss_lobatto_grid.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/beam_surplus.h>
-#include <lamella/estimate/bars_from_below.h>
+#include <lamella/estimate/coarser_model_estimate.h>
 #include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/poorer.h>
 #include <lamella/estimate/surpluses.h>
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(who_has_none_says_why)
     {
       const Solved model = laminate(theory);
       BOOST_TEST(!Surpluses::reason_for_none(model.run, 3).empty());
-      BOOST_TEST(!BarsFromBelow::reason_for_none(model.run).empty());
+      BOOST_TEST(!CoarserModelEstimate::reason_for_none(model.run).empty());
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Beams whose sections turn (GeometricallyExactBeam): strains of a frame, the energy and
-// what follows from it, points, rigid turns, and elastic lines by exact
-// solutions.
+// Beams whose sections turn (GeometricallyExactBeam): strains of a frame, the
+// energy and what follows from it, points, rigid turns, and elastic lines by
+// exact solutions.
 
 #include "finite_rotation_fixtures.h"
 
@@ -268,9 +268,9 @@ BOOST_AUTO_TEST_CASE(small_states_are_those_of_the_linear_beam)
   // see as well as four. The linear beam has the same energy and forces.
   const auto section =
     make_section(rectangle(1., 0.4, {30., -60.}), nine_constants(), 2);
-  const auto axis         = make_axis(3., 2);
-  const auto turning      = saint_venant_beam<GeometricallyExactBeam>(section, axis),
-             other        = saint_venant_beam<GeometricallyExactBeam>(section, axis);
+  const auto axis    = make_axis(3., 2);
+  const auto turning = saint_venant_beam<GeometricallyExactBeam>(section, axis),
+             other   = saint_venant_beam<GeometricallyExactBeam>(section, axis);
   const auto       linear = saint_venant_beam<Beam>(section, axis);
   const double     h      = section->element().reference_length();
   Vector           u(linear->n_dofs());

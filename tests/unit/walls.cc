@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(feet_on_an_ellipse)
   for (const auto &[a, b] : {std::make_pair(3., 1.), {1., 2.5}, {2., 2.}})
     {
       const EllipseProjection ellipse(Point<2>(0.4, -0.7), a, b);
-      const double      deepest = std::pow(std::min(a, b), 2) / std::max(a, b);
+      const double deepest = std::pow(std::min(a, b), 2) / std::max(a, b);
       for (int k = -11; k <= 12; ++k)
         for (const double depth : {-0.2, 0., 0.4, 0.9})
           {
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(elliptical_tube)
   const double L       = 4. * a * std::comp_ellint_2(std::sqrt(1. - b * b));
   check_near(bar.EA / 210., L * t - PI * t * t, 1e-6);
 
-  const EllipseProjection       ellipse(Point<2>(), a, b);
+  const EllipseProjection ellipse(Point<2>(), a, b);
   const unsigned int      n = 400;
   const dealii::QGauss<1> through(4);
   Tensor<1, 2>            moments;
@@ -534,7 +534,7 @@ BOOST_AUTO_TEST_CASE(normals_of_a_curve)
         const auto mesh =
           make_section_mesh(SectionShape(tube(2., 2. * b, 0.2, {0.}, n)),
                             carbon);
-        const EllipseProjection  ellipse(Point<2>(1., b), 1., b);
+        const EllipseProjection ellipse(Point<2>(1., b), 1., b);
         const CurveNormals outer(*mesh, {"outer"}), inner(*mesh, {"inner"});
         worst.push_back(0.);
         for (double phi = 0.01; phi < 6.28; phi += 0.1)

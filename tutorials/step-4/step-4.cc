@@ -185,8 +185,8 @@ TwoCubes::refined(const std::vector<GapConstraint> &rows,
       ContactInterface contact = interface;
       contact.rows             = rows;
       check_solution(state,
-                    check_state(solver.tangent(), {contact}, 2, state, 1.),
-                    1.);
+                     check_state(solver.tangent(), {contact}, 2, state, 1.),
+                     1.);
       return relative_error(rows, state.force);
     }
   catch (const NumericsError &)

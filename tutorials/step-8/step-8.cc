@@ -47,10 +47,10 @@ private:
   answers_to(const std::vector<Vector> &loads) const;
 
   std::vector<std::vector<unsigned int>>
-  lists_by_hand(const SectionSpace  &space,
-                const unsigned int n_nose,
-                const double       near_nose,
-                const double       near_clamp) const;
+  lists_by_hand(const SectionSpace &space,
+                const unsigned int  n_nose,
+                const double        near_nose,
+                const double        near_clamp) const;
   void
   bend(const std::string &name, std::unique_ptr<Beam> beam);
   void
@@ -118,10 +118,10 @@ FieldsOfASection::answers_to(const std::vector<Vector> &loads) const
 // clamp disturbs in a laminate with plies at an angle within one or two widths.
 // Nodes with different lists are neighbors without any treatment.
 std::vector<std::vector<unsigned int>>
-FieldsOfASection::lists_by_hand(const SectionSpace  &space,
-                                const unsigned int n_nose,
-                                const double       near_nose,
-                                const double       near_clamp) const
+FieldsOfASection::lists_by_hand(const SectionSpace &space,
+                                const unsigned int  n_nose,
+                                const double        near_nose,
+                                const double        near_clamp) const
 {
   const unsigned int                     n_sv = warpings.n();
   std::vector<std::vector<unsigned int>> lists;
@@ -200,7 +200,7 @@ FieldsOfASection::print_beams()
   const FieldColumns to_clamp = answers_to(tractions);
   const auto         space =
     std::make_shared<SectionSpace>(coupon.section,
-                                 beside(warpings, beside(to_nose, to_clamp)));
+                                   beside(warpings, beside(to_nose, to_clamp)));
   std::cout << "\nResponses to the nose: " << to_nose.n()
             << "\nResponses to the clamp: " << to_clamp.n() << "\n\n";
 

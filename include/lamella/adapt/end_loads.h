@@ -16,7 +16,8 @@ namespace lamella
   free_motions(const Beam                              &piece,
                const std::vector<PrescribedFunctional> &rows);
 
-  /// Returns the section loads of end_fields() at the far end of @p piece, node
+  /// Returns the section loads of boundary_layer_modes() at the far end of @p
+  /// piece, node
   /// @p far_node at the distance @p arm from the held one: tractions of the six
   /// states, combined to do no work on the free @p motions and to have
   /// solutions orthonormal in energy.

@@ -4,8 +4,8 @@
 #define lamella_adapt_fields_of_section_h
 
 #include <lamella/adapt/node_fields.h>
-#include <lamella/section/section_space.h>
 #include <lamella/section/saint_venant.h>
+#include <lamella/section/section_space.h>
 #include <lamella/section/warping.h>
 
 #include <limits>
@@ -41,7 +41,8 @@ namespace lamella
     /// the zones of its end fields; or the tractions of its @p touch if it is
     /// held without end fields, or the rules want them.
     std::vector<unsigned int>
-    groups_of(const LocalInteraction &interaction, const std::vector<ConstrainedSection> &held);
+    groups_of(const LocalInteraction                &interaction,
+              const std::vector<ConstrainedSection> &held);
 
     /// Returns the distance along the axis within which nodes carry the fields
     /// of group @p g.
@@ -100,7 +101,8 @@ namespace lamella
       std::pair<double, std::size_t>
       order() const
       {
-        return {influence_length > 0. ? influence_length : std::numeric_limits<double>::max(),
+        return {influence_length > 0. ? influence_length :
+                                        std::numeric_limits<double>::max(),
                 loads.size()};
       }
 
@@ -113,9 +115,9 @@ namespace lamella
     /// A held section with the zones of its end fields and their groups.
     struct End
     {
-      ConstrainedSection               held;
-      std::vector<EndZone>      zones;
-      std::vector<unsigned int> groups;
+      ConstrainedSection             held;
+      std::vector<BoundaryLayerZone> zones;
+      std::vector<unsigned int>      groups;
     };
 
     /// Returns the groups of the end fields of @p held, made once, or mirrored

@@ -3,7 +3,7 @@
 #ifndef lamella_adapt_interaction_notes_h
 #define lamella_adapt_interaction_notes_h
 
-#include <lamella/adapt/interaction.h>
+#include <lamella/adapt/local_interactions.h>
 
 #include <string>
 #include <vector>
@@ -12,16 +12,16 @@ namespace lamella
 {
   /// Adds notes on @p touches of the SV @p beam without fields.
   void
-  note_missing_fields(const Beam               &beam,
+  note_missing_fields(const Beam                          &beam,
                       const std::vector<LocalInteraction> &interactions,
-                      std::vector<std::string> &notes);
+                      std::vector<std::string>            &notes);
 
   /// Adds notes on the @p touches of a heated @p beam that hold sections in
   /// part: end fields do not cover heat there.
   void
-  note_heat_of_guides(const Beam               &beam,
+  note_heat_of_guides(const Beam                          &beam,
                       const std::vector<LocalInteraction> &interactions,
-                      std::vector<std::string> &notes);
+                      std::vector<std::string>            &notes);
 } // namespace lamella
 
 #endif

@@ -53,12 +53,12 @@ namespace lamella
   /// load named "heat" after the loads.
   std::vector<LocalInteraction>
   find_interactions(const Beam                          &beam,
-               const unsigned int                   body,
-               const Bodies                        &bodies,
-               const std::vector<Support>          &supports,
-               const std::vector<Load>             &loads,
-               const std::vector<ContactInterface> &contacts,
-               const InteractionRules                    &rules = {});
+                    const unsigned int                   body,
+                    const Bodies                        &bodies,
+                    const std::vector<Support>          &supports,
+                    const std::vector<Load>             &loads,
+                    const std::vector<ContactInterface> &contacts,
+                    const InteractionRules              &rules = {});
 
   /// Returns the load vector of @p load on body number @p body, at factor 1.
   Vector
@@ -67,7 +67,8 @@ namespace lamella
   /// Returns the ends of the heated @p beam that none of @p touches holds as a
   /// whole, where thermal stress along the axis ends; none if it is not heated.
   std::vector<LocalInteraction>
-  heated_free_ends(const Beam &beam, const std::vector<LocalInteraction> &interactions);
+  heated_free_ends(const Beam                          &beam,
+                   const std::vector<LocalInteraction> &interactions);
 } // namespace lamella
 
 #endif

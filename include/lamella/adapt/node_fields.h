@@ -4,13 +4,13 @@
 // the fields that each node of a beam carries, made from what touches the
 // bodies: it asks conditions and contacts and makes bodies anew. What it solves
 // are sections (their states and responses) and short pieces of a beam at an
-// end (end_fields()); it never solves the scene and never looks at a solution
-// of it.
+// end (boundary_layer_modes()); it never solves the scene and never looks at a
+// solution of it.
 
 #ifndef lamella_adapt_node_fields_h
 #define lamella_adapt_node_fields_h
 
-#include <lamella/adapt/known_end_fields.h>
+#include <lamella/adapt/known_boundary_layer_modes.h>
 #include <lamella/adapt/plan_rules.h>
 #include <lamella/body/parameters.h>
 #include <lamella/recover/requests.h>
@@ -51,10 +51,11 @@ namespace lamella
     /// of a clamp over the larger extent.
     double influence_length = 2., influence_length_of_clamp = 1.5;
     /// Cache of end fields for supports that hold a section as a whole, each up
-    /// to the end of its zone (EndFieldRules). Without end fields, tractions
-    /// S_10 w and S_11 w of the six warpings w are load vectors. Models of one
-    /// scene share the cache.
-    std::shared_ptr<EndFields> ends = std::make_shared<EndFields>();
+    /// to the end of its zone (BoundaryLayerRules). Without end fields,
+    /// tractions S_10 w and S_11 w of the six warpings w are load vectors.
+    /// Models of one scene share the cache.
+    std::shared_ptr<BoundaryLayerModes> ends =
+      std::make_shared<BoundaryLayerModes>();
     /// Rules for bodies with chosen fields.
     PlanRules plan = {};
     /// Names of bodies that keep all fields, since their scene could not be
@@ -94,11 +95,11 @@ namespace lamella
    * All nodes of a body that is heated, or under @p gravity (scene axes, length
    * / s^2), carry the response to that, constant along the axis; heat that
    * varies along it is a load there. Nodes beside sections held as a whole, and
-   * beside free ends of heated bodies, carry end fields (end_fields()).
-   * Dependent fields are removed. In `Theories`, pieces of SV have none of
-   * these, and nodes of LE-q carry section fields up to degree q
-   * (Section::field_degree()). The end of such a piece has those of the higher
-   * degree, and next to SV all of them.
+   * beside free ends of heated bodies, carry end fields
+   * (boundary_layer_modes()). Dependent fields are removed. In `Theories`,
+   * pieces of SV have none of these, and nodes of LE-q carry section fields up
+   * to degree q (Section::field_degree()). The end of such a piece has those of
+   * the higher degree, and next to SV all of them.
    *
    * The stress in an element is as accurate as at its poorest node. If a place
    * of @p asked is in an element with some nodes near a touch, all its nodes

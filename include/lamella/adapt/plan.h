@@ -51,7 +51,7 @@ namespace lamella
   n_corners(const Beam &beam);
 
   /// Facts about a body for the choice of its model.
-  struct PlanFacts
+  struct PlanInput
   {
     BodySize size;
     /// Requested or assumed theory.
@@ -103,11 +103,11 @@ namespace lamella
    * A pure function of its arguments.
    */
   BodyPlan
-  plan(const PlanFacts &facts, const PlanRules &rules = {});
+  plan(const PlanInput &facts, const PlanRules &rules = {});
 
   /// Returns the reason for the fields of @p planned for a body with @p facts.
   std::string
-  words_of_fields(const PlanFacts &facts, const BodyPlan &planned);
+  describe_fields(const PlanInput &facts, const BodyPlan &planned);
 
   /// Returns the approximate number of DoFs of LE-@p degree with the nodes and
   /// cells of @p size: three per point of a square grid.

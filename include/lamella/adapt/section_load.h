@@ -56,7 +56,7 @@ namespace lamella
               const dealii::Point<3> &position,
               const double            area,
               const bool              normal,
-              const InteractionRules       &rules);
+              const InteractionRules &rules);
 
   /// Returns the vectors of the load vector @p load for each element it acts
   /// on, among the elements @p asked, one flag per axis cell.
@@ -64,14 +64,14 @@ namespace lamella
   loads_of_vector(const Beam              &beam,
                   const Vector            &load,
                   const std::vector<bool> &asked,
-                  const InteractionRules        &rules);
+                  const InteractionRules  &rules);
 
   /// Returns the independent ones of @p loads, vectors of @p n_fields,
   /// normalized.
   std::vector<Vector>
   independent_of(const std::vector<SectionLoad> &loads,
                  const unsigned int              n_fields,
-                 const InteractionRules               &rules);
+                 const InteractionRules         &rules);
 
   /// Returns the area-weighted mean and linear part across the section of
   /// @p loads, which must not be empty.

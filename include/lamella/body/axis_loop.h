@@ -28,8 +28,8 @@ namespace lamella
   {
   public:
     AxisLoop(const SectionSpace &space,
-             const Axis       &axis,
-             const BeamDofMap &dof_map)
+             const Axis         &axis,
+             const BeamDofMap   &dof_map)
       : space(space)
       , axis(axis)
       , dof_map(dof_map)
@@ -95,8 +95,8 @@ namespace lamella
                  Vector                          &f) const;
 
     const SectionSpace &space;
-    const Axis       &axis;
-    const BeamDofMap &dof_map;
+    const Axis         &axis;
+    const BeamDofMap   &dof_map;
   };
 } // namespace lamella
 

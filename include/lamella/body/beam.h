@@ -53,7 +53,7 @@ namespace lamella
 
     /// Constructs such a beam with modes; theory() begins with @p theory.
     Beam(const std::string                            &name,
-         std::shared_ptr<const SectionSpace>             space,
+         std::shared_ptr<const SectionSpace>           space,
          std::shared_ptr<const Axis>                   axis,
          const Placement                              &placement,
          const std::vector<std::vector<unsigned int>> &fields_of_node,
@@ -463,9 +463,9 @@ namespace lamella
     complete(SurfaceFacet &facet) const;
 
     std::shared_ptr<const SectionSpace> space;
-    std::shared_ptr<const Section>    beam_section;
-    std::shared_ptr<const Axis>       beam_axis;
-    BeamDofMap                        dof_map;
+    std::shared_ptr<const Section>      beam_section;
+    std::shared_ptr<const Axis>         beam_axis;
+    BeamDofMap                          dof_map;
     /// Result of theory(); that of the section if empty.
     std::string label;
     /// Kirchhoff's constraints, closed; empty except for EBBT.

@@ -199,7 +199,8 @@ namespace lamella
     /// rotations, integral epsilon . C epsilon_0 dV is subtracted.
     double energy = 0.;
     /// Largest |curl u| / 2 at the integration points [rad], for finite
-    /// rotations (Body::has_finite_rotations()) the largest angle. solve/checks.h limits it.
+    /// rotations (Body::has_finite_rotations()) the largest angle.
+    /// solve/checks.h limits it.
     double max_rotation = 0.;
     /// Extremes at finite rotations: the largest principal value of Green's
     /// strain, the largest root mean square of the axial strain over a section,

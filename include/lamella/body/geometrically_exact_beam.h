@@ -50,21 +50,22 @@ namespace lamella
     /// of Theory::of_rotating(), which may stay normal to the axis if
     /// @p stays_normal. theory() returns @p theory, or the section's if empty.
     GeometricallyExactBeam(const std::string             &name,
-                 std::shared_ptr<const Section> section,
-                 std::shared_ptr<const Axis>    axis,
-                 const Placement               &placement,
-                 const std::string             &theory       = "",
-                 const bool                     stays_normal = false);
+                           std::shared_ptr<const Section> section,
+                           std::shared_ptr<const Axis>    axis,
+                           const Placement               &placement,
+                           const std::string             &theory       = "",
+                           const bool                     stays_normal = false);
 
     /// Constructs a beam as Beam does. Throws InputError for lists of fields
     /// that are not dense (SectionSpace).
-    GeometricallyExactBeam(const std::string                            &name,
-                 std::shared_ptr<const SectionSpace>             space,
-                 std::shared_ptr<const Axis>                   axis,
-                 const Placement                              &placement,
-                 const std::vector<std::vector<unsigned int>> &fields_of_node,
-                 const std::string                            &theory,
-                 const bool stays_normal = false);
+    GeometricallyExactBeam(
+      const std::string                            &name,
+      std::shared_ptr<const SectionSpace>           space,
+      std::shared_ptr<const Axis>                   axis,
+      const Placement                              &placement,
+      const std::vector<std::vector<unsigned int>> &fields_of_node,
+      const std::string                            &theory,
+      const bool                                    stays_normal = false);
 
     bool
     has_finite_rotations() const override

@@ -33,9 +33,9 @@ namespace lamella
     /// Constructs a beam as Beam does. Throws InputError for unsupported
     /// theories and axes.
     TotalLagrangianBeam(const std::string             &name,
-              std::shared_ptr<const Section> section,
-              std::shared_ptr<const Axis>    axis,
-              const Placement               &placement);
+                        std::shared_ptr<const Section> section,
+                        std::shared_ptr<const Axis>    axis,
+                        const Placement               &placement);
 
     bool
     has_finite_rotations() const override
@@ -55,7 +55,7 @@ namespace lamella
     /// Returns the forces of Green's strain.
     SectionForces
     section_forces(const SectionOperator &answer,
-                   const FieldParts    &q) const override;
+                   const FieldParts      &q) const override;
     FieldSample
     sample_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
@@ -113,17 +113,19 @@ namespace lamella
     /// Adds the section's @p tangent at station @p k of axis element @p cell to
     /// @p block.
     void
-    add_station(const unsigned int              cell,
-                const unsigned int              k,
+    add_station(const unsigned int                              cell,
+                const unsigned int                              k,
                 const FiniteStrainSectionOperator::CellTangent &tangent,
-                StiffnessBlock                 &block) const;
+                StiffnessBlock                                 &block) const;
 
     /// Subtracts the assumed-strain terms of the section's @p tangents from
-    /// @p block of the axis element @p cell (FiniteStrainSectionOperator::for_each_cell()).
+    /// @p block of the axis element @p cell
+    /// (FiniteStrainSectionOperator::for_each_cell()).
     void
-    take_off(const unsigned int                           cell,
-             const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents,
-             StiffnessBlock                              &block) const;
+    take_off(
+      const unsigned int                                           cell,
+      const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents,
+      StiffnessBlock                                              &block) const;
 
     const FiniteStrainSectionOperator green;
   };

@@ -20,11 +20,11 @@ namespace lamella
   public:
     /// Constructs a solid as Solid does. Throws InputError for degree 1.
     TotalLagrangianSolid(const std::string                 &name,
-               std::shared_ptr<const SectionMesh> section,
-               const AxisMesh                    &axis,
-               const Placement                   &placement,
-               const unsigned int                 degree,
-               const SolidRefinement             &refinement = {});
+                         std::shared_ptr<const SectionMesh> section,
+                         const AxisMesh                    &axis,
+                         const Placement                   &placement,
+                         const unsigned int                 degree,
+                         const SolidRefinement             &refinement = {});
 
     bool
     has_finite_rotations() const override

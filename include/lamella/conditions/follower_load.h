@@ -12,8 +12,8 @@
 namespace lamella
 {
   /// A load with state-dependent forces f(u) on a body with finite rotations
-  /// (Body::has_finite_rotations()). For small displacements it equals the dead load of
-  /// add_load().
+  /// (Body::has_finite_rotations()). For small displacements it equals the dead
+  /// load of add_load().
   class FollowerLoad
   {
   public:

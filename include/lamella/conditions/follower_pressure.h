@@ -5,8 +5,8 @@
 
 #include <lamella/body/facet_map.h>
 #include <lamella/conditions/current_points.h>
-#include <lamella/conditions/traction.h>
 #include <lamella/conditions/follower_load.h>
+#include <lamella/conditions/traction.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -47,7 +47,7 @@ namespace lamella
     {
       FacetMap                map;
       unsigned int            degree_s, degree_t;
-      CurrentPoints             nodes;
+      CurrentPoints           nodes;
       std::vector<GaussPoint> points;
 
       FacetMap

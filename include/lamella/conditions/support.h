@@ -76,8 +76,8 @@ namespace lamella
     std::optional<double> normal = std::nullopt;
     /// theta of a RigidRotation, which has u as d [rad].
     std::optional<dealii::Tensor<1, 3>> rotation = std::nullopt;
-    /// c of a RigidRotation; by default the center of the bounding box of the held
-    /// points.
+    /// c of a RigidRotation; by default the center of the bounding box of the
+    /// held points.
     std::optional<dealii::Point<3>> about = std::nullopt;
     /// Isostatic support, without regions and values.
     std::optional<IsostaticSupport> isostatic = std::nullopt;
@@ -118,7 +118,8 @@ namespace lamella
     double
     value_at(const double s) const
     {
-      return rotation ? direction * rotation->displacement(s, position) : s * value;
+      return rotation ? direction * rotation->displacement(s, position) :
+                        s * value;
     }
     /// Returns the derivative of value_at() by s.
     double

@@ -20,17 +20,16 @@ namespace lamella
    */
   std::optional<dealii::Point<2>>
   projection_on(const FacetMap         &map,
-          const dealii::Point<3> &x,
-          const dealii::Point<2> &start);
+                const dealii::Point<3> &x,
+                const dealii::Point<2> &start);
 
   /**
    * Returns the closest-point projection of @p x with outward normal @p n1 onto
-   * @p surface: the nearest one within @p search_radius whose facet normal n_2 opposes
-   * n_1. @p opposed is the smallest cosine of the angle between n_1 and -n_2.
-   * The normal of the hit is n_2, and its distance the gap
-   *   g = n_2 . (x - X_2),
-   * negative inside. The motion of the projection does not enter the gradient,
-   * since X_,a . n_2 = 0: delta g = n_2 . (delta x - delta X_2).
+   * @p surface: the nearest one within @p search_radius whose facet normal n_2
+   * opposes n_1. @p opposed is the smallest cosine of the angle between n_1 and
+   * -n_2. The normal of the hit is n_2, and its distance the gap g = n_2 . (x -
+   * X_2), negative inside. The motion of the projection does not enter the
+   * gradient, since X_,a . n_2 = 0: delta g = n_2 . (delta x - delta X_2).
    *
    * @p last is the previous projection, if known. It remains on that facet,
    * continued, up to 5 % of its length beyond a side with an adjacent facet,
@@ -39,21 +38,21 @@ namespace lamella
    * beyond its ends.
    */
   std::optional<SurfaceHit>
-  closest_point_projection(const MeshSurface                            &surface,
-            const dealii::Point<3>                       &x,
-            const dealii::Tensor<1, 3>                   &n1,
-            const double                                  search_radius,
-            const std::optional<MeshSurface::FacetPlace> &last,
-            const double opposed = faces_from_60);
+  closest_point_projection(const MeshSurface          &surface,
+                           const dealii::Point<3>     &x,
+                           const dealii::Tensor<1, 3> &n1,
+                           const double                search_radius,
+                           const std::optional<MeshSurface::FacetPlace> &last,
+                           const double opposed = faces_from_60);
 
   /// Returns the closest-point projection onto a rigid obstacle at its
   /// position: g = N . (x - p) for a plane, g = |r| - R for a cylinder with r =
   /// x - p normal to its axis. Empty on the axis.
   std::optional<SurfaceHit>
   closest_point_projection(const Obstacle             &obstacle,
-            const dealii::Point<3>     &x,
-            const dealii::Tensor<1, 3> &n1,
-            const double                search_radius);
+                           const dealii::Point<3>     &x,
+                           const dealii::Tensor<1, 3> &n1,
+                           const double                search_radius);
 } // namespace lamella
 
 #endif

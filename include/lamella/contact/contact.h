@@ -4,11 +4,11 @@
 #define lamella_contact_contact_h
 
 #include <lamella/contact/contact_sides.h>
+#include <lamella/contact/cylinder_contact_lines.h>
+#include <lamella/contact/end_penetration.h>
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/gap_integrals.h>
-#include <lamella/contact/cylinder_contact_lines.h>
 #include <lamella/contact/search_check.h>
-#include <lamella/contact/end_penetration.h>
 
 #include <array>
 #include <map>
@@ -103,12 +103,12 @@ namespace lamella
      * material points of pair().
      *
      * Nodes against a surface and weighted gaps use closest-point projections
-     * (closest_point_projection()) onto the whole other surface, and b is the exact gradient
-     * of the gap. Node pairs keep their partners, with the current averaged
-     * normal; b then omits the rotation of the normal, multiplied by the
-     * tangential offset of the two nodes (pairing_is_valid() bounds it). A row
-     * without any projection is open: no parts, and the search radius as its
-     * gap.
+     * (closest_point_projection()) onto the whole other surface, and b is the
+     * exact gradient of the gap. Node pairs keep their partners, with the
+     * current averaged normal; b then omits the rotation of the normal,
+     * multiplied by the tangential offset of the two nodes (pairing_is_valid()
+     * bounds it). A row without any projection is open: no parts, and the
+     * search radius as its gap.
      *
      * Areas and penalties remain those of the pairing.
      */
@@ -130,8 +130,8 @@ namespace lamella
     /// identical.
     void
     restore(const ContactHistory &known,
-           const BlockVector   &u,
-           const LoadFactor    &factor);
+            const BlockVector    &u,
+            const LoadFactor     &factor);
 
     const std::vector<GapConstraint> &
     rows() const
@@ -171,13 +171,13 @@ namespace lamella
      */
     PairingChange
     pairing_is_valid(const BlockVector               &u,
-                 const LoadFactor                &factor,
-                 const std::vector<unsigned int> &active);
+                     const LoadFactor                &factor,
+                     const std::vector<unsigned int> &active);
 
     /// Returns true if the surface at a roller has half of the roller's
-    /// curvature or more (CylinderContactLines::curvature()), so that an arc is about to
-    /// touch. The state is @p u at @p factor with active constraints @p active.
-    /// False if the obstacle is no roller.
+    /// curvature or more (CylinderContactLines::curvature()), so that an arc is
+    /// about to touch. The state is @p u at @p factor with active constraints
+    /// @p active. False if the obstacle is no roller.
     bool
     wraps_around(const BlockVector               &u,
                  const LoadFactor                &factor,
@@ -225,9 +225,9 @@ namespace lamella
     /// other, between two states, each a displacement at a load factor.
     bool
     passes_through(const BlockVector &before,
-                 const LoadFactor  &from,
-                 const BlockVector &u,
-                 const LoadFactor  &to) const;
+                   const LoadFactor  &from,
+                   const BlockVector &u,
+                   const LoadFactor  &to) const;
 
   private:
     /// Returns the sides that points are paired on: @p now for finite
@@ -259,10 +259,10 @@ namespace lamella
     /// Returns the integrals over @p on, points of this contact or copies, with
     /// the slips of points @p held.
     std::vector<GapIntegrals>
-    integrate(const ContactSides    &sides,
-              const MasterPoints             master_points,
-              std::vector<GapPoint> &on,
-              SlipReferencePoints *const      held = nullptr) const;
+    integrate(const ContactSides        &sides,
+              const MasterPoints         master_points,
+              std::vector<GapPoint>     &on,
+              SlipReferencePoints *const held = nullptr) const;
     /// Adds to @p f the effect of @p forces on trace nodes of the slave and
     /// master surface at @p at.
     void
@@ -274,7 +274,8 @@ namespace lamella
     MasterPoints
     master_points_at_rest() const
     {
-      return undeformed.are_of_edges() ? MasterPoints::projected : MasterPoints::paired;
+      return undeformed.are_of_edges() ? MasterPoints::projected :
+                                         MasterPoints::paired;
     }
     /// Returns the projection mode in a state.
     MasterPoints
@@ -359,9 +360,9 @@ namespace lamella
     std::vector<GapIntegrals> integrals;
     /// State at the beginning of the step, and slip reference of each point;
     /// empty without friction and before a step.
-    BlockVector begun_at;
-    LoadFactor  begun_factor;
-    SlipReferencePoints  held;
+    BlockVector         begun_at;
+    LoadFactor          begun_factor;
+    SlipReferencePoints held;
     /// Initial overlap removed from the gaps by `adjust`, by node position.
     std::map<std::array<double, 3>, double> taken_out;
   };

@@ -20,7 +20,7 @@ namespace lamella
   /// [length].
   std::pair<double, double>
   search_radius_along(const std::vector<ContactInterface::Point> &points,
-              const unsigned int                          axis);
+                      const unsigned int                          axis);
 
   /**
    * Loaded area of a contact: mean pressure and width of all of it or a strip,

@@ -57,7 +57,7 @@ namespace lamella
     /// Creates the traction of @p rows, in order, on @p surface. If that is
     /// null all rows are point forces.
     ContactTraction(std::shared_ptr<const SlaveSurface> surface,
-                    std::vector<Row>                       rows);
+                    std::vector<Row>                    rows);
 
     /// Creates the traction of @p contact with the row @p forces and, with
     /// friction, @p shears (else empty); moments are those of the forces at the
@@ -79,8 +79,8 @@ namespace lamella
     at(const SlaveSurface::Place &place) const;
 
     /// Returns the traction where the line through @p x along the unit vector
-    /// @p n meets the surface within @p search_radius [length], zero otherwise. Suits
-    /// points on both sides of the contact.
+    /// @p n meets the surface within @p search_radius [length], zero otherwise.
+    /// Suits points on both sides of the contact.
     Value
     on_line(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &n,
@@ -139,7 +139,7 @@ namespace lamella
     }
 
     std::shared_ptr<const SlaveSurface> carrier;
-    std::vector<Row>                       all;
+    std::vector<Row>                    all;
   };
 } // namespace lamella
 

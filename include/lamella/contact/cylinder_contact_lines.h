@@ -70,8 +70,8 @@ namespace lamella
     /// those of nodes of @p surface, undeformed, against @p roller. Keeps one
     /// row per line, the one nearest to the roller.
     CylinderContactLines(const MeshSurface &surface,
-                const Obstacle    &roller,
-                ContactInterface  &interface);
+                         const Obstacle    &roller,
+                         ContactInterface  &interface);
 
     /// Moves the slave places of @p points, one per line, to the points of the
     /// surface @p now nearest to the axis of @p roller, both in their current

@@ -23,10 +23,10 @@ namespace lamella
 
   /// Returns the deepest node of either body, or of its ends alone, behind the
   /// surface of the other in the configuration @p now. Projections are at most
-  /// @p search_radius away [length] and the closest of all. They are made on the sides
-  /// as @p paired: current ones for finite rotations, else undeformed. Faces
-  /// that slide over an end have no contact constraint for its nodes, unless
-  /// these are contact points.
+  /// @p search_radius away [length] and the closest of all. They are made on
+  /// the sides as @p paired: current ones for finite rotations, else
+  /// undeformed. Faces that slide over an end have no contact constraint for
+  /// its nodes, unless these are contact points.
   std::optional<EndPenetration>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,

@@ -9,10 +9,10 @@
 #ifndef lamella_contact_gap_constraints_h
 #define lamella_contact_gap_constraints_h
 
-#include <lamella/contact/slave_surface.h>
 #include <lamella/contact/constraint_geometry.h>
 #include <lamella/contact/contact_pair.h>
 #include <lamella/contact/pairing.h>
+#include <lamella/contact/slave_surface.h>
 
 #include <deal.II/base/array_view.h>
 
@@ -361,8 +361,8 @@ namespace lamella
   make_interface(const ContactPair &contact, const Bodies &bodies);
 
   /// Creates the interface as make_interface() does, with the search radius
-  /// @p search_radius [length] in place of the search distance; the names of the
-  /// surfaces must be valid. Throws InputError as make_interface() does.
+  /// @p search_radius [length] in place of the search distance; the names of
+  /// the surfaces must be valid. Throws InputError as make_interface() does.
   ContactInterface
   interface_within(const ContactPair &contact,
                    const Bodies      &bodies,

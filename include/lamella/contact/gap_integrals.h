@@ -46,8 +46,8 @@ namespace lamella
   /// Determination of the place opposite a material point.
   enum class MasterPoints
   {
-    kept, ///< the paired place; n is the averaged normal
-    found ///< current closest-point projection (closest_point_projection())
+    paired, ///< the paired place; n is the averaged normal
+    projected ///< current closest-point projection (closest_point_projection())
   };
 
   /**
@@ -56,8 +56,10 @@ namespace lamella
    * if @p on_second. @p functions are those of the rows, null if row k is point
    * k.
    *
-   * MasterPoints::projected replaces the opposite places in @p points by projections within
-   * @p search_radius [length], and omits points without one. The gap is g = n_2 . (x_1
+   * MasterPoints::projected replaces the opposite places in @p points by
+   * projections within
+   * @p search_radius [length], and omits points without one. The gap is g = n_2
+   * . (x_1
    * - x_2) with the exact gradient n . (delta x_2 - delta x_1), n = -n_2; its
    * average is the gradient of the averaged gap, since the weights are
    * constant.
@@ -66,35 +68,35 @@ namespace lamella
    * slips of the points are included. Points that newly face the surface are
    * added.
    *
-   * MasterPoints::paired uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 - x_1),
-   * whose gradient this is if x_2 - x_1 is along n.
+   * MasterPoints::paired uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 -
+   * x_1), whose gradient this is if x_2 - x_1 is along n.
    */
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides    &sides,
                  const bool             on_second,
-                 const SlaveSurface *functions,
+                 const SlaveSurface    *functions,
                  const unsigned int     n_rows,
-                 const MasterPoints             master_points,
+                 const MasterPoints     master_points,
                  const double           search_radius,
                  std::vector<GapPoint> &points,
-                 SlipReferencePoints            *held = nullptr);
+                 SlipReferencePoints   *held = nullptr);
 
   /// Returns the held_place() of each of @p points, which become the
   /// projections, on @p sides. Arguments as in integrate_gaps().
   SlipReferencePoints
   slip_reference_points(const ContactSides    &sides,
-              const bool             on_second,
-              const MasterPoints             master_points,
-              const double           search_radius,
-              std::vector<GapPoint> &points);
+                        const bool             on_second,
+                        const MasterPoints     master_points,
+                        const double           search_radius,
+                        std::vector<GapPoint> &points);
 
   /// Returns the rows to which @p point, with number @p number, contributes,
   /// and its weight a_q phi_i(X_q) in each; @p functions as in
   /// integrate_gaps().
   std::vector<std::pair<unsigned int, double>>
   shares_of(const SlaveSurface *functions,
-            const unsigned int     number,
-            const GapPoint        &point);
+            const unsigned int  number,
+            const GapPoint     &point);
 } // namespace lamella
 
 #endif

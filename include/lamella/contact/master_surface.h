@@ -30,17 +30,17 @@ namespace lamella
     virtual ~MasterSurface() = default;
 
     /// Returns the nearest intersection, in either direction and at most
-    /// @p search_radius away, of the line x + t d, with unit d, and the surface,
-    /// entered against its outward normal. Its distance is t, negative for
-    /// overlap. Empty if there is none.
+    /// @p search_radius away, of the line x + t d, with unit d, and the
+    /// surface, entered against its outward normal. Its distance is t, negative
+    /// for overlap. Empty if there is none.
     virtual std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
          const double                search_radius) const = 0;
 
     /// Returns the outward unit normal somewhere near the point of the surface
-    /// nearest to @p x, a first guess for find_master_point() (0 on the axis of a
-    /// cylinder).
+    /// nearest to @p x, a first guess for find_master_point() (0 on the axis of
+    /// a cylinder).
     virtual dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const = 0;
   };
@@ -70,15 +70,15 @@ namespace lamella
    * @p opposed is the smallest cosine of the angle between n_1 and -n_2.
    *
    * Empty if the normals are not opposed, if the other surface is farther than
-   * @p search_radius [length] along n, or if the iteration does not converge to 1e-11
-   * in 50 steps (none on flat faces, two or three near contact).
+   * @p search_radius [length] along n, or if the iteration does not converge to
+   * 1e-11 in 50 steps (none on flat faces, two or three near contact).
    */
   std::optional<MasterPoint>
-  find_master_point(const MasterSurface      &other,
-                 const dealii::Point<3>     &x,
-                 const dealii::Tensor<1, 3> &n1,
-                 const double                search_radius,
-                 const double                opposed = faces_from_60);
+  find_master_point(const MasterSurface        &other,
+                    const dealii::Point<3>     &x,
+                    const dealii::Tensor<1, 3> &n1,
+                    const double                search_radius,
+                    const double                opposed = faces_from_60);
 
   /// Exact surface of a rigid obstacle (see meet() of an Obstacle) at its
   /// initial position. Shares the obstacle.

@@ -57,7 +57,7 @@ namespace lamella
     add(const Cell             &cell,
         const dealii::Point<2> &st,
         const double            weight,
-        const MasterPoint       &opposite);
+        const MasterPoint      &opposite);
 
     /// Completes @p cell; no more points may be added.
     void
@@ -89,7 +89,7 @@ namespace lamella
     add_traces(const Cell                  &cell,
                const dealii::Point<2>      &st,
                const std::array<double, 4> &share,
-               const MasterPoint            &opposite);
+               const MasterPoint           &opposite);
     void
     close_master(const Cell &cell);
     void
@@ -97,8 +97,7 @@ namespace lamella
     void
     add_row(const unsigned int node, Gaps &result);
     std::shared_ptr<const SlaveSurface>
-    slave_surface(const std::vector<std::vector<Polygon>> &parts,
-                     Gaps                                    &result);
+    slave_surface(const std::vector<std::vector<Polygon>> &parts, Gaps &result);
 
     const Sides       &sides;
     const MeshSurface &slave;

@@ -9,8 +9,8 @@
 namespace lamella
 {
   /// Returns the discretization of a contact. `automatic`: node to node if
-  /// every node that faces the other surface within @p search_radius [length] faces one
-  /// of its nodes, else surface to surface.
+  /// every node that faces the other surface within @p search_radius [length]
+  /// faces one of its nodes, else surface to surface.
   Discretization
   decided(const ContactSides &sides, const double search_radius);
 

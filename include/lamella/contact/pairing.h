@@ -3,10 +3,10 @@
 #ifndef lamella_contact_pairing_h
 #define lamella_contact_pairing_h
 
-#include <lamella/contact/slave_surface.h>
 #include <lamella/contact/constraint_geometry.h>
 #include <lamella/contact/enforcement.h>
 #include <lamella/contact/mesh_surface.h>
+#include <lamella/contact/slave_surface.h>
 
 #include <limits>
 #include <utility>
@@ -40,9 +40,9 @@ namespace lamella
 
   /**
    * Returns node-to-node pairs: points aligned along the average of both
-   * normals and at most @p search_radius apart. Each point is in at most one pair,
-   * nearest first; swapping the two sets only swaps the pairs and reverses the
-   * normals.
+   * normals and at most @p search_radius apart. Each point is in at most one
+   * pair, nearest first; swapping the two sets only swaps the pairs and
+   * reverses the normals.
    *
    * Points a and b pair, with d = X_b - X_a and n as in PointPair, if
    *   |d - (d . n) n| <= tolerance sqrt(min(A_a, A_b)),  |d| <= reach,
@@ -141,9 +141,9 @@ namespace lamella
   /// outlive it.
   struct Sides
   {
-    const MeshSurface     *slave      = nullptr;
+    const MeshSurface   *slave       = nullptr;
     const MasterSurface *master      = nullptr;
-    const MeshSurface     *master_mesh = nullptr;
+    const MeshSurface   *master_mesh = nullptr;
     /// Search radius along the averaged normal [length].
     double search_radius = 0.;
     /// Edge contact: points are projected onto the nearest places of
@@ -179,16 +179,18 @@ namespace lamella
   /// Returns the number of grid nodes of @p a that face no place of @p b within
   /// @p search_radius [length], searching for each.
   unsigned int
-  nodes_facing_nothing(const MeshSurface     &a,
+  nodes_facing_nothing(const MeshSurface   &a,
                        const MasterSurface &b,
-                       const double           search_radius);
+                       const double         search_radius);
 
   /// Returns the number of grid cells (degree_s x degree_t per facet) of @p a
   /// that face @p b, parts of facets by area, for SlaveSide::automatic. Facets
   /// are cut as plane quadrilaterals with those opposite (cut()); the area of
   /// overlapping facets of @p b counts up to that of the facet.
   double
-  cells_facing(const MeshSurface &a, const MeshSurface &b, const double search_radius);
+  cells_facing(const MeshSurface &a,
+               const MeshSurface &b,
+               const double       search_radius);
 } // namespace lamella
 
 #endif

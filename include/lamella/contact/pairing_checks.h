@@ -8,9 +8,9 @@
 
 namespace lamella
 {
-  /// Throws InputError of a contact without any pair within @p search_radius [length];
-  /// the message gives the nearest distance of nodes, and for node pairs the
-  /// smallest tangential offset.
+  /// Throws InputError of a contact without any pair within @p search_radius
+  /// [length]; the message gives the nearest distance of nodes, and for node
+  /// pairs the smallest tangential offset.
   [[noreturn]] void
   fail_without_pairs(const ContactPair &contact,
                      const Bodies      &bodies,

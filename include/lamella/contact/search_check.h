@@ -77,10 +77,11 @@ namespace lamella
       std::optional<unsigned int> seen;
     };
 
-    /// Fills `unseen` from the rows within @p new_search_radius; the slave side is that
-    /// of @p interface.
+    /// Fills `unseen` from the rows within @p new_search_radius; the slave side
+    /// is that of @p interface.
     void
-    look_within(const double new_search_radius, const ContactInterface &interface);
+    look_within(const double            new_search_radius,
+                const ContactInterface &interface);
 
     const ContactPair &contact;
     const Bodies      &bodies;

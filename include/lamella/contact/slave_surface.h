@@ -65,8 +65,8 @@ namespace lamella
 
     /// Creates the surface with @p n_rows rows, which @p facets refer to.
     SlaveSurface(const Functions    functions,
-                    const unsigned int n_rows,
-                    std::vector<Facet> facets);
+                 const unsigned int n_rows,
+                 std::vector<Facet> facets);
 
     /// Integrals of the function of a row [length^2], and of function times
     /// position [length^3].
@@ -183,10 +183,10 @@ namespace lamella
    * lower degree, share their functions with these.
    */
   SlaveSurface
-  surface_of_nodes(const Body                      &body,
-                   const std::string               &surface,
+  surface_of_nodes(const Body                   &body,
+                   const std::string            &surface,
                    const std::vector<SlaveNode> &nodes,
-                   const bool                       whole);
+                   const bool                    whole);
 
   /**
    * Returns the intersection (s, t) of the line x + t d with @p map, up to 1e-7

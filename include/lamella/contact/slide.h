@@ -50,7 +50,7 @@ namespace lamella
   SlipReferencePoint
   held_place(const ContactSides &sides,
              const GapPoint     &point,
-             const MasterPoint   &at);
+             const MasterPoint  &at);
 
   /**
    * Returns the slip of the surface that @p now faces at @p at relative to that
@@ -64,11 +64,11 @@ namespace lamella
    * curved bodies is of third order in the slip.
    */
   dealii::Tensor<1, 3>
-  slide(const ContactSides &sides,
-        const bool          on_second,
-        const SlipReferencePoint    &then,
-        const GapPoint     &now,
-        const MasterPoint   &at);
+  slide(const ContactSides       &sides,
+        const bool                on_second,
+        const SlipReferencePoint &then,
+        const GapPoint           &now,
+        const MasterPoint        &at);
 } // namespace lamella
 
 #endif

@@ -55,7 +55,7 @@ namespace lamella
     /// need it.
     void
     compare(const std::vector<NamedQuantity> &goals,
-            OtherModels                      &others,
+            ComparisonModels                 &others,
             const Scene                      &poorer,
             const ResultNumbers              &numbers);
 

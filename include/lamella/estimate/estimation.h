@@ -115,7 +115,7 @@ namespace lamella
     const Simulation     &run;
     std::ostream         &out;
     ModelCache           &cache;
-    OtherModels           others;
+    ComparisonModels      others;
     /// Goals of the run; set by goals().
     std::unique_ptr<const RunGoals> of_run;
     /// Models, the run first, and M_r last if it was made.

@@ -22,12 +22,12 @@ namespace lamella
 
   /**
    * Returns the bars of @p run, whose last step is solved, as the scene wants
-   * them (ErrorBars): by BarsFromBelow, BarsBySource or BarsFromHalf, the
-   * first that is possible, or else, and for `richer`, by Estimation. The
-   * former are at least twice the change by missed_at_held_places(). Bars at
-   * large rotations cover the axis alone (BarsFromHalf). Goals with tolerances
-   * have bars at any cost. Prints a line per model to @p out; @p cache keeps
-   * the models. Collective.
+   * them (ErrorBars): by CoarserModelEstimate, EnrichmentEstimate or
+   * HalvedAxisEstimate, the first that is possible, or else, and for `richer`,
+   * by Estimation. The former are at least twice the change by
+   * missed_at_held_places(). Bars at large rotations cover the axis alone
+   * (HalvedAxisEstimate). Goals with tolerances have bars at any cost. Prints a
+   * line per model to @p out; @p cache keeps the models. Collective.
    */
   GoalBars
   bars_of(const Simulation &run, std::ostream &out, ModelCache &cache);

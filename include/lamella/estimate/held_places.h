@@ -36,9 +36,9 @@ namespace lamella
    * Simulation throws. Collective.
    */
   std::vector<double>
-  missed_at_held_places(const Simulation     &run,
-                        std::ostream         &out,
-                        ModelCache           &cache,
+  missed_at_held_places(const Simulation         &run,
+                        std::ostream             &out,
+                        ModelCache               &cache,
                         const SlipReferenceRules &rules = {});
 } // namespace lamella
 

@@ -40,11 +40,13 @@ namespace lamella
 
   /// Solver of further models of the scene of a run, one after the other.
   /// Refers to the run, the stream and the cache.
-  class OtherModels
+  class ComparisonModels
   {
   public:
     /// Prints a line per model to @p out.
-    OtherModels(const Simulation &run, std::ostream &out, ModelCache &cache);
+    ComparisonModels(const Simulation &run,
+                     std::ostream     &out,
+                     ModelCache       &cache);
 
     /// Returns the model of @p scene; solves it, with the line @p what, unless
     /// it is known. The solved simulation is passed to @p look if given; the

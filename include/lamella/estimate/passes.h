@@ -118,11 +118,11 @@ namespace lamella
 
     /// Returns the goals that have not left.
     std::vector<GoalResult>
-    staying() const;
+    active_goals() const;
 
     /// Returns a sentence for each goal that has left in the last pass.
     std::vector<std::string>
-    farewells() const;
+    dropped_goals() const;
 
     /// Returns the sources of error to refine for next_goals(): the largest of
     /// each goal, and others until the rest is at most PassRules::small_share

@@ -27,7 +27,7 @@ namespace lamella
   };
 
   /// Surpluses by source, and those of the axis by elements (`last`).
-  struct SurplusBySource
+  struct SurplusParts
   {
     Surplus     section, axis;
     LocalErrors along_axis;
@@ -66,7 +66,7 @@ namespace lamella
     explicit Surpluses(const Simulation &run);
 
     /// Returns the surpluses of the goal with the dual @p z.
-    SurplusBySource
+    SurplusParts
     of(const BlockVector &z) const;
 
   private:

@@ -71,7 +71,7 @@ namespace lamella
     check_loads(const Simulation &next) const;
     /// Refines `scene` for the open goals: elements that matter are bisected
     /// (marked_elements()), others are merged (merged()). Sections' own fields
-    /// replace large LE only if the error is acceptable (lost_by_stand_ins(),
+    /// replace large LE only if the error is acceptable (surrogate_error(),
     /// Passes::can_lose()).
     void
     refine();

@@ -64,7 +64,7 @@ namespace lamella
   /// and cut: the largest difference from the traction on the upper face over
   /// the largest transverse stress, before it is distributed
   /// (recover/interlaminar.h). None for other stresses.
-  struct Closures
+  struct EquilibriumDefects
   {
     std::vector<std::optional<double>> probes, lines, cuts;
   };

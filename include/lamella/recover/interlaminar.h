@@ -39,13 +39,13 @@ namespace lamella
   /// difference of stresses and traction on the upper face, the largest
   /// transverse stress of the columns (norms of {xz, yz, zz}), and the largest
   /// in-plane stress that was integrated.
-  struct ClosureError
+  struct EquilibriumDefect
   {
     double error = 0., largest = 0., in_plane = 0.;
 
     /// Takes the maxima with @p other.
     void
-    add(const ClosureError &other);
+    add(const EquilibriumDefect &other);
 
     /// Returns error / largest, or 0 if the error is below 1e-6 of the in-plane
     /// stresses: in pure bending only their rounding is integrated.
@@ -119,8 +119,8 @@ namespace lamella
     sample(const Location &location);
 
     /// Returns the closure error of the columns sampled since the last call.
-    ClosureError
-    take_closure();
+    EquilibriumDefect
+    take_defect();
 
   private:
     /// Order of stress components (Eq. 4).
@@ -148,8 +148,8 @@ namespace lamella
     {
       std::vector<Layer> layers;
       /// Profiles of {xz, yz} and of zz.
-      Profile      shear, normal;
-      ClosureError closure;
+      Profile           shear, normal;
+      EquilibriumDefect defect;
     };
 
     /// A finite difference stencil on a line: the m-th derivative at `at` is
@@ -320,7 +320,7 @@ namespace lamella
     /// Cache of edge_stress(), by side and y.
     std::map<std::array<long, 2>, std::vector<dealii::Tensor<1, 5>>> edges;
     std::map<std::array<long, 3>, Sampled>                           sampled;
-    ClosureError                                                     closure;
+    EquilibriumDefect                                                defect;
   };
 } // namespace lamella
 

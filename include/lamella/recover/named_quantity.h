@@ -142,7 +142,8 @@ namespace lamella
 
   /// Returns the traction of @p contact for its @p rows at the end of a step.
   ContactTraction
-  traction_of(const ContactFacts &contact, const std::vector<ContactRow> &rows);
+  traction_of(const ContactSummary          &contact,
+              const std::vector<ContactRow> &rows);
 
   /// Thresholds for the scale of a number, which is its magnitude or the
   /// largest of its kind.

@@ -80,20 +80,20 @@ namespace lamella
              const std::vector<SurfacePoint> &points) const;
     void
     add_doubts_of_units(const std::vector<CurrentBody> &moved,
-                        const bool                is_rigid,
-                        std::vector<std::string> &sentences) const;
+                        const bool                      is_rigid,
+                        std::vector<std::string>       &sentences) const;
     /// Adds a sentence on rigid motion. For bodies without strain.
     void
     add_rigid_motion(const std::vector<CurrentBody> &moved,
-                     std::vector<std::string> &sentences) const;
+                     std::vector<std::string>       &sentences) const;
     /// Returns the largest penetration of @p a into @p b, and its place. With
     /// @p u of @p b, a point x of @p a is at the place X with
     ///   X + u(X) = x,
     /// found by Newton's method from the nearest surface point (gradient:
     /// rotation).
     Extreme
-    deepest(const CurrentBody       &a,
-            const CurrentBody       &b,
+    deepest(const CurrentBody &a,
+            const CurrentBody &b,
             const unsigned int number_of_b,
             const Vector      &u) const;
     /// Returns the distance of @p X, inside of body @p b, from its surface:
@@ -108,8 +108,8 @@ namespace lamella
     /// Adds sentences on overlapping bodies without a contact.
     void
     add_overlaps(const std::vector<CurrentBody> &moved,
-                 const BlockVector        &u,
-                 std::vector<std::string> &sentences) const;
+                 const BlockVector              &u,
+                 std::vector<std::string>       &sentences) const;
 
     const Structure &structure;
     const Bodies    &bodies;

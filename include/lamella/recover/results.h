@@ -83,7 +83,7 @@ namespace lamella
     std::vector<InterfaceJump> jumps;
     /// Value of each measure.
     std::vector<double> measures;
-    Closures            closures;
+    EquilibriumDefects  defects;
     /// Pairs of each contact, in the order of its rows.
     std::vector<std::vector<ContactRow>> contacts;
     /// Status changes of each contact.
@@ -107,7 +107,7 @@ namespace lamella
   };
 
   /// Facts about a body in the results.
-  struct BodyFacts
+  struct BodySummary
   {
     /// Name and theory as in the scene: `upper`, `LE-2`.
     std::string name, theory;
@@ -120,7 +120,7 @@ namespace lamella
   };
 
   /// Facts about a contact in the results.
-  struct ContactFacts
+  struct ContactSummary
   {
     /// Names of the contact and of its second body or obstacle.
     std::string    name, second_name;
@@ -144,9 +144,9 @@ namespace lamella
     std::string title;
     Units       units;
     /// Bodies and names, in the order of the scene.
-    std::vector<BodyFacts>    bodies;
-    std::vector<ContactFacts> contacts;
-    std::vector<std::string>  supports, probes, lines, cuts, measures;
+    std::vector<BodySummary>    bodies;
+    std::vector<ContactSummary> contacts;
+    std::vector<std::string>    supports, probes, lines, cuts, measures;
     /// Resultant of each load at load factor 1.
     std::vector<LoadResultant> loads;
     /// Diagonal of the bounding box of all bodies.

@@ -154,11 +154,11 @@ namespace lamella
   /// Calls @p use for each closure error in @p closures, of a load step of
   /// @p results: with `probe`, `line` or `cut`, its name and the error.
   void
-  for_each_closure(const Results                           &results,
-                   const Closures                          &closures,
-                   const std::function<void(const std::string &kind,
-                                            const std::string &name,
-                                            double             share)> &use);
+  for_each_defect(const Results                           &results,
+                  const EquilibriumDefects                &defects,
+                  const std::function<void(const std::string &kind,
+                                           const std::string &name,
+                                           double             share)> &use);
 } // namespace lamella
 
 #endif

@@ -106,13 +106,13 @@ namespace lamella
     /// Updates the pairing in @p found: numbers of rows and of unpaired points,
     /// and slave surfaces. Initial gaps stay.
     void
-    tell_pairs(std::vector<ContactFacts> &found) const;
+    tell_pairs(std::vector<ContactSummary> &found) const;
 
     /// Returns the contacts, each of which updates its interface.
     const Contacts &
-    contacts() const
+    contact_objects() const
     {
-      return contacts;
+      return moving;
     }
 
     /// Returns the places of probes, lines and cuts in their bodies.
@@ -197,7 +197,7 @@ namespace lamella
     std::unique_ptr<Structure>    whole;
     std::vector<ContactInterface> contacts;
     GapConstraints                gap_constraints;
-    Contacts                      contacts;
+    Contacts                      moving;
     /// Notes from the choice of fields.
     std::vector<std::string> field_notes;
     /// Reason for the fields of each body's nodes.

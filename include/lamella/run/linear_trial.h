@@ -18,9 +18,9 @@ namespace lamella
    *            deflections; theta with follower loads,
    *   a        amplification by compression (BeyondLinear::amplification)
    * over all load steps. Large rotations are chosen if it exceeds
-   * `needs_finite_rotations` = 2e-3, if loads exceed buckling loads, if rotations
-   * exceed their limit, or if the linear solution fails. Linear ones are kept
-   * if large ones are refused when the scene is built.
+   * `needs_finite_rotations` = 2e-3, if loads exceed buckling loads, if
+   * rotations exceed their limit, or if the linear solution fails. Linear ones
+   * are kept if large ones are refused when the scene is built.
    */
   class LinearTrial
   {

@@ -27,9 +27,9 @@ namespace lamella
   /// that cannot be written, belongs to another run, or has nothing to resume.
   /// If a step fails, the summary of the steps before is written first.
   void
-  run_scene(Simulation         &simulation,
-            const std::string  &directory,
-            const bool          resume     = false,
+  run_scene(Simulation           &simulation,
+            const std::string    &directory,
+            const bool            resume          = false,
             const PostProcessing &post_processing = {});
 
   /// Writes all solved steps of @p simulation into @p directory, as run_scene()

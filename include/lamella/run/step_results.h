@@ -114,9 +114,9 @@ namespace lamella
     void
     require_found(const SolvedStep &solved) const;
     [[noreturn]] void
-    throw_undetected_penetration(const ContactInterface &contact,
-                                 const CylinderPenetration        &penetration,
-                                 const unsigned int      body) const;
+    throw_undetected_penetration(const ContactInterface    &contact,
+                                 const CylinderPenetration &penetration,
+                                 const unsigned int         body) const;
     /// Returns whether contact number @p contact, or another one of the same
     /// two bodies, has an active constraint.
     bool
@@ -152,7 +152,7 @@ namespace lamella
     has_carried_force(const unsigned int c) const;
     /// Returns warnings of stresses by equilibrium that do not balance.
     std::vector<std::string>
-    warnings_of_closures(const Closures &closures) const;
+    warnings_of_defects(const EquilibriumDefects &defects) const;
 
     const BuiltScene                  &built;
     const Scene                       &scene;

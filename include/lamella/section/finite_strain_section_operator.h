@@ -38,7 +38,8 @@ namespace lamella
     /// Constructs the operator for @p n_stations stations per element. Asserts
     /// that the section completes no strains (StrainCompletion) and the space
     /// has no modes.
-    FiniteStrainSectionOperator(const SectionSpace &space, const unsigned int n_stations);
+    FiniteStrainSectionOperator(const SectionSpace &space,
+                                const unsigned int  n_stations);
 
     /// Returns the forces on all fields, at the stations @p q of an element.
     SectionForces
@@ -139,7 +140,7 @@ namespace lamella
     std::vector<std::vector<Gradient>>
     gradients(const Cell &cell, const FieldParts &q) const;
 
-    const SectionSpace   &space;
+    const SectionSpace &space;
     std::vector<Cell>   cells;
     std::vector<double> weights, modes;
   };

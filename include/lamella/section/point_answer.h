@@ -18,7 +18,8 @@ namespace lamella
   class PointwiseSectionOperator : public SectionOperator
   {
   public:
-    PointwiseSectionOperator(const SectionSpace &space, std::vector<unsigned int> list)
+    PointwiseSectionOperator(const SectionSpace       &space,
+                             std::vector<unsigned int> list)
       : SectionOperator(space, std::move(list))
     {}
 

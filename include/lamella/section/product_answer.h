@@ -14,9 +14,9 @@ namespace lamella
    * stations,
    *   [W_0; W_1] = [S_00, S_01; S_10, S_11] [q; q'],
    * independent of the number of points: for TE-N, N > 1, whose fields live on
-   * all cells, from Section::moments(), and for dense lists (SectionSpace), from
-   * SectionSpace::dense_S(). With assumed shear strains of TE-N the matrix has
-   * three rows and columns of blocks, those of Section::moments().
+   * all cells, from Section::moments(), and for dense lists (SectionSpace),
+   * from SectionSpace::dense_S(). With assumed shear strains of TE-N the matrix
+   * has three rows and columns of blocks, those of Section::moments().
    *
    * Strains come first: q' of the deflection and q / h of the slope, h the
    * section's reference length, shear a section alike and are added,
@@ -28,14 +28,14 @@ namespace lamella
   public:
     /// Computes the matrix, (2 or 3 times the list)^2 numbers. Requires
     /// is_possible().
-    ProductSectionOperator(const SectionSpace         &space,
-                  std::vector<unsigned int> list,
-                  const bool                assumed_shear);
+    ProductSectionOperator(const SectionSpace       &space,
+                           std::vector<unsigned int> list,
+                           const bool                assumed_shear);
 
     /// Returns true if there are products of all fields of @p list for the
     /// parts that the axis distinguishes.
     static bool
-    is_possible(const SectionSpace                &space,
+    is_possible(const SectionSpace              &space,
                 const std::vector<unsigned int> &list,
                 const bool                       assumed_shear);
 

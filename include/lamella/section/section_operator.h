@@ -51,7 +51,7 @@ namespace lamella
   /// Returns the forces on the fields @p list of @p space from @p forces on all
   /// fields of its section (SectionSpace::on_list()).
   SectionForces
-  on_list(const SectionSpace                &space,
+  on_list(const SectionSpace              &space,
           const std::vector<unsigned int> &list,
           const SectionForces             &forces);
 
@@ -65,20 +65,20 @@ namespace lamella
    * the energy per length (q . W_0 + q' . W_1) / 2, and their derivatives, the
    * S_pq. Assumed transverse shear strains have a q of their own (FieldPart).
    *
-   * Implementations depend on the section and the list (make_section_operator())
-   * and agree up to rounding. All compute strains first: the slopes of the axis
-   * and of the sections of a slender beam in rigid motion cancel while they are
-   * small. The section is linear, so stiffness() holds for all q. Refers to the
-   * space.
+   * Implementations depend on the section and the list
+   * (make_section_operator()) and agree up to rounding. All compute strains
+   * first: the slopes of the axis and of the sections of a slender beam in
+   * rigid motion cancel while they are small. The section is linear, so
+   * stiffness() holds for all q. Refers to the space.
    */
   class SectionOperator
   {
   public:
     /// Constructs the operator of the fields @p list of @p space, ascending.
     /// Rotations use every @p stride-th point of the section.
-    SectionOperator(const SectionSpace         &space,
-                  std::vector<unsigned int> list,
-                  const unsigned int        stride = 1)
+    SectionOperator(const SectionSpace       &space,
+                    std::vector<unsigned int> list,
+                    const unsigned int        stride = 1)
       : space(space)
       , list(std::move(list))
       , stride(stride)
@@ -110,7 +110,7 @@ namespace lamella
     largest_rotation(const FieldParts &q) const;
 
   protected:
-    const SectionSpace               &space;
+    const SectionSpace             &space;
     const std::vector<unsigned int> list;
 
   private:
@@ -118,13 +118,14 @@ namespace lamella
   };
 
   /// Returns the operator of the fields @p list of @p space, ascending, with or
-  /// without assumed transverse shear strains on the axis: a ProductSectionOperator if
-  /// all fields span the whole section and couple anyway, else a PointwiseSectionOperator. A
-  /// list that is not empty begins with the section's rigid fields.
+  /// without assumed transverse shear strains on the axis: a
+  /// ProductSectionOperator if all fields span the whole section and couple
+  /// anyway, else a PointwiseSectionOperator. A list that is not empty begins
+  /// with the section's rigid fields.
   std::unique_ptr<const SectionOperator>
-  make_section_operator(const SectionSpace         &space,
-                      std::vector<unsigned int> list,
-                      const bool                assumed_shear);
+  make_section_operator(const SectionSpace       &space,
+                        std::vector<unsigned int> list,
+                        const bool                assumed_shear);
 } // namespace lamella
 
 #endif

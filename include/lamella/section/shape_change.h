@@ -24,9 +24,9 @@ namespace lamella
    * work f of the stress C e_1 on terms bilinear in u_1 and v (the section's
    * modal derivative), with free stretch of the axis.
    *
-   * It estimates what the law of GeometricallyExactBeam neglects, and is valid if small:
-   * wide strips flatten in a layer at their edges beyond b^2 k / h = 1. For the
-   * section of an LE with the @p states.
+   * It estimates what the law of GeometricallyExactBeam neglects, and is valid
+   * if small: wide strips flatten in a layer at their edges beyond b^2 k / h
+   * = 1. For the section of an LE with the @p states.
    */
   std::array<double, 3>
   stiffening_by_shape(const SaintVenant &states);

@@ -12,10 +12,11 @@
 namespace lamella
 {
   /// Outward normals of boundaries of a section, extended to all its points:
-  /// that of the projection on the nearest side. On a side normals vary linearly
-  /// between the means with its neighbors, and the projection of x is where x - projection
-  /// is parallel to them; on short sides of a circle this is exactly the polar
-  /// direction. Sides that meet at more than 30 degrees keep their own normals.
+  /// that of the projection on the nearest side. On a side normals vary
+  /// linearly between the means with its neighbors, and the projection of x is
+  /// where x - projection is parallel to them; on short sides of a circle this
+  /// is exactly the polar direction. Sides that meet at more than 30 degrees
+  /// keep their own normals.
   class CurveNormals
   {
   public:

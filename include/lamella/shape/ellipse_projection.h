@@ -17,7 +17,9 @@ namespace lamella
   public:
     /// Constructs an ellipse with semi-axes @p a along x and @p b along z, both
     /// positive [length].
-    EllipseProjection(const dealii::Point<2> &center, const double a, const double b)
+    EllipseProjection(const dealii::Point<2> &center,
+                      const double            a,
+                      const double            b)
       : center(center)
       , a(a)
       , b(b)

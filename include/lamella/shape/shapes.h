@@ -148,8 +148,8 @@ namespace lamella
   /// A ring of plies between an ellipse in the box [0, width] x [0, height] and
   /// the inner curve parallel to it. Boundaries are `inner` and `outer`. Plies
   /// have constant thickness and the normals of the nearest points of the
-  /// ellipse (EllipseProjection). Cells have curved edges; their second direction is
-  /// the normal's.
+  /// ellipse (EllipseProjection). Cells have curved edges; their second
+  /// direction is the normal's.
   struct Tube
   {
     /// Outer dimensions [length].

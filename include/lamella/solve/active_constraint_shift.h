@@ -81,9 +81,9 @@ namespace lamella
       unsigned int row;
       double       spring;
     };
-    std::vector<ShiftedConstraint>          shift;
-    Springs                       of_bodies;
-    std::vector<ContactInterface> softened;
+    std::vector<ShiftedConstraint> shift;
+    Springs                        of_bodies;
+    std::vector<ContactInterface>  softened;
   };
 } // namespace lamella
 

@@ -83,7 +83,7 @@ namespace lamella
    * collective. Does not throw on a failed check: see check_solution().
    */
   Checks
-  check_state(const TangentOperator                 &tangent,
+  check_state(const TangentOperator               &tangent,
               const std::vector<ContactInterface> &contacts,
               const unsigned int                   n_supports,
               const State                         &state,

@@ -30,7 +30,8 @@ namespace lamella
   {
   public:
     /// Refers to both arguments; @p linearization must have solvers.
-    Compliance(const TangentOperator &tangent_operator, const GapConstraints &rows);
+    Compliance(const TangentOperator &tangent_operator,
+               const GapConstraints  &rows);
 
     /// Includes the @p wanted rows in the compliance. Free of cost for rows
     /// already included. The others are solved for together, in each body they
@@ -79,7 +80,7 @@ namespace lamella
       std::vector<unsigned int>   place;
     };
 
-    const TangentOperator         &tangent_operator;
+    const TangentOperator       &tangent_operator;
     const GapConstraints         rows;
     std::vector<BodyConstraints> bodies;
 

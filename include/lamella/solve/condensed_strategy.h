@@ -42,8 +42,8 @@ namespace lamella
   {
   public:
     /// Refers to @p linearization, which must have solvers.
-    CondensedStrategy(const TangentOperator  &tangent_operator,
-                      const GapConstraints &rows);
+    CondensedStrategy(const TangentOperator &tangent_operator,
+                      const GapConstraints  &rows);
 
     /// Solves @p problem. Also throws NumericsError as solve_complementarity()
     /// does.
@@ -80,10 +80,10 @@ namespace lamella
   private:
     /// Returns d of an included gap or slip. It is at least 1e-10 of the
     /// compliance of the row, so that C + d is definite for dependent rows, and
-    /// at least 1e-8 of NumericalCompliance, for rows without compliance. `exact`
-    /// takes this lower bound.
+    /// at least 1e-8 of NumericalCompliance, for rows without compliance.
+    /// `exact` takes this lower bound.
     double
-    compliance(const unsigned int number) const;
+    compliance_of_law(const unsigned int number) const;
 
     /// Returns the rows @p part, each followed by its slips if it has friction.
     std::vector<unsigned int>

@@ -79,7 +79,7 @@ namespace lamella
     /// @p which (make_strategy()). Refers to the structure and the rows; solves
     /// nothing.
     ContactSolver(std::shared_ptr<const TangentOperator> tangent_operator,
-                  const GapConstraints                &rows,
+                  const GapConstraints                  &rows,
                   const SolverParameters &parameters = SolverParameters(),
                   const Strategy          which      = Strategy::condensed);
 
@@ -223,8 +223,8 @@ namespace lamella
     /// penetrate.
     ContactViolations
     violations(const State      &state,
-           const LoadFactor &factor,
-           const double      closed) const;
+               const LoadFactor &factor,
+               const double      closed) const;
 
     /// Adds to @p found the violation of Coulomb's law in row @p r of @p state.
     /// Forces below @p small and lengths below @p closed are rounding.
@@ -234,7 +234,7 @@ namespace lamella
                            const unsigned int r,
                            const double       closed,
                            const double       small,
-                           ContactViolations            &found) const;
+                           ContactViolations &found) const;
 
     /// Returns r_lambda, the residual of the contact law for each number of
     /// @p closed.
@@ -251,9 +251,9 @@ namespace lamella
     /// The tolerance is weaker if the round @p was_slow.
     bool
     satisfies_contact_law(const State      &state,
-              const LoadFactor &factor,
-              const double      error,
-              const bool        was_slow) const;
+                          const LoadFactor &factor,
+                          const double      error,
+                          const bool        was_slow) const;
 
     /// Returns the first problem, about the state without contact forces. The
     /// estimates are the forces of @p previous in its active constraints that
@@ -274,8 +274,8 @@ namespace lamella
     /// accuracy.
     bool
     multipliers_are_reliable(State            &state,
-                     const State      &settled,
-                     const LoadFactor &factor);
+                             const State      &settled,
+                             const LoadFactor &factor);
 
     /**
      * Corrects the active set of the refined @p state where constraints barely
@@ -347,10 +347,10 @@ namespace lamella
     fail_on_springs(const State &state, const double rate) const;
 
     const std::shared_ptr<const TangentOperator> tangent_operator;
-    const Structure                           &structure;
-    const GapConstraints                       rows;
-    const SolverParameters                     parameters;
-    const std::unique_ptr<ContactStrategy>     strategy;
+    const Structure                             &structure;
+    const GapConstraints                         rows;
+    const SolverParameters                       parameters;
+    const std::unique_ptr<ContactStrategy>       strategy;
   };
 } // namespace lamella
 

@@ -43,8 +43,8 @@ namespace lamella
   class ContactStrategy
   {
   public:
-    ContactStrategy(const TangentOperator  &tangent_operator,
-                    const GapConstraints &rows)
+    ContactStrategy(const TangentOperator &tangent_operator,
+                    const GapConstraints  &rows)
       : tangent_operator(tangent_operator)
       , rows(rows)
     {}
@@ -124,16 +124,16 @@ namespace lamella
 
   protected:
     const TangentOperator &tangent_operator;
-    const GapConstraints rows;
+    const GapConstraints   rows;
     NumericalCompliance    numerical_compliance;
   };
 
   /// Returns the strategy @p which about the state of @p linearization, which
   /// needs solvers for `condensed` only.
   std::unique_ptr<ContactStrategy>
-  make_strategy(const Strategy        which,
-                const TangentOperator  &tangent_operator,
-                const GapConstraints &rows);
+  make_strategy(const Strategy         which,
+                const TangentOperator &tangent_operator,
+                const GapConstraints  &rows);
 } // namespace lamella
 
 #endif

@@ -38,9 +38,9 @@ namespace lamella
   {
   public:
     FrictionNewton(const TangentOperator     &tangent_operator,
-                   const GapConstraints    &rows,
+                   const GapConstraints      &rows,
                    const NumericalCompliance &compliance,
-                   PenaltyMatrix           &matrix)
+                   PenaltyMatrix             &matrix)
       : tangent_operator(tangent_operator)
       , rows(rows)
       , compliance(compliance)
@@ -136,9 +136,9 @@ namespace lamella
              const Trial          &trial) const;
 
     const TangentOperator     &tangent_operator;
-    const GapConstraints     rows;
+    const GapConstraints       rows;
     const NumericalCompliance &compliance;
-    PenaltyMatrix           &matrix;
+    PenaltyMatrix             &matrix;
   };
 } // namespace lamella
 

@@ -17,7 +17,8 @@ namespace lamella
    *   v = s(u) + a lambda_t - s_0,   |lambda_t| <= mu lambda_n,
    *   v = 0 where |lambda_t| < mu lambda_n,
    *   lambda_t = -mu lambda_n v / |v| where v is not zero.
-   * The compliance a of the normal law (law_compliance()) also acts tangentially.
+   * The compliance a of the normal law (law_compliance()) also acts
+   * tangentially.
    */
   struct FrictionState
   {

@@ -30,8 +30,8 @@ namespace lamella
   {
   public:
     /// Assembles K of @p linearization, which needs no solvers.
-    FullStrategy(const TangentOperator  &tangent_operator,
-                 const GapConstraints &rows);
+    FullStrategy(const TangentOperator &tangent_operator,
+                 const GapConstraints  &rows);
 
     ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor) override;

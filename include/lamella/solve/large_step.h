@@ -16,13 +16,13 @@ namespace lamella
   public:
     /// Refers to all arguments. @p progress reports iterations, @p monitor
     /// factorizations. @p n_supports is the number of supports in the scene.
-    LargeStep(const Structure                  &structure,
-              const MovingContacts             &contacts,
-              const unsigned int                n_supports,
-              const SolveParameters            &parameters,
-              const Newton::Progress           &progress,
+    LargeStep(const Structure                    &structure,
+              const MovingContacts               &contacts,
+              const unsigned int                  n_supports,
+              const SolveParameters              &parameters,
+              const Newton::Progress             &progress,
               const TangentOperator::BodyMonitor &monitor,
-              dealii::TimerOutput              &timer);
+              dealii::TimerOutput                &timer);
 
     SolvedStep
     operator()(const State      &before,

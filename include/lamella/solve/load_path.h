@@ -92,11 +92,12 @@ namespace lamella
   class LinearStep : public Step
   {
   public:
-    /// Creates a step with all @p contacts of the scene. @p lives, paired once,
-    /// check the search distances. @p n_supports is the number of supports.
+    /// Creates a step with all @p contacts of the scene. @p contact_objects,
+    /// paired once, check the search distances. @p n_supports is the number of
+    /// supports.
     LinearStep(ContactSolver                       &solver,
                const std::vector<ContactInterface> &contacts,
-               const Contacts                      &contacts,
+               const Contacts                      &contact_objects,
                const unsigned int                   n_supports,
                const SolveParameters               &parameters,
                dealii::TimerOutput                 &timer);
@@ -116,7 +117,7 @@ namespace lamella
     ContactSolver                       &solver;
     const Structure                     &structure;
     const std::vector<ContactInterface> &contacts;
-    const Contacts                      &contacts;
+    const Contacts                      &contact_objects;
     const GapConstraints                 rows;
     const unsigned int                   n_supports;
     const SolveParameters               &parameters;

@@ -22,7 +22,7 @@ namespace lamella
   public:
     MultiplierTransfer() = default;
     MultiplierTransfer(const std::vector<ContactInterface> &contacts,
-                  const State                         &state);
+                       const State                         &state);
 
     /// Assigns the stored values to the rows of @p contacts in @p state; zero
     /// for points that are not stored.
@@ -83,12 +83,12 @@ namespace lamella
   {
   public:
     MovingContacts(const std::vector<ContactInterface> &interfaces,
-                   const Contacts                      &contacts);
+                   const Contacts                      &contact_objects);
 
     bool
     none() const
     {
-      return contacts.empty();
+      return contact_objects.empty();
     }
 
     /// Returns the interfaces, with the rows of the last move().
@@ -109,8 +109,8 @@ namespace lamella
     memory() const;
     void
     restore(const std::vector<ContactHistory> &known,
-           const BlockVector                &u,
-           const LoadFactor                 &factor);
+            const BlockVector                 &u,
+            const LoadFactor                  &factor);
 
     /// Moves the rows to @p state at @p factor (Contact::move()). An active
     /// constraint whose projection leaves the other surface, past an end or
@@ -164,9 +164,9 @@ namespace lamella
     /// constraints were deactivated and none between their bodies has a force.
     void
     check_kept(const BlockVector &before,
-                 const LoadFactor  &from,
-                 const State       &state,
-                 const LoadFactor  &to);
+               const LoadFactor  &from,
+               const State       &state,
+               const LoadFactor  &to);
 
   private:
     /// Moves the rows to @p state, without rotating the shear forces.
@@ -192,9 +192,10 @@ namespace lamella
     pair(const unsigned int c, const State &state, const LoadFactor &factor);
 
     const std::vector<ContactInterface> &all;
-    const Contacts                      &contacts;
+    const Contacts                      &contact_objects;
     GapConstraints                       numbered;
-    /// Contacts with a deactivated row, and reason_of_loss(), since begin_step().
+    /// Contacts with a deactivated row, and reason_of_loss(), since
+    /// begin_step().
     std::set<unsigned int> release;
     std::string            lost;
   };

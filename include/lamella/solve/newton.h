@@ -6,8 +6,8 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/active_constraint_shift.h>
 #include <lamella/solve/contact_solver.h>
-#include <lamella/solve/tangent_operator.h>
 #include <lamella/solve/moving_contacts.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <functional>
 #include <limits>
@@ -37,8 +37,8 @@ namespace lamella
     /// than surface DoFs it may be finer than the accuracy of the forces: below
     /// `floor` of the displacement the iterations end as for forces.
     double law = arithmetic::negligible, touching = arithmetic::rounding;
-    /// Relative step of the differences in Newton::rotation_of_constraints(), and the
-    /// share of a correction at which its iteration ends, in at most
+    /// Relative step of the differences in Newton::rotation_of_constraints(),
+    /// and the share of a correction at which its iteration ends, in at most
     /// `max_follows` back substitutions.
     double       difference = arithmetic::alike, follows = 1e-3;
     unsigned int max_follows = 20;
@@ -96,9 +96,9 @@ namespace lamella
    * elements at the support. Obstacles move along the initial normals.
    *
    * The geometric part of K uses the stress predicted by the last correction
-   * (FiniteStrainSectionOperator): 7 instead of 17 iterations in a cantilever that rolls up in
-   * one step. If a step fails, it is repeated with the actual stress, then in
-   * halves.
+   * (FiniteStrainSectionOperator): 7 instead of 17 iterations in a cantilever
+   * that rolls up in one step. If a step fails, it is repeated with the actual
+   * stress, then in halves.
    *
    * Stabilizing springs contribute to K only: they have no force at the
    * iterate, and limit corrections of motions that only contact restrains.
@@ -179,17 +179,17 @@ namespace lamella
     /// the step @p began with these forces.
     void
     end_friction(const MultiplierTransfer &began,
-                 const LoadFactor    &to,
-                 State               &state) const;
+                 const LoadFactor         &to,
+                 State                    &state) const;
 
     /// Performs one step from the forces @p pressed, with predicted stresses if
     /// @p predicted. Returns true on convergence. Counts its iterations in
     /// @p at.
     bool
-    step(const LoadFactor    &to,
+    step(const LoadFactor         &to,
          const MultiplierTransfer &transfer,
-         const bool           predicted,
-         Equilibrium         &at);
+         const bool                predicted,
+         Equilibrium              &at);
 
     /// Tries step() with and without prediction; on failure only the count in
     /// @p at changes.
@@ -230,13 +230,13 @@ namespace lamella
     tangent(const State       &state,
             const BlockVector &correction,
             const LoadFactor  &to,
-            Regularization               &regularization) const;
+            Regularization    &regularization) const;
 
-    /// Throws IllConditioned if the tangent of @p state at @p to, with the active
-    /// constraints, is not definite. The tangent of the last correction was; it
-    /// is not checked again if this correction was small beside the increment
-    /// from @p before and used no regularization. Throws NumericsError if
-    /// friction is unstable.
+    /// Throws IllConditioned if the tangent of @p state at @p to, with the
+    /// active constraints, is not definite. The tangent of the last correction
+    /// was; it is not checked again if this correction was small beside the
+    /// increment from @p before and used no regularization. Throws
+    /// NumericsError if friction is unstable.
     void
     check_stability(const BlockVector &before,
                     const Correction  &last,
@@ -264,9 +264,9 @@ namespace lamella
     /// displacement increment.
     ContactSolution
     solve_contact(ContactStrategy      &strategy,
-          const GapConstraints &rows,
-          const LoadFactor     &to,
-          State                &state) const;
+                  const GapConstraints &rows,
+                  const LoadFactor     &to,
+                  State                &state) const;
 
     /// Returns the correction @p du of the state @p u with the rotation of rows
     /// included and no spring force. With H = sum lambda Hess g of the forces
@@ -282,7 +282,8 @@ namespace lamella
                 const LoadFactor  &to,
                 State             &state) const;
 
-    /// Adds the forces S w of the stabilizing springs, scaled by @p regularization_factor, to
+    /// Adds the forces S w of the stabilizing springs, scaled by @p
+    /// regularization_factor, to
     /// @p f.
     void
     add_spring_forces(const double       regularization_factor,
@@ -293,9 +294,9 @@ namespace lamella
     /// lambda; zero if a row loses its projection.
     BlockVector
     rotation_of_constraints(const State       &state,
-                 const BlockVector &u,
-                 const BlockVector &w,
-                 const LoadFactor  &to) const;
+                            const BlockVector &u,
+                            const BlockVector &w,
+                            const LoadFactor  &to) const;
 
     /// Returns the largest displacement due to @p u, for bodies with rotating
     /// rows by the sizes of their DoFs, as warping amplitudes are no lengths.
@@ -320,10 +321,10 @@ namespace lamella
     /// true if they are within bounds.
     bool
     measure(const TangentOperator &here,
-            const BlockVector   &r,
-            const LoadFactor    &factor,
-            double              &began,
-            Equilibrium         &at) const;
+            const BlockVector     &r,
+            const LoadFactor      &factor,
+            double                &began,
+            Equilibrium           &at) const;
 
     /// Residuals of the last three iterations.
     struct ResidualHistory
@@ -341,14 +342,15 @@ namespace lamella
     /// Returns true if iterations end with the residual @p unbalanced and the
     /// last correction @p change [length].
     bool
-    is_equilibrium(const ResidualHistory &unbalanced, const double change) const;
+    is_equilibrium(const ResidualHistory &unbalanced,
+                   const double           change) const;
 
     /// Returns true if the forces @p r on each body are within the rounding of
     /// the displacements @p u.
     bool
     is_rounding(const TangentOperator &here,
-                const BlockVector   &r,
-                const BlockVector   &u) const;
+                const BlockVector     &r,
+                const BlockVector     &u) const;
 
     /// Throws NumericsError with the factor reached and the cause of failure.
     [[noreturn]] void
@@ -362,7 +364,8 @@ namespace lamella
     /// Returns true if the gap violations @p missed [length] satisfy the
     /// contact law at displacements of that @p size.
     bool
-    satisfies_contact_law(const ResidualHistory &missed, const double size) const;
+    satisfies_contact_law(const ResidualHistory &missed,
+                          const double           size) const;
 
     const Structure &structure;
     /// Body::dof_sizes() of bodies with rotating rows, empty for all others.

@@ -34,8 +34,8 @@ namespace lamella
   enum class Rotations
   {
     undefined,
-    linear,   ///< small rotations: the linear strain of Eq. 5
-    large,    ///< finite rotations: Green's strain (TotalLagrangianBeam), Newton
+    linear, ///< small rotations: the linear strain of Eq. 5
+    large,  ///< finite rotations: Green's strain (TotalLagrangianBeam), Newton
     automatic ///< linear where its error is negligible, else large
   };
 

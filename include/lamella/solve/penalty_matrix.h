@@ -54,8 +54,8 @@ namespace lamella
   {
   public:
     /// Assembles K of @p linearization, which needs no solvers.
-    PenaltyMatrix(const TangentOperator  &tangent_operator,
-                  const GapConstraints &rows);
+    PenaltyMatrix(const TangentOperator &tangent_operator,
+                  const GapConstraints  &rows);
 
     /// Factorizes K + K^p of @p terms unless already done. Throws NumericsError
     /// if it is not positive definite in doubles or, with friction, singular.

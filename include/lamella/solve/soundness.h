@@ -22,8 +22,8 @@ namespace lamella
    */
   void
   check_solution(const State  &state,
-                const Checks &checks,
-                const double  rotation_limit);
+                 const Checks &checks,
+                 const double  rotation_limit);
 
   /**
    * Throws NumericsError if a support of rotating sections misses its

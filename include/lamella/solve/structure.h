@@ -7,11 +7,11 @@
 #ifndef lamella_solve_structure_h
 #define lamella_solve_structure_h
 
+#include <lamella/conditions/follower_load.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/conditions/stabilization.h>
 #include <lamella/conditions/support.h>
-#include <lamella/conditions/follower_load.h>
 
 #include <algorithm>
 #include <memory>
@@ -37,8 +37,8 @@ namespace lamella
    * their expansion G and the prescribed displacements u_p. Solvers use the
    * condensed stiffness
    *   G^T (K + sum_k s_k r_k^T r_k) G,
-   * with the stabilizing springs of stiffness s_k and row r_k. A TangentOperator
-   * is the tangent at a state with its solvers.
+   * with the stabilizing springs of stiffness s_k and row r_k. A
+   * TangentOperator is the tangent at a state with its solvers.
    *
    * Shares ownership of the bodies, and owns the reductions and springs.
    * Strategies, checks and reports refer to it, so it must outlive them. Each
@@ -88,7 +88,7 @@ namespace lamella
 
     /// Returns true if a support prescribes a rotation of points of @p body.
     bool
-    has_follower_loads(const unsigned int body) const
+    has_prescribed_rotation(const unsigned int body) const
     {
       return std::any_of(rows.begin(), rows.end(), [&](const auto &row) {
         return row.row.body == body && row.rotation;
@@ -174,7 +174,8 @@ namespace lamella
     bool
     is_heated() const;
 
-    /// Returns true if any body has finite rotations (Body::has_finite_rotations()).
+    /// Returns true if any body has finite rotations
+    /// (Body::has_finite_rotations()).
     bool
     has_finite_rotations() const;
 

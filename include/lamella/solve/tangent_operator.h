@@ -37,23 +37,23 @@ namespace lamella
     /// Creates the tangent at @p u without solvers, for assembly by the `full`
     /// strategy.
     TangentOperator(const Structure   &structure,
-                  const BlockVector &u,
-                  const LoadFactor  &factor = LoadFactor());
+                    const BlockVector &u,
+                    const LoadFactor  &factor = LoadFactor());
 
     /// Creates the tangent at @p u with solvers of the kind @p asked for the
     /// condensed stiffness of each body, after the @p correction that led to u,
     /// if any (Body::make_tangent_solver()). Follower loads at load factor
     /// @p factor and additional @p springs of each body contribute to the
-    /// solvers only. Throws IllConditioned if a stiffness is not positive definite
-    /// in doubles, InputError as Body::solver_kind() does, and what @p monitor
-    /// throws.
+    /// solvers only. Throws IllConditioned if a stiffness is not positive
+    /// definite in doubles, InputError as Body::solver_kind() does, and what @p
+    /// monitor throws.
     TangentOperator(const Structure   &structure,
-                  const BlockVector &u,
-                  const SolverKind   asked,
-                  const BodyMonitor &monitor    = {},
-                  const BlockVector &correction = BlockVector(),
-                  const LoadFactor  &factor     = LoadFactor(),
-                  const std::vector<std::vector<SpringTerm>> &springs = {});
+                    const BlockVector &u,
+                    const SolverKind   asked,
+                    const BodyMonitor &monitor    = {},
+                    const BlockVector &correction = BlockVector(),
+                    const LoadFactor  &factor     = LoadFactor(),
+                    const std::vector<std::vector<SpringTerm>> &springs = {});
 
     const Structure &
     of() const
@@ -170,8 +170,8 @@ namespace lamella
   /// Returns the tangent at u = 0 with solvers, valid for all states of linear
   /// bodies.
   std::shared_ptr<const TangentOperator>
-  linearized(const Structure                  &structure,
-             const SolverKind                  asked   = SolverKind::automatic,
+  linearized(const Structure                    &structure,
+             const SolverKind                    asked = SolverKind::automatic,
              const TangentOperator::BodyMonitor &monitor = {});
 
   /// Returns the tangent at u = 0 without solvers, for the `full` strategy.

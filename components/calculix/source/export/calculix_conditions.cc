@@ -106,8 +106,8 @@ namespace lamella
     /// The turn of @p support, if it has one.
     std::optional<RigidRotation>
     rotation_of(const Support      &support,
-            const Scene        &scene,
-            const CalculixMesh &mesh)
+                const Scene        &scene,
+                const CalculixMesh &mesh)
     {
       if (!support.rotation)
         return {};
@@ -161,9 +161,10 @@ namespace lamella
   CalculixConditions::add_support(const unsigned int  s,
                                   const CalculixMesh &mesh)
   {
-    const Support                 &support = scene.supports[s];
-    const std::string              path    = "Support " + support.name;
-    const std::optional<RigidRotation> rotation    = rotation_of(support, scene, mesh);
+    const Support                     &support = scene.supports[s];
+    const std::string                  path    = "Support " + support.name;
+    const std::optional<RigidRotation> rotation =
+      rotation_of(support, scene, mesh);
     for (const Region &region : support.on)
       if (support.normal)
         for (const auto &[node, normal] : node_normals(mesh, region))
@@ -190,7 +191,8 @@ namespace lamella
             if (support.u[c])
               hold(node,
                    c,
-                   rotation ? rotation->rate(0., mesh.node(node))[c] : *support.u[c],
+                   rotation ? rotation->rate(0., mesh.node(node))[c] :
+                              *support.u[c],
                    s,
                    mesh);
   }

@@ -63,10 +63,10 @@ namespace lamella
     std::vector<Point<3>>
     facing_places(const ContactPair &contact, const Bodies &bodies)
     {
-      const Body           &body  = *bodies[contact.first.body];
+      const Body           &body          = *bodies[contact.first.body];
       const double          search_radius = contact.search_distance ?
-                                      *contact.search_distance :
-                                      automatic_search_distance(contact, bodies);
+                                              *contact.search_distance :
+                                              automatic_search_distance(contact, bodies);
       std::vector<Point<3>> places;
       for (const SurfaceFacet &facet :
            body.surface_facets(contact.first.surface))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_estimate_bars_by_source_h
-#define lamella_estimate_bars_by_source_h
+#ifndef lamella_estimate_enrichment_estimate_h
+#define lamella_estimate_enrichment_estimate_h
 
 #include <lamella/estimate/contact_shares.h>
 #include <lamella/estimate/other_models.h>
@@ -13,7 +13,7 @@
 
 namespace lamella
 {
-  /// Constants of BarsBySource.
+  /// Constants of EnrichmentEstimate.
   struct SourceRules
   {
     /// Number of wave numbers that the model with poorer fields lacks.
@@ -43,7 +43,7 @@ namespace lamella
    * half as much. The estimate sums the changes by richer models only.
    * Penalties and load steps: see ContactShares.
    */
-  class BarsBySource
+  class EnrichmentEstimate
   {
   public:
     /// Returns why @p run has no such bars, as a sentence without a full stop;
@@ -52,8 +52,10 @@ namespace lamella
     reason_for_none(const Simulation &run);
 
     /// Solves the other models; arguments, exceptions and collectivity are
-    /// those of BarsFromBelow().
-    BarsBySource(const Simulation &run, std::ostream &out, ModelCache &cache);
+    /// those of CoarserModelEstimate().
+    EnrichmentEstimate(const Simulation &run,
+                       std::ostream     &out,
+                       ModelCache       &cache);
 
     std::vector<GoalResult>
     goals() const;
@@ -70,11 +72,11 @@ namespace lamella
     };
 
     void
-    compare_with_poorer(OtherModels &models, const Scene &scene);
+    compare_with_poorer(ComparisonModels &models, const Scene &scene);
     void
-    compare_with_richer(OtherModels &models, const Scene &scene);
+    compare_with_richer(ComparisonModels &models, const Scene &scene);
     void
-    compare_sections(OtherModels &models, const Scene &scene);
+    compare_sections(ComparisonModels &models, const Scene &scene);
     /// Returns the change of @p goal between the run and @p other: richer less
     /// poorer.
     double

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/end_fields.h>
+#include <lamella/adapt/boundary_layer_modes.h>
 #include <lamella/adapt/end_loads.h>
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/base/arithmetic.h>
@@ -17,9 +17,9 @@ namespace lamella
   using namespace dealii;
 
   double
-  first_element(const Section       &section,
-                const ConstrainedSection   &held,
-                const EndFieldRules &rules)
+  first_element(const Section            &section,
+                const ConstrainedSection &held,
+                const BoundaryLayerRules &rules)
   {
     const double H = section.extents().first;
     return std::clamp(held.element,
@@ -34,8 +34,8 @@ namespace lamella
     /// A beam with all fields, its axis graded to the held end.
     std::unique_ptr<Beam>
     make_piece(const std::shared_ptr<const Section> &section,
-               const ConstrainedSection                    &held,
-               const EndFieldRules                  &rules)
+               const ConstrainedSection             &held,
+               const BoundaryLayerRules             &rules)
     {
       const double length = rules.length * section->extents().second;
       AxisMesh     axis;
@@ -135,7 +135,7 @@ namespace lamella
     std::vector<Vector>
     solutions(const Beam                              &piece,
               const SaintVenant                       &states,
-              const ConstrainedSection                       &held,
+              const ConstrainedSection                &held,
               const std::vector<PrescribedFunctional> &rows,
               const std::vector<HeatedSection>        &heat)
     {
@@ -188,7 +188,7 @@ namespace lamella
     Snapshots
     snapshots_of(const Beam                &piece,
                  const std::vector<Vector> &u,
-                 const ConstrainedSection         &held)
+                 const ConstrainedSection  &held)
     {
       const Axis  &axis    = piece.axis();
       const auto   lengths = axis.node_weights();
@@ -215,11 +215,11 @@ namespace lamella
     /// rest that is left out.
     double
     influence_length_of(const std::vector<double> &norms,
-             const std::vector<double> &distances,
-             const EndFieldRules       &rules)
+                        const std::vector<double> &distances,
+                        const BoundaryLayerRules  &rules)
     {
       const double largest = *std::max_element(norms.begin(), norms.end());
-      double       influence_length   = 0.;
+      double       influence_length = 0.;
       for (unsigned int k = 0; k < norms.size(); ++k)
         if (norms[k] > std::max(rules.rest * largest, rules.tolerance))
           influence_length = std::max(influence_length, distances[k]);
@@ -228,36 +228,39 @@ namespace lamella
 
 
 
-    /// The zones of @p found, as end_fields() says.
-    std::vector<EndZone>
-    zones_of(const Snapshots     &found,
-             const Warping       &warping,
-             const FieldColumns  &warpings,
-             const double         larger,
-             const EndFieldRules &rules)
+    /// The zones of @p found, as boundary_layer_modes() says.
+    std::vector<BoundaryLayerZone>
+    zones_of(const Snapshots          &found,
+             const Warping            &warping,
+             const FieldColumns       &warpings,
+             const double              larger,
+             const BoundaryLayerRules &rules)
     {
       std::vector<double> norms = warping.strengths(found.vectors, warpings);
       for (unsigned int k = 0; k < norms.size(); ++k)
         norms[k] /= found.weights[k];
-      const double influence_length = influence_length_of(norms, found.distances, rules);
+      const double influence_length =
+        influence_length_of(norms, found.distances, rules);
 
-      std::vector<EndZone> zones;
-      FieldColumns         known = warpings;
+      std::vector<BoundaryLayerZone> zones;
+      FieldColumns                   known = warpings;
       for (unsigned int z = rules.zones.size(); z-- > 0;)
         {
           const double        begin = rules.zones[z] * larger;
           std::vector<Vector> from_there;
           for (unsigned int k = 0; k < norms.size(); ++k)
-            if (found.distances[k] >= begin && found.distances[k] <= influence_length)
+            if (found.distances[k] >= begin &&
+                found.distances[k] <= influence_length)
               from_there.push_back(found.vectors[k]);
-          EndZone zone;
+          BoundaryLayerZone zone;
           zone.fields = warping.weighted_basis(from_there,
                                                warpings,
                                                known,
                                                rules.tolerance);
           zone.influence_length =
             z + 1 < rules.zones.size() ?
-              std::min((rules.zones[z + 1] + rules.overlap) * larger, influence_length) :
+              std::min((rules.zones[z + 1] + rules.overlap) * larger,
+                       influence_length) :
               influence_length;
           if (zone.fields.n() == 0)
             continue;
@@ -270,14 +273,14 @@ namespace lamella
 
 
 
-  std::vector<EndZone>
-  end_fields(const std::shared_ptr<const Section> &section,
-             const SaintVenant                    &states,
-             const Warping                        &warping,
-             const FieldColumns                   &warpings,
-             const ConstrainedSection                    &held,
-             const std::vector<HeatedSection>     &heat,
-             const EndFieldRules                  &rules)
+  std::vector<BoundaryLayerZone>
+  boundary_layer_modes(const std::shared_ptr<const Section> &section,
+                       const SaintVenant                    &states,
+                       const Warping                        &warping,
+                       const FieldColumns                   &warpings,
+                       const ConstrainedSection             &held,
+                       const std::vector<HeatedSection>     &heat,
+                       const BoundaryLayerRules             &rules)
   {
     const double larger = section->extents().second;
     const auto   piece  = make_piece(section, held, rules);
@@ -294,9 +297,9 @@ namespace lamella
 
 
   unsigned int
-  nodes_of_pieces(const Beam               &beam,
+  nodes_of_pieces(const Beam                          &beam,
                   const std::vector<LocalInteraction> &interactions,
-                  const EndFieldRules      &rules)
+                  const BoundaryLayerRules            &rules)
   {
     const auto   section = beam.fields().shared_section();
     unsigned int nodes   = 0;
@@ -312,7 +315,8 @@ namespace lamella
                                   arithmetic::same_place * beam.axis().length();
                        });
         if (interactions[t].holds_section && is_first)
-          for (const ConstrainedSection &held : constrained_sections(interactions, t, beam.axis()))
+          for (const ConstrainedSection &held :
+               constrained_sections(interactions, t, beam.axis()))
             if (const auto piece = make_piece(section, held, rules);
                 piece->n_dofs() <= rules.most_dofs)
               nodes += piece->axis().n_nodes();

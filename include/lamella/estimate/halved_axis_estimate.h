@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_estimate_bars_from_half_h
-#define lamella_estimate_bars_from_half_h
+#ifndef lamella_estimate_halved_axis_estimate_h
+#define lamella_estimate_halved_axis_estimate_h
 
 #include <lamella/estimate/contact_shares.h>
 #include <lamella/estimate/error_bar.h>
@@ -15,7 +15,7 @@
 
 namespace lamella
 {
-  /// Constants of BarsFromHalf.
+  /// Constants of HalvedAxisEstimate.
   struct HalfRules
   {
     /// Bounds for a trusted bar: there is none if a richer section changes a
@@ -56,7 +56,7 @@ namespace lamella
    * similar size and of one sign. Runs with large rotations have only this
    * bar. Penalties and load steps: see ContactShares.
    */
-  class BarsFromHalf
+  class HalvedAxisEstimate
   {
   public:
     /// Returns why @p run has no such bars, as a sentence without a full stop;
@@ -71,11 +71,11 @@ namespace lamella
     plan(const Simulation &run, const double most);
 
     /// Solves the models of @p plan; other arguments, exceptions and
-    /// collectivity are those of BarsFromBelow().
-    BarsFromHalf(const Simulation &run,
-                 const HalfPlan   &plan,
-                 std::ostream     &out,
-                 ModelCache       &cache);
+    /// collectivity are those of CoarserModelEstimate().
+    HalvedAxisEstimate(const Simulation &run,
+                       const HalfPlan   &plan,
+                       std::ostream     &out,
+                       ModelCache       &cache);
 
     std::vector<GoalResult>
     goals() const;
@@ -88,7 +88,7 @@ namespace lamella
                const std::vector<BodySize> &sizes,
                const HalfPlan              &plan);
     void
-    solve_levels(OtherModels &others, const Scene &scene);
+    solve_levels(ComparisonModels &others, const Scene &scene);
     GoalResult
     goal(const unsigned int number) const;
     ErrorBar

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_adapt_end_fields_h
-#define lamella_adapt_end_fields_h
+#ifndef lamella_adapt_boundary_layer_modes_h
+#define lamella_adapt_boundary_layer_modes_h
 
-#include <lamella/adapt/interaction.h>
+#include <lamella/adapt/local_interactions.h>
 #include <lamella/section/saint_venant.h>
 
 #include <memory>
@@ -12,10 +12,10 @@
 
 namespace lamella
 {
-  /// Constants of end_fields(), all measured
+  /// Constants of boundary_layer_modes(), all measured
   /// (doc/theory/saint-venant-fields.md). H is the smaller extent of the
   /// section, B the larger one.
-  struct EndFieldRules
+  struct BoundaryLayerRules
   {
     /// Length of the piece over B.
     double length = 8.;
@@ -39,8 +39,8 @@ namespace lamella
     /// Largest number of DoFs of a piece; beyond it there are no end fields.
     double most_dofs = 1e5;
     /// Distance from an end over B within which requested stresses give a
-    /// richer section a piece of its own (EndFields).
-    double looked_at = 1.;
+    /// richer section a piece of its own (BoundaryLayerModes).
+    double sampled = 1.;
   };
 
   /// Constraint of a section as a whole, and the side of the body. A free end
@@ -57,8 +57,8 @@ namespace lamella
     /// in models of one scene.
     std::string              body;
     std::vector<std::string> by;
-    /// True if stresses are requested within EndFieldRules::looked_at.
-    bool is_looked_at = false;
+    /// True if stresses are requested within BoundaryLayerRules::looked_at.
+    bool is_sampled = false;
 
     /// Returns whether the axis elements are as long, to rounding.
     bool
@@ -66,12 +66,13 @@ namespace lamella
   };
 
   /// Returns the constraints of the section at touch @p t of @p touches
-  /// (LocalInteraction::holds_section) on a body with @p axis: the rows of all touches
-  /// that hold it there, once for each side of the body (two in its interior).
+  /// (LocalInteraction::holds_section) on a body with @p axis: the rows of all
+  /// touches that hold it there, once for each side of the body (two in its
+  /// interior).
   std::vector<ConstrainedSection>
   constrained_sections(const std::vector<LocalInteraction> &interactions,
-                const unsigned int        t,
-                const Axis               &axis);
+                       const unsigned int                   t,
+                       const Axis                          &axis);
 
   /**
    * Deformation of a free section by heat that is constant along the axis,
@@ -93,7 +94,7 @@ namespace lamella
   alike(const ConstrainedSection &a, const ConstrainedSection &b);
 
   /// Fields that nodes carry up to a distance from an end.
-  struct EndZone
+  struct BoundaryLayerZone
   {
     FieldColumns fields;
     /// Distance from the end [length].
@@ -103,11 +104,11 @@ namespace lamella
   };
 
   /// Returns the length of the axis element at the held end of the piece in
-  /// end_fields() [length].
+  /// boundary_layer_modes() [length].
   double
-  first_element(const Section       &section,
-                const ConstrainedSection   &held,
-                const EndFieldRules &rules);
+  first_element(const Section            &section,
+                const ConstrainedSection &held,
+                const BoundaryLayerRules &rules);
 
   /**
    * Computes the end fields, which decay from an end that is held as a whole. A
@@ -137,31 +138,32 @@ namespace lamella
    * large. The axis is B4. Throws NumericsError if the stiffness is not
    * positive definite. Collective.
    */
-  std::vector<EndZone>
-  end_fields(const std::shared_ptr<const Section> &section,
-             const SaintVenant                    &states,
-             const Warping                        &warping,
-             const FieldColumns                   &warpings,
-             const ConstrainedSection                    &held,
-             const std::vector<HeatedSection>     &heat  = {},
-             const EndFieldRules                  &rules = {});
+  std::vector<BoundaryLayerZone>
+  boundary_layer_modes(const std::shared_ptr<const Section> &section,
+                       const SaintVenant                    &states,
+                       const Warping                        &warping,
+                       const FieldColumns                   &warpings,
+                       const ConstrainedSection             &held,
+                       const std::vector<HeatedSection>     &heat  = {},
+                       const BoundaryLayerRules             &rules = {});
 
-  /// Returns the number of nodes of the pieces that end_fields() would solve
-  /// for @p beam (all fields at all nodes) with @p touches, an estimate of
-  /// their cost relative to the body. Mirror images are counted, too.
+  /// Returns the number of nodes of the pieces that boundary_layer_modes()
+  /// would solve for @p beam (all fields at all nodes) with @p touches, an
+  /// estimate of their cost relative to the body. Mirror images are counted,
+  /// too.
   unsigned int
-  nodes_of_pieces(const Beam               &beam,
+  nodes_of_pieces(const Beam                          &beam,
                   const std::vector<LocalInteraction> &interactions,
-                  const EndFieldRules      &rules = {});
+                  const BoundaryLayerRules            &rules = {});
 
   /// Returns @p zones mirrored across the axis (u_y changes its sign), for the
   /// same support at the other end of a body, which saves a piece. Empty unless
   /// @p section, as of isotropic or cross plies, and @p held, which belongs to
   /// @p zones, are their own mirror images.
-  std::vector<EndZone>
-  mirrored(const std::vector<EndZone> &zones,
-           const Section              &section,
-           const ConstrainedSection          &held);
+  std::vector<BoundaryLayerZone>
+  mirrored(const std::vector<BoundaryLayerZone> &zones,
+           const Section                        &section,
+           const ConstrainedSection             &held);
 } // namespace lamella
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_estimate_stand_in_h
-#define lamella_estimate_stand_in_h
+#ifndef lamella_estimate_surrogate_h
+#define lamella_estimate_surrogate_h
 
 #include <lamella/estimate/other_models.h>
 
@@ -20,10 +20,10 @@ namespace lamella
    * @p cache keeps the model. Throws what Simulation throws. Collective.
    */
   std::vector<double>
-  lost_by_stand_ins(const Simulation &run,
-                    const Scene      &next,
-                    std::ostream     &out,
-                    ModelCache       &cache);
+  surrogate_error(const Simulation &run,
+                  const Scene      &next,
+                  std::ostream     &out,
+                  ModelCache       &cache);
 } // namespace lamella
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_adapt_known_end_fields_h
-#define lamella_adapt_known_end_fields_h
+#ifndef lamella_adapt_known_boundary_layer_modes_h
+#define lamella_adapt_known_boundary_layer_modes_h
 
-#include <lamella/adapt/end_fields.h>
+#include <lamella/adapt/boundary_layer_modes.h>
 
 #include <memory>
 #include <vector>
@@ -13,40 +13,42 @@ namespace lamella
   /// Returns whether @p zones suffice for @p held: embedded zones do not if
   /// stresses are requested near it.
   bool
-  suffice(const std::vector<EndZone> &zones, const ConstrainedSection &held);
+  suffice(const std::vector<BoundaryLayerZone> &zones,
+          const ConstrainedSection             &held);
 
   /// Returns the zones @p zones of the section @p from, of the same cells and a
   /// lower degree, embedded in @p section and made free of its @p warpings.
   /// Their accuracy is unchanged.
-  std::vector<EndZone>
-  embedded(const std::vector<EndZone> &zones,
-           const Section              &from,
-           const Section              &section,
-           const Warping              &warping,
-           const FieldColumns         &warpings,
-           const EndFieldRules        &rules = {});
+  std::vector<BoundaryLayerZone>
+  embedded(const std::vector<BoundaryLayerZone> &zones,
+           const Section                        &from,
+           const Section                        &section,
+           const Warping                        &warping,
+           const FieldColumns                   &warpings,
+           const BoundaryLayerRules             &rules = {});
 
   /// Cache of end fields for the models of one scene, which have the same ends.
   /// A richer section (LE-4 for LE-3) takes the embedded fields of a poorer one
-  /// if no stresses are requested at the end (ConstrainedSection::is_looked_at): the
-  /// effect of the degree is local, and the piece is most of the model's cost.
-  class EndFields
+  /// if no stresses are requested at the end (ConstrainedSection::is_sampled):
+  /// the effect of the degree is local, and the piece is most of the model's
+  /// cost.
+  class BoundaryLayerModes
   {
   public:
-    explicit EndFields(const EndFieldRules &rules = {});
+    explicit BoundaryLayerModes(const BoundaryLayerRules &rules = {});
 
-    /// Returns end_fields(), cached for a section with the same matrices and
-    /// fields, held alike, or embedded from a poorer one. Models of one scene
-    /// have the same heat. Collective.
-    std::vector<EndZone>
+    /// Returns boundary_layer_modes(), cached for a section with the same
+    /// matrices and fields, held alike, or embedded from a poorer one. Models
+    /// of one scene have the same heat. Collective.
+    std::vector<BoundaryLayerZone>
     zones(const std::shared_ptr<const Section> &section,
           const SaintVenant                    &states,
           const Warping                        &warping,
           const FieldColumns                   &warpings,
-          const ConstrainedSection                    &held,
+          const ConstrainedSection             &held,
           const std::vector<HeatedSection>     &heat = {});
 
-    const EndFieldRules &
+    const BoundaryLayerRules &
     limits() const
     {
       return rules;
@@ -65,8 +67,8 @@ namespace lamella
       std::shared_ptr<const Section> section;
       FieldColumns                   warpings;
       /// Constraint with the element of the piece.
-      ConstrainedSection          held;
-      std::vector<EndZone> zones;
+      ConstrainedSection             held;
+      std::vector<BoundaryLayerZone> zones;
     };
 
     /// Returns the index of the zones of a poorer section of the body, held
@@ -74,7 +76,7 @@ namespace lamella
     std::size_t
     poorer(const Section &section, const ConstrainedSection &held) const;
 
-    EndFieldRules      rules;
+    BoundaryLayerRules rules;
     std::vector<Known> known;
     std::size_t        n_pieces = 0;
   };

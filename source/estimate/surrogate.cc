@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/estimate/run_goals.h>
-#include <lamella/estimate/stand_in.h>
+#include <lamella/estimate/surrogate.h>
 
 #include <cmath>
 
 namespace lamella
 {
   std::vector<double>
-  lost_by_stand_ins(const Simulation &run,
-                    const Scene      &next,
-                    std::ostream     &out,
-                    ModelCache       &cache)
+  surrogate_error(const Simulation &run,
+                  const Scene      &next,
+                  std::ostream     &out,
+                  ModelCache       &cache)
   {
     Scene scene    = for_estimates(run);
     bool  replaces = false;
@@ -27,7 +27,7 @@ namespace lamella
       }
     if (!replaces)
       return {};
-    OtherModels         models(run, out, cache);
+    ComparisonModels    models(run, out, cache);
     const ResultNumbers own =
       models.solved(scene, "own fields of the sections").numbers;
     const RunGoals      goals(run);

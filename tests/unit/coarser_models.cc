@@ -3,10 +3,10 @@
 // Bars from poorer models, from models on half of the axis and from exact rows
 // in the place of penalties, against models that are solved.
 
-#include <lamella/estimate/bars_by_source.h>
-#include <lamella/estimate/bars_from_below.h>
-#include <lamella/estimate/bars_from_half.h>
+#include <lamella/estimate/coarser_model_estimate.h>
 #include <lamella/estimate/contact_shares.h>
+#include <lamella/estimate/enrichment_estimate.h>
+#include <lamella/estimate/halved_axis_estimate.h>
 #include <lamella/estimate/poorer.h>
 
 #include "quantities.h"
@@ -15,7 +15,7 @@
 
 #include <cmath>
 
-BOOST_AUTO_TEST_SUITE(poorer_models)
+BOOST_AUTO_TEST_SUITE(coarser_models)
 
 using namespace lamella;
 
@@ -29,19 +29,19 @@ namespace
     GoalResult
     from_below()
     {
-      return BarsFromBelow(run, nowhere, cache).goals().front();
+      return CoarserModelEstimate(run, nowhere, cache).goals().front();
     }
 
     GoalResult
-    from_half(const HalfPlan &plan = {})
+    halved_axis(const HalfPlan &plan = {})
     {
-      return BarsFromHalf(run, plan, nowhere, cache).goals().front();
+      return HalvedAxisEstimate(run, plan, nowhere, cache).goals().front();
     }
 
     GoalResult
     by_source()
     {
-      return BarsBySource(run, nowhere, cache).goals().front();
+      return EnrichmentEstimate(run, nowhere, cache).goals().front();
     }
 
     ModelCache cache;
@@ -128,9 +128,9 @@ BOOST_AUTO_TEST_CASE(a_support_s_force_has_the_surplus_of_the_contact_s)
       z -= *w;
     return surpluses.of(z);
   };
-  const SurplusBySource contact = surplus(force),
-                        support = surplus(quantity_of(
-                          NamedQuantity::Of::support, "press", "fz"));
+  const SurplusParts contact = surplus(force),
+                     support = surplus(
+                       quantity_of(NamedQuantity::Of::support, "press", "fz"));
   for (const auto &[one, other] :
        {std::make_pair(contact.section, support.section),
         std::make_pair(contact.axis, support.axis)})
@@ -165,8 +165,8 @@ BOOST_AUTO_TEST_CASE(bars_hold_where_bodies_touch)
                                 "Body lower/Kinematics/Axis elements=3, 5, 3"})
                          .value(force);
   const GoalResult rich = crossed("LE-3").from_below(),
-                   poor = crossed("LE-2").from_half(),
-                   thin = crossed("EBBT").from_half();
+                   poor = crossed("LE-2").halved_axis(),
+                   thin = crossed("EBBT").halved_axis();
   for (const GoalResult &goal : {rich, poor, thin})
     BOOST_TEST_CONTEXT(goal.value << " +- " << goal.bar << ", truth " << truth)
     {
@@ -227,16 +227,17 @@ BOOST_AUTO_TEST_CASE(a_theory_that_is_far_off_says_so_in_a_number)
   Solved           run("/prm/sandwich.prm",
              {"Theory=EBBT", "Goals/Quantities=indentation: fz"});
   const HalfPlan   cheap{1, 1};
-  const GoalResult goal = run.from_half(cheap);
+  const GoalResult goal = run.halved_axis(cheap);
   BOOST_TEST(goal.value > 9000.);
   BOOST_TEST(goal.bar > 0.9 * goal.value);
   BOOST_TEST(goal.value - goal.bar < 755.);
   // That is what is taken where nobody asks for bars.
-  const auto plan = BarsFromHalf::plan(run.run, HalfRules().free_operations);
+  const auto plan =
+    HalvedAxisEstimate::plan(run.run, HalfRules().free_operations);
   BOOST_REQUIRE(plan.has_value());
   BOOST_TEST(plan->degree == cheap.degree);
   BOOST_TEST(plan->times == cheap.times);
-  BOOST_TEST(!BarsFromHalf::plan(run.run, 1.).has_value());
+  BOOST_TEST(!HalvedAxisEstimate::plan(run.run, 1.).has_value());
 }
 
 
@@ -250,9 +251,9 @@ BOOST_AUTO_TEST_CASE(a_theory_that_is_no_level_is_not_taken_for_one)
     {
       const Solved run("/prm/sandwich.prm", {std::string("Theory=") + theory});
       for (double most = 1e6; most < 1e16; most *= 1.5)
-        if (const auto plan = BarsFromHalf::plan(run.run, most))
+        if (const auto plan = HalvedAxisEstimate::plan(run.run, most))
           BOOST_TEST(plan->degree == 2u);
-      BOOST_TEST(BarsFromHalf::plan(run.run, 1e16).has_value());
+      BOOST_TEST(HalvedAxisEstimate::plan(run.run, 1e16).has_value());
     }
 }
 
@@ -294,10 +295,11 @@ BOOST_AUTO_TEST_CASE(bars_of_responses_hold)
 
 BOOST_AUTO_TEST_CASE(what_has_no_bars_of_either_kind_says_why)
 {
-  BOOST_TEST(BarsFromBelow::reason_for_none(crossed("LE-2").run).find("LE-3") !=
-             std::string::npos);
   BOOST_TEST(
-    BarsFromHalf::reason_for_none(crossed("solid-1").run).find("solid") !=
+    CoarserModelEstimate::reason_for_none(crossed("LE-2").run).find("LE-3") !=
+    std::string::npos);
+  BOOST_TEST(
+    HalvedAxisEstimate::reason_for_none(crossed("solid-1").run).find("solid") !=
     std::string::npos);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_estimate_bars_from_below_h
-#define lamella_estimate_bars_from_below_h
+#ifndef lamella_estimate_coarser_model_estimate_h
+#define lamella_estimate_coarser_model_estimate_h
 
 #include <lamella/estimate/contact_shares.h>
 #include <lamella/estimate/error_bar.h>
@@ -18,7 +18,7 @@
 
 namespace lamella
 {
-  /// Constants of BarsFromBelow.
+  /// Constants of CoarserModelEstimate.
   struct BelowRules
   {
     /// Least degree N of LE-N that has bars: the change from LE-1 to LE-2 does
@@ -50,7 +50,7 @@ namespace lamella
    *
    * ContactShares adds the effect of penalties and load steps.
    */
-  class BarsFromBelow
+  class CoarserModelEstimate
   {
   public:
     /// Returns why @p run has no such bars, as a sentence without a full stop;
@@ -62,7 +62,9 @@ namespace lamella
     /// step has to be solved and reason_for_none() empty. Prints a line per
     /// model to @p out; @p cache keeps the models. Throws what Simulation
     /// throws. Collective, as goals() is.
-    BarsFromBelow(const Simulation &run, std::ostream &out, ModelCache &cache);
+    CoarserModelEstimate(const Simulation &run,
+                         std::ostream     &out,
+                         ModelCache       &cache);
 
     /// Returns the goals of the scene with their bars.
     std::vector<GoalResult>
@@ -76,18 +78,18 @@ namespace lamella
     solve_poorer_models(std::ostream &out, ModelCache &cache);
     /// Returns the bar by surpluses alone.
     ErrorBar
-    by_surpluses(const NamedQuantity &goal, const SurplusBySource &own) const;
+    by_surpluses(const NamedQuantity &goal, const SurplusParts &own) const;
     /// Returns the bar by poorer models, and by the surpluses @p own if given.
     ErrorBar
-    by_models(const NamedQuantity                  &goal,
-              const std::optional<SurplusBySource> &own) const;
+    by_models(const NamedQuantity               &goal,
+              const std::optional<SurplusParts> &own) const;
     using Shares = std::vector<std::pair<std::string, double>>;
     /// Returns the part of each source in @p bar, with the sign of its last
     /// change.
     Shares
-    shares_of(const NamedQuantity                  &goal,
-              const ErrorBar                       &bar,
-              const std::optional<SurplusBySource> &own) const;
+    shares_of(const NamedQuantity               &goal,
+              const ErrorBar                    &bar,
+              const std::optional<SurplusParts> &own) const;
     GoalResult
     goal(const unsigned int number) const;
 

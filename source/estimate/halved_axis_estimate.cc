@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/text.h>
-#include <lamella/estimate/bars_from_half.h>
+#include <lamella/estimate/halved_axis_estimate.h>
 #include <lamella/estimate/poorer.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ namespace lamella
 
 
   std::string
-  BarsFromHalf::reason_for_none(const Simulation &run)
+  HalvedAxisEstimate::reason_for_none(const Simulation &run)
   {
     const Scene &scene = run.model().scene();
     for (const BodyDescription &body : scene.bodies)
@@ -97,9 +97,9 @@ namespace lamella
 
 
   double
-  BarsFromHalf::operations(const Scene                 &scene,
-                           const std::vector<BodySize> &sizes,
-                           const HalfPlan              &plan)
+  HalvedAxisEstimate::operations(const Scene                 &scene,
+                                 const std::vector<BodySize> &sizes,
+                                 const HalfPlan              &plan)
   {
     const Scene rich = richer_in_section(scene, plan.degree);
     double      sum  = 0.;
@@ -120,7 +120,7 @@ namespace lamella
 
 
   std::optional<HalfPlan>
-  BarsFromHalf::plan(const Simulation &run, const double most)
+  HalvedAxisEstimate::plan(const Simulation &run, const double most)
   {
     const Scene                &scene        = run.model().scene();
     const std::vector<BodySize> sizes        = sizes_of(run.model());
@@ -135,10 +135,10 @@ namespace lamella
 
 
 
-  BarsFromHalf::BarsFromHalf(const Simulation &run,
-                             const HalfPlan   &plan,
-                             std::ostream     &out,
-                             ModelCache       &cache)
+  HalvedAxisEstimate::HalvedAxisEstimate(const Simulation &run,
+                                         const HalfPlan   &plan,
+                                         std::ostream     &out,
+                                         ModelCache       &cache)
     : run(run)
     , chosen(plan)
     , of_run(run)
@@ -147,14 +147,14 @@ namespace lamella
     const Scene scene = for_estimates(run);
     layerwise =
       std::all_of(scene.bodies.begin(), scene.bodies.end(), is_of_layers);
-    OtherModels others(run, out, cache);
+    ComparisonModels others(run, out, cache);
     solve_levels(others, scene);
   }
 
 
 
   void
-  BarsFromHalf::solve_levels(OtherModels &others, const Scene &scene)
+  HalvedAxisEstimate::solve_levels(ComparisonModels &others, const Scene &scene)
   {
     const Scene half_scene = on_coarser_axis(scene, chosen.times);
     if (chosen.degree == 0)
@@ -176,7 +176,7 @@ namespace lamella
 
 
   ErrorBar
-  BarsFromHalf::by_levels(const NamedQuantity &goal) const
+  HalvedAxisEstimate::by_levels(const NamedQuantity &goal) const
   {
     const double value  = of_run.numbers().value(goal),
                  change = richer.value(goal) - half.value(goal),
@@ -209,7 +209,7 @@ namespace lamella
 
 
   GoalResult
-  BarsFromHalf::goal(const unsigned int number) const
+  HalvedAxisEstimate::goal(const unsigned int number) const
   {
     const NamedQuantity &quantity = of_run.quantities()[number];
     const double         value    = of_run.numbers().value(quantity);
@@ -228,7 +228,7 @@ namespace lamella
 
 
   std::vector<GoalResult>
-  BarsFromHalf::goals() const
+  HalvedAxisEstimate::goals() const
   {
     std::vector<GoalResult> results;
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/estimate/bars_from_below.h>
+#include <lamella/estimate/coarser_model_estimate.h>
 #include <lamella/estimate/poorer.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace lamella
 
 
   std::string
-  BarsFromBelow::reason_for_none(const Simulation &run)
+  CoarserModelEstimate::reason_for_none(const Simulation &run)
   {
     const unsigned int degree = BelowRules().least_degree;
     for (const BodyDescription &body : run.model().scene().bodies)
@@ -40,9 +40,9 @@ namespace lamella
 
 
 
-  BarsFromBelow::BarsFromBelow(const Simulation &run,
-                               std::ostream     &out,
-                               ModelCache       &cache)
+  CoarserModelEstimate::CoarserModelEstimate(const Simulation &run,
+                                             std::ostream     &out,
+                                             ModelCache       &cache)
     : run(run)
     , of_run(run)
     , dual(run)
@@ -62,7 +62,7 @@ namespace lamella
 
 
   bool
-  BarsFromBelow::wants_models_of(const unsigned int number) const
+  CoarserModelEstimate::wants_models_of(const unsigned int number) const
   {
     return !run.model().scene().contacts.empty() || surpluses == nullptr ||
            !derivatives[number];
@@ -71,10 +71,11 @@ namespace lamella
 
 
   void
-  BarsFromBelow::solve_poorer_models(std::ostream &out, ModelCache &cache)
+  CoarserModelEstimate::solve_poorer_models(std::ostream &out,
+                                            ModelCache   &cache)
   {
-    OtherModels others(run, out, cache);
-    const auto  poorer = [](const Scene &scene) {
+    ComparisonModels others(run, out, cache);
+    const auto       poorer = [](const Scene &scene) {
       return of_one_degree_less(on_half_the_axis(scene));
     };
     const Scene one = poorer(for_estimates(run));
@@ -87,8 +88,8 @@ namespace lamella
 
 
   ErrorBar
-  BarsFromBelow::by_surpluses(const NamedQuantity   &goal,
-                              const SurplusBySource &own) const
+  CoarserModelEstimate::by_surpluses(const NamedQuantity &goal,
+                                     const SurplusParts  &own) const
   {
     const Surplus &section = own.section, &axis = own.axis;
     return error_bar_from_below(
@@ -104,8 +105,8 @@ namespace lamella
 
 
   ErrorBar
-  BarsFromBelow::by_models(const NamedQuantity                  &goal,
-                           const std::optional<SurplusBySource> &own) const
+  CoarserModelEstimate::by_models(const NamedQuantity               &goal,
+                                  const std::optional<SurplusParts> &own) const
   {
     const double change  = of_run.numbers().value(goal) - half->value(goal),
                  before  = half->value(goal) - quarter->value(goal);
@@ -127,10 +128,10 @@ namespace lamella
 
 
 
-  BarsFromBelow::Shares
-  BarsFromBelow::shares_of(const NamedQuantity                  &goal,
-                           const ErrorBar                       &bar,
-                           const std::optional<SurplusBySource> &own) const
+  CoarserModelEstimate::Shares
+  CoarserModelEstimate::shares_of(const NamedQuantity               &goal,
+                                  const ErrorBar                    &bar,
+                                  const std::optional<SurplusParts> &own) const
   {
     const std::string section = name_of(Source::section),
                       axis    = name_of(Source::axis);
@@ -156,10 +157,10 @@ namespace lamella
 
 
   GoalResult
-  BarsFromBelow::goal(const unsigned int number) const
+  CoarserModelEstimate::goal(const unsigned int number) const
   {
-    const NamedQuantity           &quantity = of_run.quantities()[number];
-    std::optional<SurplusBySource> own;
+    const NamedQuantity        &quantity = of_run.quantities()[number];
+    std::optional<SurplusParts> own;
     if (derivatives[number] && surpluses != nullptr)
       {
         BlockVector z = dual.solve(*derivatives[number]).u;
@@ -180,7 +181,7 @@ namespace lamella
 
 
   std::vector<GoalResult>
-  BarsFromBelow::goals() const
+  CoarserModelEstimate::goals() const
   {
     std::vector<GoalResult> results;
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/known_end_fields.h>
+#include <lamella/adapt/known_boundary_layer_modes.h>
 #include <lamella/base/processes.h>
 #include <lamella/section/embedding.h>
 
@@ -11,12 +11,14 @@ namespace lamella
   using namespace dealii;
 
   bool
-  suffice(const std::vector<EndZone> &zones, const ConstrainedSection &held)
+  suffice(const std::vector<BoundaryLayerZone> &zones,
+          const ConstrainedSection             &held)
   {
-    return !held.is_looked_at ||
-           std::none_of(zones.begin(), zones.end(), [](const EndZone &zone) {
-             return zone.is_embedded;
-           });
+    return !held.is_sampled || std::none_of(zones.begin(),
+                                            zones.end(),
+                                            [](const BoundaryLayerZone &zone) {
+                                              return zone.is_embedded;
+                                            });
   }
 
 
@@ -59,21 +61,21 @@ namespace lamella
 
 
 
-  std::vector<EndZone>
-  embedded(const std::vector<EndZone> &zones,
-           const Section              &from,
-           const Section              &section,
-           const Warping              &warping,
-           const FieldColumns         &warpings,
-           const EndFieldRules        &rules)
+  std::vector<BoundaryLayerZone>
+  embedded(const std::vector<BoundaryLayerZone> &zones,
+           const Section                        &from,
+           const Section                        &section,
+           const Warping                        &warping,
+           const FieldColumns                   &warpings,
+           const BoundaryLayerRules             &rules)
   {
-    std::vector<EndZone> result;
-    FieldColumns         known = warpings;
-    for (const EndZone &zone : zones)
+    std::vector<BoundaryLayerZone> result;
+    FieldColumns                   known = warpings;
+    for (const BoundaryLayerZone &zone : zones)
       {
-        EndZone richer;
-        richer.influence_length       = zone.influence_length;
-        richer.is_embedded = true;
+        BoundaryLayerZone richer;
+        richer.influence_length = zone.influence_length;
+        richer.is_embedded      = true;
         richer.fields =
           warping.weighted_basis(embedded(zone.fields, from, section),
                                  warpings,
@@ -89,7 +91,7 @@ namespace lamella
 
 
 
-  EndFields::EndFields(const EndFieldRules &rules)
+  BoundaryLayerModes::BoundaryLayerModes(const BoundaryLayerRules &rules)
     : rules(rules)
   {}
 
@@ -108,16 +110,16 @@ namespace lamella
 
 
 
-  std::vector<EndZone>
-  EndFields::zones(const std::shared_ptr<const Section> &section,
-                   const SaintVenant                    &states,
-                   const Warping                        &warping,
-                   const FieldColumns                   &warpings,
-                   const ConstrainedSection                    &held,
-                   const std::vector<HeatedSection>     &heat)
+  std::vector<BoundaryLayerZone>
+  BoundaryLayerModes::zones(const std::shared_ptr<const Section> &section,
+                            const SaintVenant                    &states,
+                            const Warping                        &warping,
+                            const FieldColumns                   &warpings,
+                            const ConstrainedSection             &held,
+                            const std::vector<HeatedSection>     &heat)
   {
     ConstrainedSection of_piece = held;
-    of_piece.element     = first_element(*section, held, rules);
+    of_piece.element            = first_element(*section, held, rules);
     const auto same =
       std::find_if(known.begin(), known.end(), [&](const Known &one) {
         return alike(one.held, of_piece) && are_equal(*one.section, *section) &&
@@ -128,9 +130,9 @@ namespace lamella
     const bool is_known = is_same_everywhere(same - known.begin());
     if (is_known && same != known.end())
       return same->zones;
-    const std::size_t    other    = poorer(*section, of_piece);
-    const bool           is_there = is_same_everywhere(other);
-    std::vector<EndZone> zones;
+    const std::size_t              other    = poorer(*section, of_piece);
+    const bool                     is_there = is_same_everywhere(other);
+    std::vector<BoundaryLayerZone> zones;
     if (is_there && other < known.size())
       zones = embedded(known[other].zones,
                        *known[other].section,
@@ -140,8 +142,8 @@ namespace lamella
                        rules);
     else
       {
-        zones =
-          end_fields(section, states, warping, warpings, held, heat, rules);
+        zones = boundary_layer_modes(
+          section, states, warping, warpings, held, heat, rules);
         ++n_pieces;
       }
     known.push_back({section, warpings, of_piece, zones});
@@ -151,11 +153,12 @@ namespace lamella
 
 
   std::size_t
-  EndFields::poorer(const Section &section, const ConstrainedSection &held) const
+  BoundaryLayerModes::poorer(const Section            &section,
+                             const ConstrainedSection &held) const
   {
     std::size_t  best   = known.size();
     unsigned int degree = 0;
-    if (!held.is_looked_at)
+    if (!held.is_sampled)
       for (std::size_t k = 0; k < known.size(); ++k)
         if (const Known &one = known[k];
             one.section->element().degree() < section.element().degree() &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/text.h>
-#include <lamella/estimate/bars_by_source.h>
+#include <lamella/estimate/enrichment_estimate.h>
 #include <lamella/estimate/local_errors.h>
 #include <lamella/estimate/poorer.h>
 
@@ -37,7 +37,7 @@ namespace lamella
 
 
   std::string
-  BarsBySource::reason_for_none(const Simulation &run)
+  EnrichmentEstimate::reason_for_none(const Simulation &run)
   {
     bool any = false;
     for (const BodyDescription &body : run.model().scene().bodies)
@@ -53,15 +53,15 @@ namespace lamella
 
 
 
-  BarsBySource::BarsBySource(const Simulation &run,
-                             std::ostream     &out,
-                             ModelCache       &cache)
+  EnrichmentEstimate::EnrichmentEstimate(const Simulation &run,
+                                         std::ostream     &out,
+                                         ModelCache       &cache)
     : run(run)
     , of_run(run)
     , of_contact(run)
   {
-    const Scene scene = for_estimates(run);
-    OtherModels models(run, out, cache);
+    const Scene      scene = for_estimates(run);
+    ComparisonModels models(run, out, cache);
     if (scene.goals.tolerances.empty())
       compare_with_poorer(models, scene);
     else
@@ -72,7 +72,8 @@ namespace lamella
 
 
   void
-  BarsBySource::compare_with_poorer(OtherModels &models, const Scene &scene)
+  EnrichmentEstimate::compare_with_poorer(ComparisonModels &models,
+                                          const Scene      &scene)
   {
     others.push_back(
       {Source::axis,
@@ -91,7 +92,8 @@ namespace lamella
 
 
   void
-  BarsBySource::compare_with_richer(OtherModels &models, const Scene &scene)
+  EnrichmentEstimate::compare_with_richer(ComparisonModels &models,
+                                          const Scene      &scene)
   {
     const std::vector<BodySize> sizes = sizes_of(run.model());
     const auto                  look  = [this](const Simulation &finer) {
@@ -115,7 +117,8 @@ namespace lamella
 
 
   void
-  BarsBySource::compare_sections(OtherModels &models, const Scene &scene)
+  EnrichmentEstimate::compare_sections(ComparisonModels &models,
+                                       const Scene      &scene)
   {
     const bool is_low =
       std::any_of(scene.bodies.begin(),
@@ -142,7 +145,8 @@ namespace lamella
 
 
   double
-  BarsBySource::change_by(const Other &other, const NamedQuantity &goal) const
+  EnrichmentEstimate::change_by(const Other         &other,
+                                const NamedQuantity &goal) const
   {
     const double change =
       of_run.numbers().value(goal) - other.numbers.value(goal);
@@ -152,7 +156,7 @@ namespace lamella
 
 
   ErrorBar
-  BarsBySource::bar_of(const NamedQuantity &goal) const
+  EnrichmentEstimate::bar_of(const NamedQuantity &goal) const
   {
     const double scale   = of_run.scale_of(goal);
     double       changed = 0.;
@@ -179,7 +183,7 @@ namespace lamella
 
 
   GoalResult
-  BarsBySource::goal(const unsigned int number) const
+  EnrichmentEstimate::goal(const unsigned int number) const
   {
     const NamedQuantity &quantity = of_run.quantities()[number];
     GoalResult           result   = of_run.with_bar(number, bar_of(quantity));
@@ -195,7 +199,7 @@ namespace lamella
 
 
   std::vector<GoalResult>
-  BarsBySource::goals() const
+  EnrichmentEstimate::goals() const
   {
     std::vector<GoalResult> results;
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
