@@ -7,7 +7,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
 #include <lamella/estimate/goal_bars.h>
-#include <lamella/estimate/start.h>
+#include <lamella/estimate/initial_model.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/export/calculix_deck.h>
 #include <lamella/report/page.h>
@@ -64,12 +64,12 @@ namespace
 
   /// What makes the error bars of @p simulation.
   PostProcessing
-  bars_afterwards(Simulation &simulation)
+  make_error_bars(Simulation &simulation)
   {
     return [&simulation] {
       ModelCache cache;
-      GoalBars   bars = bars_of(simulation, simulation.output(), cache);
-      simulation.set_goals(std::move(bars.goals), bars.why_none);
+      GoalBars   bars = error_bars_of(simulation, simulation.output(), cache);
+      simulation.set_goals(std::move(bars.goals), bars.missing_reason);
     };
   }
 
@@ -78,19 +78,19 @@ namespace
   /// Runs @p scene with the rotations that its linear run asks for: that run,
   /// if it leaves nothing out.
   void
-  run_as_far_as_it_turns(const CommandLine &command,
-                         const SceneText   &text,
-                         const Scene       &scene,
-                         std::ostream      &out)
+  run_automatic_rotations(const CommandLine &command,
+                          const SceneText   &text,
+                          const Scene       &scene,
+                          std::ostream      &out)
   {
     const LinearTrial trial(scene, text, out);
-    if (!trial.suffices())
+    if (!trial.is_linear_sufficient())
       run_scene(trial.chosen(),
                 command.output,
                 command.resume,
-                bars_afterwards(trial.chosen()));
+                make_error_bars(trial.chosen()));
     else if (!command.resume)
-      trial.write(command.output, bars_afterwards(trial.chosen()));
+      trial.write(command.output, make_error_bars(trial.chosen()));
     else
       throw InputError("--resume goes on after load steps that are written; "
                        "the linear run that Rotations = auto takes here writes "
@@ -105,16 +105,16 @@ namespace
   {
     std::ostream &out = output();
     if (is_root_process() && !command.validate)
-      say_if_interrupted("interrupted before anything was solved. " +
-                         command.output + " is as it was.");
+      set_interruption_message("interrupted before anything was solved. " +
+                               command.output + " is as it was.");
     if (!scene.goals.tolerances.empty() && !command.validate)
       return run_to_tolerance(command, scene, out);
     if (scene.solve.rotations == Rotations::automatic && !command.validate)
-      return run_as_far_as_it_turns(command, text, scene, out);
+      return run_automatic_rotations(command, text, scene, out);
     // What a run to a tolerance would begin with, and why.
     std::vector<std::string> why;
     const auto               simulation =
-      make_simulation(command.validate ? start_of(scene, &why) : scene,
+      make_simulation(command.validate ? initial_model(scene, &why) : scene,
                       text,
                       out);
     for (const std::string &one : why)
@@ -130,7 +130,7 @@ namespace
       run_scene(*simulation,
                 command.output,
                 command.resume,
-                bars_afterwards(*simulation));
+                make_error_bars(*simulation));
   }
 
 
@@ -170,7 +170,7 @@ namespace
   {
     if (command.help || command.version)
       {
-        output() << (command.help ? usage() : version_in_full());
+        output() << (command.help ? usage() : full_version());
         return;
       }
     require_one_process(command);
@@ -195,12 +195,12 @@ namespace
       {
         // That is what there is to say, also if another process ends first and
         // this one is told to.
-        say_if_interrupted("");
+        set_interruption_message("");
         throw text.placed(error);
       }
     catch (const NumericsError &)
       {
-        say_if_interrupted("");
+        set_interruption_message("");
         throw;
       }
   }
@@ -210,7 +210,7 @@ namespace
   /// Whether all processes come here, too, within some seconds, through a
   /// communicator that nothing else uses.
   bool
-  all_arrive(MPI_Comm arrivals)
+  all_processes_arrive(MPI_Comm arrivals)
   {
     constexpr std::chrono::seconds patience(10);
     MPI_Request                    request;
@@ -231,12 +231,14 @@ namespace
 
   /// Ends all processes if this one alone has met the fault.
   void
-  tell_fault(const int status, const std::string &message, MPI_Comm arrivals)
+  report_failure(const int          status,
+                 const std::string &message,
+                 MPI_Comm           arrivals)
   {
     // As a rule all processes meet the same fault and one of them tells it.
     // What only this one has met (a full disk, say) the others do not know,
     // and they wait for it.
-    const bool common = n_processes() == 1 || all_arrive(arrivals);
+    const bool common = n_processes() == 1 || all_processes_arrive(arrivals);
     if (!common || is_root_process())
       std::cerr << "lamella: " << message << std::endl;
     if (!common)
@@ -259,11 +261,11 @@ main(int argc, char **argv)
   const auto all = [&] { run(CommandLine::parse({argv + 1, argv + argc})); };
   const std::string task = argc > 1 ? argv[1] : "";
   if ((task == "trade" || task == "report" || task == "new") &&
-      n_launched() == 1)
+      n_launched_processes() == 1)
     {
       // Each variant starts an MPI of its own, in its own process; a report and
       // a new scene need none.
-      survive_failed_writes();
+      ignore_write_signals();
       const auto [status, message] = outcome_of(all);
       if (status != 0)
         std::cerr << "lamella: " << message << std::endl;
@@ -276,7 +278,7 @@ main(int argc, char **argv)
 
   const auto [status, message] = outcome_of(all);
   if (status != 0)
-    tell_fault(status, message, arrivals);
+    report_failure(status, message, arrivals);
   MPI_Comm_free(&arrivals);
   return status;
 }

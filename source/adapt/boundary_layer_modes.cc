@@ -41,7 +41,7 @@ namespace lamella
       AxisMesh     axis;
       axis.length = length;
       axis.breaks = graded_breaks(length,
-                                  {{held.goes_forward ? 0. : length,
+                                  {{held.extends_forward ? 0. : length,
                                     first_element(*section, held, rules)}});
       axis.elements.assign(axis.breaks.size() + 1, 1);
       return std::make_unique<Beam>("end",
@@ -57,7 +57,7 @@ namespace lamella
     rows_of(const ConstrainedSection &held, const Beam &piece)
     {
       const unsigned int node =
-        held.goes_forward ? 0 : piece.axis().n_nodes() - 1;
+        held.extends_forward ? 0 : piece.axis().n_nodes() - 1;
       std::vector<PrescribedFunctional> rows;
       for (const LinearFunctional &row : held.rows)
         {
@@ -82,7 +82,7 @@ namespace lamella
     }
 
     Vector
-    all_along(const Beam &piece, const Vector &v)
+    along_whole_axis(const Beam &piece, const Vector &v)
     {
       Vector u(piece.n_dofs());
       for (unsigned int node = 0; node < piece.axis().n_nodes(); ++node)
@@ -97,7 +97,7 @@ namespace lamella
     std::optional<Vector>
     disturbance(const Beam &piece, const Vector &u, const HeatedSection &heat)
     {
-      const Vector answer    = all_along(piece, heat.answer);
+      const Vector answer    = along_whole_axis(piece, heat.answer);
       const auto   energy_of = [&piece](const Vector &v) {
         Vector forces(v.size());
         piece.add_internal_forces(v, forces);
@@ -147,8 +147,9 @@ namespace lamella
         for (const Spring &spring : stabilizing_springs(piece, 0, rows, {1.}))
           springs.emplace_back(spring.row, spring.stiffness);
       const unsigned int last = piece.axis().n_nodes() - 1,
-                         far  = held.goes_forward ? last : 0;
-      const double arm = (held.goes_forward ? 1. : -1.) * piece.axis().length();
+                         far  = held.extends_forward ? last : 0;
+      const double arm =
+        (held.extends_forward ? 1. : -1.) * piece.axis().length();
       std::vector<Vector> u;
       for (const Vector &load : end_loads(states, piece, far, arm, motions))
         u.push_back(at_node(piece, load, far));
@@ -160,8 +161,9 @@ namespace lamella
         {
           // What makes the answer all along, but for its traction at the end.
           u.push_back(at_node(piece, one.traction, last - far));
-          u.back() *= held.goes_forward ? 1. : -1.;
-          piece.add_internal_forces(all_along(piece, one.answer), u.back());
+          u.back() *= held.extends_forward ? 1. : -1.;
+          piece.add_internal_forces(along_whole_axis(piece, one.answer),
+                                    u.back());
         }
       if (u.empty())
         return u;
@@ -202,7 +204,7 @@ namespace lamella
             result.weights.push_back(std::sqrt(lengths[node] / H));
             v *= result.weights.back();
             result.vectors.push_back(v);
-            result.distances.push_back(held.goes_forward ?
+            result.distances.push_back(held.extends_forward ?
                                          axis.nodes()[node] :
                                          axis.length() - axis.nodes()[node]);
           }
@@ -284,7 +286,7 @@ namespace lamella
   {
     const double larger = section->extents().second;
     const auto   piece  = make_piece(section, held, rules);
-    if (piece->n_dofs() > rules.most_dofs)
+    if (piece->n_dofs() > rules.max_dofs)
       return {};
     const std::vector<Vector> u =
       solutions(*piece, states, held, rows_of(held, *piece), heat);
@@ -306,19 +308,17 @@ namespace lamella
     for (unsigned int t = 0; t < interactions.size(); ++t)
       {
         // LocalInteractions that hold a section together have one piece.
-        const bool is_first =
-          std::none_of(interactions.begin(),
-                       interactions.begin() + t,
-                       [&](const auto &o) {
-                         return o.holds_section &&
-                                std::abs(o.begin - interactions[t].begin) <
-                                  arithmetic::same_place * beam.axis().length();
-                       });
-        if (interactions[t].holds_section && is_first)
+        const bool is_first = std::none_of(
+          interactions.begin(), interactions.begin() + t, [&](const auto &o) {
+            return o.constrains_section &&
+                   std::abs(o.begin - interactions[t].begin) <
+                     arithmetic::same_position * beam.axis().length();
+          });
+        if (interactions[t].constrains_section && is_first)
           for (const ConstrainedSection &held :
                constrained_sections(interactions, t, beam.axis()))
             if (const auto piece = make_piece(section, held, rules);
-                piece->n_dofs() <= rules.most_dofs)
+                piece->n_dofs() <= rules.max_dofs)
               nodes += piece->axis().n_nodes();
       }
     return nodes;

@@ -67,7 +67,7 @@ namespace lamella
       LAPACKFullMatrix<double>              copy = matrix;
       std::pair<Vector, FullMatrix<double>> result;
       const double                          bound =
-        2. * matrix.frobenius_norm() + arithmetic::above_zero;
+        2. * matrix.frobenius_norm() + arithmetic::smallest_divisor;
       copy.set_property(LAPACKSupport::symmetric);
       copy.compute_eigenvalues_symmetric(
         -bound, bound, 0., result.first, result.second);
@@ -79,7 +79,7 @@ namespace lamella
     /// Combinations of six loads, a column each, that do no work on the free
     /// motions: @p work is that of the loads on each of these.
     FullMatrix<double>
-    without_work(const std::vector<Tensor<1, 6>> &work)
+    without_work_on(const std::vector<Tensor<1, 6>> &work)
     {
       LAPACKFullMatrix<double> gram(n_all, n_all);
       for (const Tensor<1, 6> &one : work)
@@ -164,7 +164,7 @@ namespace lamella
         load /= std::sqrt(s * (states.compliance() * s));
       }
     const FullMatrix<double> parts =
-      without_work(work_of(loads, motions, piece.dofs().first(far_node)));
+      without_work_on(work_of(loads, motions, piece.dofs().first(far_node)));
     const unsigned int n = parts.n();
 
     std::vector<Vector> combined(n, Vector(section.n_fields()));
@@ -189,8 +189,8 @@ namespace lamella
 
 
 
-  HeatedSection::HeatedSection(const SaintVenant       &states,
-                               const Beam::SectionHeat &heat)
+  HeatedSection::HeatedSection(const SaintVenant              &states,
+                               const Beam::SectionThermalLoad &heat)
     : answer(states.response_to_constant(heat.on_values))
     , traction(answer.size())
   {

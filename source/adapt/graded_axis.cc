@@ -36,7 +36,7 @@ namespace lamella
                    first * place.size + rules.growth * std::abs(y - place.y));
       for (const LoadedPart &part : loaded)
         if (part.begin <= y && y <= part.end)
-          size = std::min(size, part.span / rules.over_span);
+          size = std::min(size, part.span / rules.elements_per_span);
       return size;
     }
 
@@ -60,7 +60,7 @@ namespace lamella
       for (const ShortElement &place : places)
         if (!result.empty() &&
             place.y - result.back().y <
-              rules.one_place *
+              rules.merge_distance *
                 std::min({place.size, result.back().size, length}))
           {
             result.back().size = std::min(result.back().size, place.size);
@@ -75,14 +75,16 @@ namespace lamella
 
 
     /// Returns the number of elements for @p wanted: rounded up, to an even
-    /// number if @p together, and multiplied by @p fineness.
+    /// number if @p together, and multiplied by @p refinement_factor.
     unsigned int
     n_elements(const double wanted,
                const double together,
-               const double fineness)
+               const double refinement_factor)
     {
       const double n = together * std::max(1., std::ceil(wanted / together));
-      return std::max(1., std::ceil(fineness * n - arithmetic::as_written));
+      return std::max(1.,
+                      std::ceil(refinement_factor * n -
+                                arithmetic::decimal_tolerance));
     }
 
 
@@ -115,7 +117,7 @@ namespace lamella
   graded_breaks(const double                     length,
                 const std::vector<ShortElement> &given,
                 const GradingRules              &rules,
-                const double                     fineness,
+                const double                     refinement_factor,
                 const std::vector<LoadedPart>   &loaded)
   {
     const unsigned int              samples = rules.samples;
@@ -137,9 +139,10 @@ namespace lamella
           std::any_of(loaded.begin(), loaded.end(), [&](const auto &part) {
             return part.begin < end && part.end > begin;
           });
-        const unsigned int n = n_elements(integral.back() - rules.spare,
-                                          is_loaded ? 2. : 1.,
-                                          fineness);
+        const unsigned int n =
+          n_elements(integral.back() - rules.rounding_allowance,
+                     is_loaded ? 2. : 1.,
+                     refinement_factor);
         add_equal_parts(integral, begin, step, n, breaks);
         if (piece + 2 < places.size())
           breaks.push_back(end);
@@ -154,7 +157,7 @@ namespace lamella
     bool
     is_automatic(const BodyDescription &body)
     {
-      return body.axis.fineness > 0.;
+      return body.axis.refinement_factor > 0.;
     }
 
 
@@ -237,7 +240,7 @@ namespace lamella
         lowest = std::min(lowest, gap);
       double begin = beam.axis().length(), end = 0.;
       for (const auto &[y, gap] : gaps)
-        if (gap < lowest + rules.same_gap * H)
+        if (gap < lowest + rules.gap_tolerance * H)
           {
             begin = std::min(begin, y);
             end   = std::max(end, y);
@@ -252,7 +255,7 @@ namespace lamella
       for (const double edge : {begin, end})
         places.push_back({edge, size, true});
       const double n = std::ceil(
-        std::min((end - begin) / (rules.inside * H), rules.most_inside) / 2.);
+        std::min((end - begin) / (rules.inside * H), rules.max_inside) / 2.);
       for (unsigned int i = 1; i < n; ++i)
         places.push_back(
           {begin + (end - begin) * i / n, 0.5 * (end - begin) / n});
@@ -277,7 +280,7 @@ namespace lamella
           for (const double y : {0., beam.axis().length()})
             if (is_clamp(region, y, beam.axis().length()) &&
                 !region.is_whole_body() &&
-                !surface_names::is_all(region.surface))
+                !surface_names::is_whole_surface(region.surface))
               places.push_back({y, end_size});
           for (const Point<3> &point : region.at)
             places.push_back({beam.place().to_body(point)[1], point_size});
@@ -346,9 +349,9 @@ namespace lamella
     /// Node-to-node contact pairs nodes that face each other: two axes along
     /// the same line have the places of both.
     void
-    share_places_of_paired_nodes(const std::vector<ContactPair>  &contacts,
-                                 const std::vector<const Beam *> &beams,
-                                 std::vector<GradingTargets>     &targets)
+    share_graded_places(const std::vector<ContactPair>  &contacts,
+                        const std::vector<const Beam *> &beams,
+                        std::vector<GradingTargets>     &targets)
     {
       for (const ContactPair &contact : contacts)
         {
@@ -361,7 +364,7 @@ namespace lamella
             return one.place().to_body(
               other.place().to_scene(Point<3>(0., y, 0.)))[1];
           };
-          const double tolerance = arithmetic::same_place * length;
+          const double tolerance = arithmetic::same_position * length;
           if (std::abs(other.axis().length() - length) > tolerance ||
               std::abs(y_in_one_of(0.)) > tolerance ||
               std::abs(y_in_one_of(length) - length) > tolerance)
@@ -408,14 +411,14 @@ namespace lamella
 
     /// As many equal elements along an axis as find a contact, and not more.
     unsigned int
-    elements_to_search(const double        length,
-                       const double        height,
-                       const GradingRules &rules)
+    elements_for_search(const double        length,
+                        const double        height,
+                        const GradingRules &rules)
     {
       return static_cast<unsigned int>(
-        std::clamp(std::ceil(rules.to_search * length / height),
-                   rules.least_to_search,
-                   rules.most_to_search));
+        std::clamp(std::ceil(rules.search_elements * length / height),
+                   rules.min_search_elements,
+                   rules.max_search_elements));
     }
   } // namespace
 
@@ -435,8 +438,8 @@ namespace lamella
                     const GradingRules                 &rules)
     {
       const Bodies plain = plain_beams(bodies, meshes);
-      spread_totals(loads, plain);
-      apply_heat(loads, plain);
+      distribute_total_forces(loads, plain);
+      apply_temperatures(loads, plain);
       const auto                  touching = interfaces_of(contacts, plain);
       std::vector<GradingTargets> targets(bodies.size());
       for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -446,7 +449,7 @@ namespace lamella
             places = places_of(b, plain, supports, loads, touching, rules);
             loaded = loaded_parts(b, plain, loads, gravity, places);
           }
-      share_places_of_paired_nodes(contacts, beams_of(plain), targets);
+      share_graded_places(contacts, beams_of(plain), targets);
       return targets;
     }
   } // namespace
@@ -466,7 +469,7 @@ namespace lamella
       return;
     for (BodyDescription &body : bodies)
       if (is_automatic(body))
-        body.axis.elements = {elements_to_search(
+        body.axis.elements = {elements_for_search(
           body.axis.length, height(*meshes.at(body.section)), rules)};
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
@@ -479,12 +482,12 @@ namespace lamella
               axis.breaks    = graded_breaks(axis.length,
                                           targets[b].places,
                                           rules,
-                                          axis.fineness,
+                                          axis.refinement_factor,
                                           targets[b].loaded);
               axis.elements.assign(axis.breaks.size() + 1, 1);
             }
       }
     for (BodyDescription &body : bodies)
-      body.axis.fineness = 0.;
+      body.axis.refinement_factor = 0.;
   }
 } // namespace lamella

@@ -8,16 +8,16 @@
 namespace lamella
 {
   void
-  note_missing_fields(const Beam                          &beam,
-                      const std::vector<LocalInteraction> &interactions,
-                      std::vector<std::string>            &notes)
+  add_missing_field_notes(const Beam                          &beam,
+                          const std::vector<LocalInteraction> &interactions,
+                          std::vector<std::string>            &notes)
   {
     const auto add = [&notes](const std::string &note) {
       if (std::find(notes.begin(), notes.end(), note) == notes.end())
         notes.push_back(note);
     };
     for (const LocalInteraction &interaction : interactions)
-      if (interaction.presses)
+      if (interaction.is_contact_side)
         add("body " + beam.name() + ": SV has no fields that " +
             interaction.name +
             " can dent: forces are those of a beam, pressures and stresses "
@@ -31,14 +31,14 @@ namespace lamella
 
 
   void
-  note_heat_of_guides(const Beam                          &beam,
-                      const std::vector<LocalInteraction> &interactions,
-                      std::vector<std::string>            &notes)
+  add_guide_heat_notes(const Beam                          &beam,
+                       const std::vector<LocalInteraction> &interactions,
+                       std::vector<std::string>            &notes)
   {
     if (!beam.is_heated())
       return;
     for (unsigned int t = 0; t < interactions.size(); ++t)
-      if (interactions[t].holds_section)
+      if (interactions[t].constrains_section)
         {
           const auto held = constrained_sections(interactions, t, beam.axis());
           if (held[0].rows.size() < beam.section().n_fields() &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/local_interactions.h>
 #include <lamella/adapt/loaded_parts.h>
+#include <lamella/adapt/local_interactions.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/surface_names.h>
 
@@ -29,9 +29,9 @@ namespace lamella
       const Region::Kind kind = region.kind;
       if (kind == Region::Kind::line)
         return std::abs(y(1) - y(0)) >
-               arithmetic::same_place * beam.axis().length();
+               arithmetic::same_position * beam.axis().length();
       return kind == Region::Kind::surface &&
-             (surface_names::is_all(region.surface) ||
+             (surface_names::is_whole_surface(region.surface) ||
               !(region.covers_end(true) || region.covers_end(false)));
     }
 
@@ -59,12 +59,12 @@ namespace lamella
     /// Returns the deviation of the heat of @p beam at each node from the line
     /// through its neighbors; zero below rounding.
     AlongAxis
-    heat_deviations(const Beam &beam)
+    heat_variations(const Beam &beam)
     {
       const std::vector<double> &y = beam.axis().nodes();
       AlongAxis heat, result(y.size(), Vector(beam.section().n_fields()));
       for (const double at : y)
-        heat.push_back(beam.section_heat(at).on_derivatives);
+        heat.push_back(beam.section_thermal_load(at).on_derivatives);
       for (unsigned int k = 1; k + 1 < y.size(); ++k)
         {
           const Vector &before = heat[k - 1], &after = heat[k + 1];
@@ -96,7 +96,7 @@ namespace lamella
         largest = std::max(largest, one.l2_norm());
       const Vector *before = nullptr;
       for (unsigned int k = 0; k < y.size(); ++k)
-        if (f[k].l2_norm() > InteractionRules().strong * largest)
+        if (f[k].l2_norm() > InteractionRules().min_weight_share * largest)
           {
             if (before != nullptr && *before * f[k] < 0.)
               ends.push_back(y[k]);
@@ -140,7 +140,7 @@ namespace lamella
         load.on.erase(std::remove_if(load.on.begin(), load.on.end(), is_beside),
                       load.on.end());
         if (!load.on.empty())
-          add(across_axis(beam, load_on(load, body, bodies)));
+          add(across_axis(beam, load_vector_on(load, body, bodies)));
       }
     if (gravity.norm() > 0.)
       {
@@ -149,7 +149,7 @@ namespace lamella
         add(across_axis(beam, weight));
       }
     if (beam.is_heated())
-      add(heat_deviations(beam));
+      add(heat_variations(beam));
     return parts;
   }
 } // namespace lamella

@@ -22,18 +22,18 @@ namespace lamella
                const unsigned int              n_fields,
                const InteractionRules         &rules)
     {
-      interaction.holds_section =
+      interaction.constrains_section =
         at_node &&
         std::any_of(loads.begin(), loads.end(), [](const SectionLoad &load) {
           return load.of_clamp;
         });
-      if (interaction.holds_section)
+      if (interaction.constrains_section)
         for (const SectionLoad &load : loads)
           interaction.held.push_back(load.f);
       else
         {
-          interaction.loads  = independent_of(loads, n_fields, rules);
-          interaction.smooth = smooth_of(loads, n_fields);
+          interaction.loads  = independent_loads(loads, n_fields, rules);
+          interaction.smooth = smooth_loads(loads, n_fields);
         }
     }
 
@@ -81,14 +81,14 @@ namespace lamella
     /// Whether on each element of its axis the heat of @p beam varies along it
     /// by more than the response to what is constant can follow.
     std::vector<bool>
-    where_heat_varies(const Beam &beam, const InteractionRules &rules)
+    elements_with_varying_heat(const Beam &beam, const InteractionRules &rules)
     {
       const Axis         &axis = beam.axis();
       std::vector<Vector> heat;
       double              largest = 0.;
       for (const double y : axis.nodes())
         {
-          heat.push_back(beam.section_heat(y).on_values);
+          heat.push_back(beam.section_thermal_load(y).on_values);
           largest = std::max(largest, heat.back().l2_norm());
         }
       const double      H = beam.section().extents().first;
@@ -105,7 +105,7 @@ namespace lamella
               largest_change = std::max(largest_change, change.l2_norm());
             }
           result.push_back(largest_change * H >
-                           rules.heat_varies * largest * length);
+                           rules.heat_change_tolerance * largest * length);
         }
       return result;
     }
@@ -114,21 +114,23 @@ namespace lamella
 
     /// The heat of @p beam as a load where it varies along the axis.
     void
-    add_heat(const Beam                    &beam,
-             const InteractionRules        &rules,
-             std::vector<LocalInteraction> &interactions)
+    add_thermal_load(const Beam                    &beam,
+                     const InteractionRules        &rules,
+                     std::vector<LocalInteraction> &interactions)
     {
       if (!beam.is_heated())
         return;
       Vector load(beam.n_dofs());
-      beam.add_heat(load);
-      add_interactions(
-        "heat",
-        beam.section().n_fields(),
-        loads_of_vector(beam, load, where_heat_varies(beam, rules), rules),
-        &LocalInteraction::heats,
-        rules,
-        interactions);
+      beam.add_thermal_load(load);
+      add_interactions("heat",
+                       beam.section().n_fields(),
+                       loads_of_vector(beam,
+                                       load,
+                                       elements_with_varying_heat(beam, rules),
+                                       rules),
+                       &LocalInteraction::heats,
+                       rules,
+                       interactions);
     }
   } // namespace
 
@@ -152,9 +154,9 @@ namespace lamella
         end.element         = axis.cell_end(cell) - axis.cell_begin(cell);
         end.is_free         = true;
         const auto holds_it = [&](const LocalInteraction &interaction) {
-          return interaction.holds_section &&
+          return interaction.constrains_section &&
                  std::abs(interaction.begin - end.begin) <
-                   arithmetic::same_place * axis.length();
+                   arithmetic::same_position * axis.length();
         };
         if (std::none_of(interactions.begin(), interactions.end(), holds_it))
           ends.push_back(end);
@@ -247,7 +249,7 @@ namespace lamella
                          rules,
                          interactions);
       };
-      add("contact " + contact.name, {}, &LocalInteraction::presses);
+      add("contact " + contact.name, {}, &LocalInteraction::is_contact_side);
       for (unsigned int tangent = 0; tangent < 2; ++tangent)
         add("friction of contact " + contact.name, tangent, nullptr);
     }
@@ -259,7 +261,9 @@ namespace lamella
 
 
   Vector
-  load_on(const Load &load, const unsigned int body, const Bodies &bodies)
+  load_vector_on(const Load        &load,
+                 const unsigned int body,
+                 const Bodies      &bodies)
   {
     std::vector<types::global_dof_index> sizes;
     for (const auto &one : bodies)
@@ -298,14 +302,14 @@ namespace lamella
       add_interactions("load " + load.name,
                        n_fields,
                        loads_of_vector(beam,
-                                       load_on(load, body, bodies),
+                                       load_vector_on(load, body, bodies),
                                        std::vector<bool>(beam.axis().n_cells(),
                                                          true),
                                        rules),
                        nullptr,
                        rules,
                        interactions);
-    add_heat(beam, rules, interactions);
+    add_thermal_load(beam, rules, interactions);
     for (const ContactInterface &contact : contacts)
       add_contact(beam, body, contact, rules, interactions);
     return interactions;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/fields_of_section.h>
 #include <lamella/adapt/interaction_notes.h>
 #include <lamella/adapt/plan.h>
+#include <lamella/adapt/section_fields.h>
 #include <lamella/adapt/theory_pieces.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
@@ -27,7 +27,7 @@ namespace lamella
     bool
     is_chosen(const BodyDescription &body)
     {
-      return body.theory.is_of_solutions() || !body.pieces.empty();
+      return body.theory.is_saint_venant() || !body.pieces.empty();
     }
 
 
@@ -42,7 +42,7 @@ namespace lamella
       unsigned int                           number;
       PlanInput                              facts;
       std::vector<LocalInteraction>          interactions;
-      std::vector<std::pair<double, double>> asked;
+      std::vector<std::pair<double, double>> requested;
       std::vector<std::vector<unsigned int>> groups  = {};
       BodyPlan                               planned = {};
       FieldLists                             lists   = {};
@@ -54,7 +54,7 @@ namespace lamella
     std::vector<std::set<unsigned int>>
     near_groups(const Beam               &beam,
                 const InteractionsOfBody &loaded,
-                const FieldsOfSection    &fields)
+                const SectionFields      &fields)
     {
       std::vector<std::set<unsigned int>> result;
       for (const double y : beam.axis().nodes())
@@ -76,17 +76,18 @@ namespace lamella
     /// Lets all nodes of an element have what one of them has, where stresses
     /// are asked for in it.
     void
-    even_out(std::vector<std::set<unsigned int>>          &near,
-             const Axis                                   &axis,
-             const std::vector<std::pair<double, double>> &asked)
+    equalize_elements(std::vector<std::set<unsigned int>>          &near,
+                      const Axis                                   &axis,
+                      const std::vector<std::pair<double, double>> &requested)
     {
       const std::vector<std::set<unsigned int>> before = near;
-      const double tolerance = arithmetic::same_place * axis.length();
+      const double tolerance = arithmetic::same_position * axis.length();
       for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
-        if (std::any_of(asked.begin(), asked.end(), [&](const auto &place) {
-              return place.second > axis.cell_begin(cell) - tolerance &&
-                     place.first < axis.cell_end(cell) + tolerance;
-            }))
+        if (std::any_of(
+              requested.begin(), requested.end(), [&](const auto &place) {
+                return place.second > axis.cell_begin(cell) - tolerance &&
+                       place.first < axis.cell_end(cell) + tolerance;
+              }))
           for (const unsigned int i : axis.nodes_of_cell(cell))
             for (const unsigned int j : axis.nodes_of_cell(cell))
               near[i].insert(before[j].begin(), before[j].end());
@@ -100,16 +101,17 @@ namespace lamella
     lists_of(const Beam                                &beam,
              const std::vector<std::set<unsigned int>> &near,
              const BodyDescription                     &description,
-             FieldsOfSection                           &fields)
+             SectionFields                             &fields)
     {
       std::vector<std::vector<unsigned int>> lists;
       for (unsigned int node = 0; node < near.size(); ++node)
         {
           // Between two pieces a node carries what the richer one wants; LE-q
           // and SV are both in the section's own LE, and hardly in less.
-          const Wanted wanted = wanted_by(theories_at(beam.axis().nodes()[node],
-                                                      description.pieces,
-                                                      beam.axis().length()));
+          const Wanted wanted =
+            requirements_of(theories_at(beam.axis().nodes()[node],
+                                        description.pieces,
+                                        beam.axis().length()));
           if (wanted.degree > 0)
             lists.push_back(list_of_degree(beam.section(),
                                            wanted.any_SV ?
@@ -128,13 +130,13 @@ namespace lamella
     /// What supports hold of a node whose groups are @p near, but clamps, on
     /// average.
     double
-    mean_held(const std::vector<std::set<unsigned int>> &near,
-              const FieldsOfSection                     &fields)
+    mean_constrained(const std::vector<std::set<unsigned int>> &near,
+                     const SectionFields                       &fields)
     {
       std::size_t sum = 0;
       for (const std::set<unsigned int> &groups : near)
         for (const unsigned int group : groups)
-          sum += fields.n_held(group);
+          sum += fields.n_constrained(group);
       return double(sum) / near.size();
     }
 
@@ -172,14 +174,15 @@ namespace lamella
              const FieldRules           &rules)
     {
       PlanInput facts;
-      facts.size.dofs           = beam.n_dofs();
-      facts.size.nodes          = beam.axis().n_nodes();
-      facts.size.fields         = beam.section().n_fields();
-      facts.size.cells          = beam.section().n_cells();
-      facts.size.held_all_along = is_held_all_along(supports, number);
-      facts.theory              = description.theory;
-      facts.has_pieces          = !description.pieces.empty();
-      facts.is_unsolved         = is_unsolved(beam, rules);
+      facts.size.dofs   = beam.n_dofs();
+      facts.size.nodes  = beam.axis().n_nodes();
+      facts.size.fields = beam.section().n_fields();
+      facts.size.cells  = beam.section().n_cells();
+      facts.size.constrained_along_axis =
+        is_constrained_along_axis(supports, number);
+      facts.theory      = description.theory;
+      facts.has_pieces  = !description.pieces.empty();
+      facts.is_unsolved = is_unsolved(beam, rules);
       return facts;
     }
 
@@ -199,8 +202,8 @@ namespace lamella
         {
           one.body = beam.name();
           one.is_sampled =
-            std::any_of(body.asked.begin(),
-                        body.asked.end(),
+            std::any_of(body.requested.begin(),
+                        body.requested.end(),
                         [&](const auto &at) {
                           return at.second > y - near && at.first < y + near;
                         });
@@ -215,14 +218,14 @@ namespace lamella
     std::vector<std::vector<unsigned int>>
     groups_of(const Beam               &beam,
               const InteractionsOfBody &body,
-              FieldsOfSection          &fields,
+              SectionFields            &fields,
               const FieldRules         &rules,
               const bool                wants_responses)
     {
       std::vector<std::vector<unsigned int>> groups;
       for (unsigned int t = 0; t < body.interactions.size(); ++t)
         if (const LocalInteraction &interaction = body.interactions[t];
-            (interaction.holds_section || interaction.is_free) &&
+            (interaction.constrains_section || interaction.is_free) &&
             wants_responses)
           groups.push_back(fields.groups_of(
             interaction,
@@ -241,12 +244,12 @@ namespace lamella
     choose_lists(const Beam            &beam,
                  InteractionsOfBody    &body,
                  const BodyDescription &description,
-                 FieldsOfSection       &fields,
+                 SectionFields         &fields,
                  const FieldRules      &rules)
     {
       auto near = near_groups(beam, body, fields);
-      even_out(near, beam.axis(), body.asked);
-      body.facts.held = mean_held(near, fields);
+      equalize_elements(near, beam.axis(), body.requested);
+      body.facts.held = mean_constrained(near, fields);
       body.planned    = plan(body.facts, rules.plan);
       if (body.planned.all_fields)
         return;
@@ -261,20 +264,21 @@ namespace lamella
 
     /// The heat of @p beam at as many nodes of its axis as span that at the
     /// others.
-    std::vector<Beam::SectionHeat>
-    spanning_heat(const Beam &beam, const FieldRules &rules)
+    std::vector<Beam::SectionThermalLoad>
+    independent_heat(const Beam &beam, const FieldRules &rules)
     {
       if (!beam.is_heated())
         return {};
-      std::vector<Beam::SectionHeat> heat, result;
+      std::vector<Beam::SectionThermalLoad> heat, result;
       for (const double y : beam.axis().nodes())
-        heat.push_back(beam.section_heat(y));
+        heat.push_back(beam.section_thermal_load(y));
       const unsigned int       n = beam.section().n_fields();
       LAPACKFullMatrix<double> rows(heat.size(), n);
       for (unsigned int k = 0; k < heat.size(); ++k)
         for (unsigned int a = 0; a < n; ++a)
           rows(k, a) = heat[k].on_values[a];
-      for (const unsigned int k : most_independent(rows, rules.same_heat))
+      for (const unsigned int k :
+           select_independent_rows(rows, rules.heat_tolerance))
         result.push_back(heat[k]);
       return result;
     }
@@ -283,18 +287,19 @@ namespace lamella
 
     /// What heat does to all of the bodies @p touched, and their weights: what
     /// loads sections all along.
-    std::pair<std::vector<Beam::SectionHeat>, std::vector<Vector>>
-    loads_all_along(const std::vector<const Beam *>       &beams,
-                    const std::vector<InteractionsOfBody> &loaded,
-                    const Tensor<1, 3>                    &gravity,
-                    const FieldRules                      &rules)
+    std::pair<std::vector<Beam::SectionThermalLoad>, std::vector<Vector>>
+    loads_along_axis(const std::vector<const Beam *>       &beams,
+                     const std::vector<InteractionsOfBody> &loaded,
+                     const Tensor<1, 3>                    &gravity,
+                     const FieldRules                      &rules)
     {
-      std::vector<Beam::SectionHeat> heat;
-      std::vector<Vector>            weights;
+      std::vector<Beam::SectionThermalLoad> heat;
+      std::vector<Vector>                   weights;
       for (const InteractionsOfBody &body : loaded)
         {
           const Beam &beam = *beams[body.number];
-          for (const Beam::SectionHeat &one : spanning_heat(beam, rules))
+          for (const Beam::SectionThermalLoad &one :
+               independent_heat(beam, rules))
             heat.push_back(one);
           if (gravity.norm() > 0.)
             weights.push_back(beam.section_weight(gravity));
@@ -322,9 +327,9 @@ namespace lamella
           " carry all fields of the section (" +
           beam.section().theory().name() + ")");
       if (theory.order == 0 && description.pieces.empty())
-        note_missing_fields(beam, body.interactions, notes);
+        add_missing_field_notes(beam, body.interactions, notes);
       else if (why.empty())
-        note_heat_of_guides(beam, body.interactions, notes);
+        add_guide_heat_notes(beam, body.interactions, notes);
     }
 
 
@@ -350,7 +355,8 @@ namespace lamella
     /// @p beam, where it turns with all fields of its section, that follow.
     /// Throws InputError if its axis is not for that.
     std::unique_ptr<Beam>
-    turning_with_all(const Beam &beam, const BodyDescription &description)
+    with_finite_rotations_and_all_fields(const Beam            &beam,
+                                         const BodyDescription &description)
     {
       if (beam.axis().degree() < 3)
         throw InputError(
@@ -380,19 +386,20 @@ namespace lamella
     {
       const std::vector<const Beam *> beams = beams_of(bodies);
       const auto [heat, weights] =
-        loads_all_along(beams, loaded, gravity, rules);
-      FieldsOfSection fields(beams[loaded[0].number]->fields().shared_section(),
-                             descriptions[loaded[0].number].theory,
-                             rules,
-                             heat,
-                             weights);
+        loads_along_axis(beams, loaded, gravity, rules);
+      SectionFields fields(beams[loaded[0].number]->fields().shared_section(),
+                           descriptions[loaded[0].number].theory,
+                           rules,
+                           heat,
+                           weights);
       for (InteractionsOfBody &body : loaded)
         {
           const Beam &beam = *beams[body.number];
           // One that is going to keep all fields of its section wants none.
-          const bool responds = descriptions[body.number].theory.order > 0 &&
-                                !plan(body.facts, rules.plan).all_fields;
-          body.groups = groups_of(beam, body, fields, rules, responds);
+          const bool uses_responses =
+            descriptions[body.number].theory.order > 0 &&
+            !plan(body.facts, rules.plan).all_fields;
+          body.groups = groups_of(beam, body, fields, rules, uses_responses);
         }
 
       for (InteractionsOfBody &body : loaded)
@@ -400,14 +407,16 @@ namespace lamella
           const Beam            &beam        = *beams[body.number];
           const BodyDescription &description = descriptions[body.number];
           choose_lists(beam, body, description, fields, rules);
-          note_choice(beam, body, description, body.planned.why_fields, notes);
+          note_choice(
+            beam, body, description, body.planned.fields_reason, notes);
         }
       const auto space = fields.space();
       for (const InteractionsOfBody &body : loaded)
         if (const unsigned int b = body.number; !body.lists.empty())
           bodies[b] = with_lists(*beams[b], space, descriptions[b], body.lists);
         else if (descriptions[b].has_finite_rotations)
-          bodies[b] = turning_with_all(*beams[b], descriptions[b]);
+          bodies[b] =
+            with_finite_rotations_and_all_fields(*beams[b], descriptions[b]);
     }
 
 
@@ -415,10 +424,11 @@ namespace lamella
     /// From where to where along the body number @p body stresses are asked
     /// for.
     std::vector<std::pair<double, double>>
-    asked_of(const unsigned int body, const std::vector<StressPlace> &asked)
+    requested_ranges(const unsigned int              body,
+                     const std::vector<StressRange> &requested)
     {
       std::vector<std::pair<double, double>> places;
-      for (const StressPlace &place : asked)
+      for (const StressRange &place : requested)
         if (place.body == body)
           places.emplace_back(place.begin, place.end);
       return places;
@@ -435,7 +445,7 @@ namespace lamella
                          const std::vector<Support>          &supports,
                          const std::vector<Load>             &loads,
                          const std::vector<ContactInterface> &contacts,
-                         const std::vector<StressPlace>      &asked,
+                         const std::vector<StressRange>      &requested,
                          const FieldRules                    &rules)
     {
       InteractionsOfBody body{
@@ -443,7 +453,7 @@ namespace lamella
         facts_of(beam, b, description, supports, rules),
         find_interactions(
           beam, b, bodies, supports, loads, contacts, rules.interactions),
-        asked_of(b, asked)};
+        requested_ranges(b, requested)};
       for (const LocalInteraction &end :
            heated_free_ends(beam, body.interactions))
         body.interactions.push_back(end);
@@ -463,7 +473,7 @@ namespace lamella
                 const std::vector<Support>          &supports,
                 const std::vector<Load>             &loads,
                 const std::vector<ContactInterface> &contacts,
-                const std::vector<StressPlace>      &asked,
+                const std::vector<StressRange>      &requested,
                 const FieldRules                    &rules,
                 const Tensor<1, 3>                  &gravity,
                 std::vector<std::string>            *why)
@@ -472,7 +482,7 @@ namespace lamella
     std::map<std::pair<std::string, Theory>, std::vector<InteractionsOfBody>>
       loaded;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
-      if (descriptions[b].theory.is_of_solutions())
+      if (descriptions[b].theory.is_saint_venant())
         loaded[{descriptions[b].section, descriptions[b].theory}].push_back(
           interactions_of_body(*beams[b],
                                b,
@@ -481,18 +491,19 @@ namespace lamella
                                supports,
                                loads,
                                contacts,
-                               asked,
+                               requested,
                                rules));
     std::vector<std::string> notes;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.hierarchical)
-        note_coarse_rows(*beams[b], b, descriptions[b].pieces, contacts, notes);
+        add_coarse_row_notes(
+          *beams[b], b, descriptions[b].pieces, contacts, notes);
     for (auto &[key, of_section] : loaded)
       replace(bodies, descriptions, gravity, of_section, rules, notes);
     // Not before all touches are found, which the fields of whole sections say.
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (is_chosen(descriptions[b]) && descriptions[b].theory.is_layerwise())
-        bodies[b] = by_degrees(descriptions[b], *beams[b]);
+        bodies[b] = make_by_degrees(descriptions[b], *beams[b]);
     for (const auto &[key, of_section] : loaded)
       for (const InteractionsOfBody &body : of_section)
         if (why != nullptr)

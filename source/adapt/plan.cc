@@ -17,7 +17,7 @@ namespace lamella
   bool
   is_clamp(const Region &region, const double y, const double length)
   {
-    const double near = arithmetic::same_place * length;
+    const double near = arithmetic::same_position * length;
     return region.is_whole_body() || (y < near && region.covers_end(true)) ||
            (y > length - near && region.covers_end(false));
   }
@@ -25,8 +25,8 @@ namespace lamella
 
 
   bool
-  is_held_all_along(const std::vector<Support> &supports,
-                    const unsigned int          body)
+  is_constrained_along_axis(const std::vector<Support> &supports,
+                            const unsigned int          body)
   {
     return std::any_of(supports.begin(),
                        supports.end(),
@@ -51,7 +51,7 @@ namespace lamella
 
 
   double
-  dofs_of_layers(const BodySize &size, const unsigned int degree)
+  layerwise_dofs(const BodySize &size, const unsigned int degree)
   {
     const double side = degree * std::sqrt(size.cells) + 1.;
     return 3. * size.nodes * side * side;
@@ -62,9 +62,9 @@ namespace lamella
   namespace
   {
     bool
-    is_touched_all_along(const BodySize &size, const PlanRules &rules)
+    has_contact_along_axis(const BodySize &size, const PlanRules &rules)
     {
-      return size.loaded > rules.long_contact;
+      return size.loaded > rules.max_contact_share;
     }
 
 
@@ -74,7 +74,7 @@ namespace lamella
     equal_elements(const BodySize &size, const PlanRules &rules)
     {
       const double most = rules.equal_elements;
-      return size.held_all_along ?
+      return size.constrained_along_axis ?
                1 :
                std::lround(std::min(most, std::max(2., size.slenderness)));
     }
@@ -83,12 +83,12 @@ namespace lamella
 
 
   std::string
-  why_layers(const BodySize &size, const PlanRules &rules)
+  reason_for_layerwise(const BodySize &size, const PlanRules &rules)
   {
-    if (is_touched_all_along(size, rules))
+    if (has_contact_along_axis(size, rules))
       return "contacts may touch " + to_text(100. * size.loaded, 3) +
              " % of its length, and there would be a response to each row";
-    const double dofs = dofs_of_layers(size, 2);
+    const double dofs = layerwise_dofs(size, 2);
     return dofs <= rules.cheap_dofs ?
              "LE-2 has some " + to_text(dofs, 2) +
                " DoFs, less work than making fields of its own" :
@@ -102,22 +102,22 @@ namespace lamella
     /// Why a body of SV-N keeps all fields of its section; empty if it need
     /// not.
     std::string
-    why_all_fields(const PlanInput &facts, const PlanRules &rules)
+    reason_for_all_fields(const PlanInput &facts, const PlanRules &rules)
     {
       const BodySize   &size = facts.size;
       const std::string of_all =
         " of " + std::to_string(size.fields) + " fields";
       if (facts.is_unsolved)
         return "the scene could not be solved in double precision";
-      if (size.held_all_along)
+      if (size.constrained_along_axis)
         return "supports hold its sections all along";
-      if (size.nodes <= rules.least_nodes)
+      if (size.nodes <= rules.min_nodes)
         return "its axis has " + std::to_string(size.nodes) + " nodes only";
-      if (facts.held && *facts.held > rules.most_held * size.fields)
+      if (facts.held && *facts.held > rules.max_held_share * size.fields)
         return "supports would hold " +
                std::to_string(static_cast<unsigned int>(*facts.held)) + of_all +
                " of a node";
-      if (facts.wanted && *facts.wanted > rules.most_fields * size.fields)
+      if (facts.wanted && *facts.wanted > rules.max_fields_share * size.fields)
         return "a node would carry " + std::to_string(*facts.wanted) + of_all;
       return "";
     }
@@ -131,20 +131,21 @@ namespace lamella
     BodyPlan result;
     result.theory = facts.theory;
     if (facts.is_assumed && facts.has_contacts)
-      result.why_theory = why_layers(facts.size, rules);
-    if (!result.why_theory.empty())
+      result.theory_reason = reason_for_layerwise(facts.size, rules);
+    if (!result.theory_reason.empty())
       {
         result.theory = Theory::layerwise(rules.first_degree);
-        if (facts.grades_itself && is_touched_all_along(facts.size, rules))
+        if (facts.is_graded_automatically &&
+            has_contact_along_axis(facts.size, rules))
           result.equal_elements = equal_elements(facts.size, rules);
       }
     if (facts.has_pieces)
       result.all_fields = false;
-    else if (result.theory.is_of_solutions())
+    else if (result.theory.is_saint_venant())
       {
         if (result.theory.order > 0)
-          result.why_fields = why_all_fields(facts, rules);
-        result.all_fields = !result.why_fields.empty();
+          result.fields_reason = reason_for_all_fields(facts, rules);
+        result.all_fields = !result.fields_reason.empty();
       }
     return result;
   }
@@ -157,8 +158,8 @@ namespace lamella
     const std::string all = "all fields of the section";
     if (facts.has_pieces)
       return "fields as Theories say";
-    if (!planned.why_fields.empty())
-      return all + ", since " + planned.why_fields;
+    if (!planned.fields_reason.empty())
+      return all + ", since " + planned.fields_reason;
     if (planned.all_fields)
       return all;
     return planned.theory.order > 0 ?
@@ -179,7 +180,7 @@ namespace lamella
 
 
     /// Non-zeros of the factor of @p beam, its nodes eliminated as
-    /// foreseen_costs() says.
+    /// predicted_costs() says.
     double
     non_zeros_of(const Beam &beam)
     {
@@ -205,7 +206,7 @@ namespace lamella
 
 
   std::vector<Cost>
-  foreseen_costs(const Bodies &bodies, const CostRules &rules)
+  predicted_costs(const Bodies &bodies, const CostRules &rules)
   {
     const std::vector<const Beam *> beams = beams_of(bodies);
     std::vector<Cost>               costs;

@@ -145,7 +145,7 @@ namespace lamella
   std::vector<SectionLoad>
   loads_of_vector(const Beam              &beam,
                   const Vector            &load,
-                  const std::vector<bool> &asked,
+                  const std::vector<bool> &requested,
                   const InteractionRules  &rules)
   {
     LinearFunctional row;
@@ -160,14 +160,14 @@ namespace lamella
     const Axis              &axis = beam.axis();
     for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
       {
-        if (!asked[cell])
+        if (!requested[cell])
           continue;
         ByNode here;
         for (const unsigned int node : axis.nodes_of_cell(cell))
           if (const auto found = nodes.find(node); found != nodes.end())
             here.insert(*found);
         for (const auto &[node, part] : here)
-          if (l2_norm(part) > rules.strong * largest)
+          if (l2_norm(part) > rules.min_weight_share * largest)
             loads.push_back(
               {part, place_of(axis, here), {}, l2_norm(part), false, false});
       }
@@ -177,9 +177,9 @@ namespace lamella
 
 
   std::vector<Vector>
-  independent_of(const std::vector<SectionLoad> &loads,
-                 const unsigned int              n_fields,
-                 const InteractionRules         &rules)
+  independent_loads(const std::vector<SectionLoad> &loads,
+                    const unsigned int              n_fields,
+                    const InteractionRules         &rules)
   {
     std::vector<Vector> result, basis;
     for (const SectionLoad &load : loads)
@@ -204,7 +204,8 @@ namespace lamella
 
 
   std::vector<Vector>
-  smooth_of(const std::vector<SectionLoad> &loads, const unsigned int n_fields)
+  smooth_loads(const std::vector<SectionLoad> &loads,
+               const unsigned int              n_fields)
   {
     Point<2>     low = loads[0].in_section, high = low;
     Tensor<1, 2> center;

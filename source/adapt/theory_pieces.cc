@@ -12,7 +12,7 @@ namespace lamella
   std::vector<Theory>
   theories_at(const double y, const TheoryPieces &pieces, const double length)
   {
-    const double        tolerance = arithmetic::same_place * length;
+    const double        tolerance = arithmetic::same_position * length;
     std::vector<Theory> result;
     for (unsigned int k = 0; k < pieces.theories.size(); ++k)
       {
@@ -40,7 +40,7 @@ namespace lamella
 
 
   Wanted
-  wanted_by(const std::vector<Theory> &theories)
+  requirements_of(const std::vector<Theory> &theories)
   {
     Wanted wanted;
     for (const Theory &theory : theories)
@@ -56,17 +56,17 @@ namespace lamella
 
 
   void
-  note_coarse_rows(const Beam                          &beam,
-                   const unsigned int                   body,
-                   const TheoryPieces                  &pieces,
-                   const std::vector<ContactInterface> &contacts,
-                   std::vector<std::string>            &notes)
+  add_coarse_row_notes(const Beam                          &beam,
+                       const unsigned int                   body,
+                       const TheoryPieces                  &pieces,
+                       const std::vector<ContactInterface> &contacts,
+                       std::vector<std::string>            &notes)
   {
     std::vector<bool> is_coarse;
     for (const double y : beam.axis().nodes())
       {
         const Wanted wanted =
-          wanted_by(theories_at(y, pieces, beam.axis().length()));
+          requirements_of(theories_at(y, pieces, beam.axis().length()));
         is_coarse.push_back(!wanted.any_SV &&
                             wanted.degree < beam.section().element().degree());
       }
@@ -100,7 +100,8 @@ namespace lamella
       for (const double y : beam.axis().nodes())
         lists.push_back(list_of_degree(
           beam.section(),
-          wanted_by(theories_at(y, pieces, beam.axis().length())).degree));
+          requirements_of(theories_at(y, pieces, beam.axis().length()))
+            .degree));
       return lists;
     }
   } // namespace
@@ -129,7 +130,7 @@ namespace lamella
 
 
   std::unique_ptr<Body>
-  by_degrees(const BodyDescription &description, const Beam &beam)
+  make_by_degrees(const BodyDescription &description, const Beam &beam)
   {
     const auto lists = lists_by_degree(beam, description.pieces);
     return std::make_unique<Beam>(beam.name(),

@@ -238,7 +238,7 @@ namespace lamella
 
 
   std::pair<unsigned int, double>
-  Axis::place_of_node(const unsigned int node) const
+  Axis::cell_of_node(const unsigned int node) const
   {
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       for (unsigned int i = 0; i < cell_nodes[cell].size(); ++i)

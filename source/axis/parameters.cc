@@ -64,11 +64,11 @@ namespace lamella
         return 1.;
       if (text.substr(0, 5) != "auto ")
         return 0.;
-      const double fineness = entry.number(text.substr(5));
-      if (!(fineness >= least && fineness <= most))
+      const double refinement_factor = entry.number(text.substr(5));
+      if (!(refinement_factor >= least && refinement_factor <= most))
         entry.refuse("the factor must lie between " + to_text(least) + " and " +
                      to_text(most));
-      return fineness;
+      return refinement_factor;
     }
 
 
@@ -77,7 +77,8 @@ namespace lamella
     std::vector<unsigned int>
     parse_elements(const Entry &entry, const unsigned int n_pieces)
     {
-      const std::vector<unsigned int> elements = entry.wholes(1, most_elements);
+      const std::vector<unsigned int> elements =
+        entry.whole_numbers(1, most_elements);
       if (elements.size() != n_pieces)
         entry.refuse("there are " + std::to_string(n_pieces) +
                        " pieces (Axis breaks and one) and " +
@@ -103,10 +104,10 @@ namespace lamella
     mesh.assumed_shear              = shear_strains == "assumed" ||
                          (shear_strains == "auto" && mesh.degree < 3);
 
-    const Entry elements = in["Axis elements"];
-    mesh.fineness        = parse_fineness(elements);
-    mesh.breaks          = in["Axis breaks"].ascending(length, "the length");
-    if (mesh.fineness == 0.)
+    const Entry elements   = in["Axis elements"];
+    mesh.refinement_factor = parse_fineness(elements);
+    mesh.breaks            = in["Axis breaks"].ascending(length, "the length");
+    if (mesh.refinement_factor == 0.)
       mesh.elements = parse_elements(elements, mesh.breaks.size() + 1);
     else if (!mesh.breaks.empty())
       in["Axis breaks"].refuse("Axis elements = " + elements.text() +

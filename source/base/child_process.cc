@@ -71,9 +71,9 @@ namespace lamella
     {
       if (WIFSIGNALED(status))
         {
-          end.status      = -1;
-          end.signal      = WTERMSIG(status);
-          end.out_of_time = end.signal == SIGXCPU;
+          end.status             = -1;
+          end.signal             = WTERMSIG(status);
+          end.time_limit_reached = end.signal == SIGXCPU;
         }
       else
         end.status = WEXITSTATUS(status);
@@ -136,15 +136,15 @@ namespace lamella
 
     /// What the copy of this process does, to its end.
     [[noreturn]] void
-    be_the_child(const std::function<std::string()> &work,
-                 const std::string                  &output,
-                 const std::string                  &errors,
-                 const double                        processor_seconds,
-                 const int                           answer_to)
+    run_child(const std::function<std::string()> &work,
+              const std::string                  &output,
+              const std::string                  &errors,
+              const double                        processor_seconds,
+              const int                           forces_of_part)
     {
       limit_child(processor_seconds);
       // A program that replaces this process sends no answer.
-      fcntl(answer_to, F_SETFD, FD_CLOEXEC);
+      fcntl(forces_of_part, F_SETFD, FD_CLOEXEC);
       redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
       constexpr int anew = O_WRONLY | O_CREAT | O_TRUNC;
       redirect(STDOUT_FILENO, output, anew);
@@ -158,7 +158,7 @@ namespace lamella
       if (outcome.status != 0)
         std::cerr << outcome.message << std::endl;
       std::cout.flush();
-      const bool told = write_all(answer_to, answer);
+      const bool told = write_all(forces_of_part, answer);
       // What this process would do at its end (files, MPI) is its parent's.
       _exit(told ? outcome.status : 2);
     }
@@ -188,7 +188,7 @@ namespace lamella
     if (child == 0)
       {
         close(ends[0]);
-        be_the_child(work, output, errors, processor_seconds, ends[1]);
+        run_child(work, output, errors, processor_seconds, ends[1]);
       }
     close(ends[1]);
     ProcessEnd end;
@@ -219,7 +219,7 @@ namespace lamella
     const auto work = [&]() -> std::string {
       try
         {
-          become(program, words);
+          exec_program(program, words);
         }
       catch (const InputError &error)
         {
@@ -235,7 +235,8 @@ namespace lamella
 
 
   void
-  become(const std::string &program, const std::vector<std::string> &words)
+  exec_program(const std::string              &program,
+               const std::vector<std::string> &words)
   {
     std::vector<std::string> all{program};
     all.insert(all.end(), words.begin(), words.end());
@@ -267,7 +268,7 @@ namespace lamella
 
 
   std::string
-  own_program()
+  executable_path()
   {
     return boost::dll::program_location().string();
   }
@@ -279,7 +280,7 @@ namespace lamella
   {
     namespace fs = std::filesystem;
     const fs::path installed =
-      fs::path(own_program()).parent_path().parent_path() /
+      fs::path(executable_path()).parent_path().parent_path() /
       "share/lamella/scripts";
     std::error_code error;
     for (const fs::path &folder : {installed, fs::path(LAMELLA_SCRIPTS)})

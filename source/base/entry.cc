@@ -24,7 +24,7 @@ namespace lamella
 
 
   void
-  Entry::is_missing(const std::string &remedy) const
+  Entry::refuse_missing(const std::string &remedy) const
   {
     throw InputError::missing(where, remedy);
   }
@@ -34,7 +34,7 @@ namespace lamella
   double
   Entry::number(const std::string &piece) const
   {
-    const auto fault = fault_of_number(piece);
+    const auto fault = number_error(piece);
     if (!fault.rule.empty())
       refuse(fault.rule, fault.remedy);
     return to_number(piece);
@@ -54,7 +54,7 @@ namespace lamella
   Entry::positive() const
   {
     if (is_empty())
-      is_missing("give a positive number.");
+      refuse_missing("give a positive number.");
     const double value = number();
     if (!(value > 0.))
       refuse("must be positive");
@@ -91,7 +91,7 @@ namespace lamella
 
 
   std::vector<unsigned int>
-  Entry::wholes(const unsigned int least, const unsigned int most) const
+  Entry::whole_numbers(const unsigned int least, const unsigned int most) const
   {
     std::vector<unsigned int> values;
     for (const double value : numbers())
@@ -109,7 +109,7 @@ namespace lamella
   unsigned int
   Entry::whole(const unsigned int least, const unsigned int most) const
   {
-    const std::vector<unsigned int> values = wholes(least, most);
+    const std::vector<unsigned int> values = whole_numbers(least, most);
     if (values.size() != 1)
       refuse("must be one whole number");
     return values[0];

@@ -16,7 +16,7 @@ namespace lamella
     /// @p message without what nobody reads: words of hundreds of characters,
     /// longer than any path, are cut in the middle.
     std::string
-    readable(const std::string &message)
+    shortened_message(const std::string &message)
     {
       constexpr std::size_t longest = 400;
       std::string           result, word;
@@ -61,7 +61,7 @@ namespace lamella
 
   InputError::InputError(const std::string &message)
     : std::runtime_error(message)
-    , broken_rule(message)
+    , rule_text(message)
   {}
 
 
@@ -73,8 +73,8 @@ namespace lamella
     : std::runtime_error(composed(path, value, rule, remedy))
     , entry_path(path)
     , entry_value(value)
-    , broken_rule(rule)
-    , way_out(remedy)
+    , rule_text(rule)
+    , remedy_text(remedy)
   {}
 
 
@@ -84,8 +84,8 @@ namespace lamella
   {
     InputError error(path + " is missing: " + remedy);
     error.entry_path  = path;
-    error.broken_rule = "is missing";
-    error.way_out     = remedy;
+    error.rule_text   = "is missing";
+    error.remedy_text = remedy;
     return error;
   }
 
@@ -97,8 +97,8 @@ namespace lamella
     InputError error(place + what());
     error.entry_path  = entry_path;
     error.entry_value = entry_value;
-    error.broken_rule = broken_rule;
-    error.way_out     = way_out;
+    error.rule_text   = rule_text;
+    error.remedy_text = remedy_text;
     error.placed      = true;
     return error;
   }
@@ -114,7 +114,7 @@ namespace lamella
       }
     catch (const InputError &error)
       {
-        return {1, readable(error.what())};
+        return {1, shortened_message(error.what())};
       }
     catch (const NumericsError &error)
       {
@@ -138,7 +138,7 @@ namespace lamella
 
 
   int
-  run_and_tell(const std::function<void()> &program)
+  run_and_report(const std::function<void()> &program)
   {
     const Outcome outcome = outcome_of(program);
     if (outcome.status != 0)

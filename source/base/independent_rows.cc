@@ -46,7 +46,8 @@ namespace lamella
 
 
   std::vector<unsigned int>
-  most_independent(const LAPACKFullMatrix<double> &A, const double relative)
+  select_independent_rows(const LAPACKFullMatrix<double> &A,
+                          const double                    relative)
   {
     std::vector<double> squares(A.m(), 0.);
     for (unsigned int c = 0; c < A.n(); ++c)

@@ -34,7 +34,7 @@ namespace lamella
 
     /// Calls nothing but what a signal handler may call.
     extern "C" void
-    speak_and_end(const int signal)
+    handle_signal(const int signal)
     {
       // In this order: either this sees that nothing is being written, or who
       // writes sees the signal.
@@ -55,7 +55,7 @@ namespace lamella
     install_handler()
     {
       struct sigaction action = {};
-      action.sa_handler       = speak_and_end;
+      action.sa_handler       = handle_signal;
       action.sa_flags         = SA_RESETHAND;
       sigemptyset(&action.sa_mask);
       for (const int signal : {SIGINT, SIGTERM})
@@ -72,7 +72,7 @@ namespace lamella
 
 
   void
-  say_if_interrupted(const std::string &words)
+  set_interruption_message(const std::string &words)
   {
     Words            &next = spoken.load() == &both[0] ? both[1] : both[0];
     const std::string line = words.empty() ? "" : "\nlamella: " + words + "\n";
@@ -95,6 +95,6 @@ namespace lamella
   SignalBlock::~SignalBlock()
   {
     if (--n_uninterrupted == 0 && waiting != 0)
-      speak_and_end(waiting);
+      handle_signal(waiting);
   }
 } // namespace lamella

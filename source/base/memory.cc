@@ -60,11 +60,11 @@ namespace lamella
     /// What control groups leave this process: it is in one, which is in
     /// another, up to @p root.
     double
-    left_by_groups(const std::string &root,
-                   const std::string &group,
-                   const std::string &limit,
-                   const std::string &usage,
-                   const std::string &reclaimable)
+    memory_left_by_cgroups(const std::string &root,
+                           const std::string &group,
+                           const std::string &limit,
+                           const std::string &usage,
+                           const std::string &reclaimable)
     {
       double least = unlimited;
       for (std::filesystem::path path = group;; path = path.parent_path())
@@ -86,7 +86,7 @@ namespace lamella
 
 
     double
-    left_by_groups()
+    memory_left_by_cgroups()
     {
       double        least = unlimited;
       std::ifstream groups("/proc/self/cgroup");
@@ -95,18 +95,18 @@ namespace lamella
           const std::string path = line.substr(line.rfind(':') + 1);
           if (line.compare(0, 3, "0::") == 0)
             least = std::min(least,
-                             left_by_groups("/sys/fs/cgroup",
-                                            path,
-                                            "memory.max",
-                                            "memory.current",
-                                            "inactive_file"));
+                             memory_left_by_cgroups("/sys/fs/cgroup",
+                                                    path,
+                                                    "memory.max",
+                                                    "memory.current",
+                                                    "inactive_file"));
           else if (line.find(":memory:") != std::string::npos)
             least = std::min(least,
-                             left_by_groups("/sys/fs/cgroup/memory",
-                                            path,
-                                            "memory.limit_in_bytes",
-                                            "memory.usage_in_bytes",
-                                            "total_inactive_file"));
+                             memory_left_by_cgroups("/sys/fs/cgroup/memory",
+                                                    path,
+                                                    "memory.limit_in_bytes",
+                                                    "memory.usage_in_bytes",
+                                                    "total_inactive_file"));
         }
       return least;
     }
@@ -155,7 +155,7 @@ namespace lamella
       limit > 0. ?
         limit - sum_over_machine(resident_memory()) :
         std::min(1024. * number_in("/proc/meminfo", "MemAvailable:", unlimited),
-                 left_by_groups());
+                 memory_left_by_cgroups());
     return std::max(0., Utilities::MPI::min(here, communicator()));
   }
 

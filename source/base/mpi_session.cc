@@ -28,7 +28,7 @@ namespace lamella
 
     /// Before MPI starts, which reads its settings once; returns its argument.
     int &
-    stay_alone_unless_launched(int &argc)
+    configure_single_process(int &argc)
     {
       if (!was_launched())
         for (const auto &[setting, value] :
@@ -44,16 +44,16 @@ namespace lamella
 
 
   MpiSession::MpiSession(int &argc, char **&argv)
-    : session(stay_alone_unless_launched(argc), argv, 1)
+    : session(configure_single_process(argc), argv, 1)
   {
     // After what MPI brings with it, which has handlers of its own.
-    survive_failed_writes();
+    ignore_write_signals();
   }
 
 
 
   void
-  survive_failed_writes()
+  ignore_write_signals()
   {
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
@@ -62,7 +62,7 @@ namespace lamella
 
 
   unsigned int
-  n_launched()
+  n_launched_processes()
   {
     for (const char *variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
       if (const char *n = std::getenv(variable))

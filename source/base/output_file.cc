@@ -32,7 +32,7 @@ namespace lamella
 
 
   bool
-  OutputFile::put_in_place()
+  OutputFile::commit()
   {
     file.close();
     std::error_code error;
@@ -48,8 +48,8 @@ namespace lamella
   {
     OutputFile file(path);
     file.stream() << text;
-    if (!file.put_in_place())
-      fail_to_write(path);
+    if (!file.commit())
+      throw_cannot_write(path);
   }
 
 
@@ -60,21 +60,21 @@ namespace lamella
     std::error_code error;
     const auto      before = fs::file_size(path, error);
     if (error)
-      fail_to_write(path);
+      throw_cannot_write(path);
     std::ofstream file(path, std::ios::binary | std::ios::app);
     file << text;
     file.close();
     if (!file)
       {
         fs::resize_file(path, before, error);
-        fail_to_write(path);
+        throw_cannot_write(path);
       }
   }
 
 
 
   void
-  fail_to_write(const std::string &path)
+  throw_cannot_write(const std::string &path)
   {
     throw InputError("Cannot write " + path +
                      ". Is the disk full, or was the folder removed? What was "

@@ -57,7 +57,7 @@ namespace lamella
     bool
     Whole::match(const std::string &text) const
     {
-      if (!fault_of_number(text).rule.empty())
+      if (!number_error(text).rule.empty())
         return false;
       const double value = to_number(text);
       return value >= least && value <= most && value == std::floor(value);
@@ -81,7 +81,8 @@ namespace lamella
 
 
 
-    WordOr::WordOr(const std::string &word, const PatternBase &other)
+    WordOrPattern::WordOrPattern(const std::string &word,
+                                 const PatternBase &other)
       : word(word)
       , other(other.clone())
     {}
@@ -89,7 +90,7 @@ namespace lamella
 
 
     bool
-    WordOr::match(const std::string &text) const
+    WordOrPattern::match(const std::string &text) const
     {
       return text == word || other->match(text);
     }
@@ -97,7 +98,7 @@ namespace lamella
 
 
     std::string
-    WordOr::description(const OutputStyle style) const
+    WordOrPattern::description(const OutputStyle style) const
     {
       return "[" + word + " or " + other->description(style) + "]";
     }
@@ -105,17 +106,17 @@ namespace lamella
 
 
     std::unique_ptr<PatternBase>
-    WordOr::clone() const
+    WordOrPattern::clone() const
     {
-      return std::make_unique<WordOr>(*this);
+      return std::make_unique<WordOrPattern>(*this);
     }
 
 
 
-    WordOr
+    WordOrPattern
     optional(const PatternBase &other)
     {
-      return WordOr("", other);
+      return WordOrPattern("", other);
     }
 
 

@@ -69,8 +69,8 @@ namespace lamella
 
 
 
-  TextFault
-  fault_of_number(const std::string &text)
+  TextError
+  number_error(const std::string &text)
   {
     const std::string word  = trimmed(text);
     char             *end   = nullptr;

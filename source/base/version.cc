@@ -49,7 +49,7 @@ namespace lamella
 
 
   std::string
-  version_in_full()
+  full_version()
   {
     return "lamella " + version() + " (commit " LAMELLA_COMMIT ")\n" +
            "deal.II   " DEAL_II_PACKAGE_VERSION "\n" + "CHOLMOD   " +

@@ -43,7 +43,7 @@ namespace lamella
 
 
   void
-  AxisLoop::for_each_element(const UseOfElement &use) const
+  AxisLoop::for_each_element(const ElementCallback &use) const
   {
     std::unique_ptr<const SectionOperator> answer;
     const auto [begin, end] = axis.own_cells();

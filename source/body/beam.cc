@@ -171,7 +171,7 @@ namespace lamella
 
 
   std::vector<double>
-  Beam::dof_sizes() const
+  Beam::dof_scales() const
   {
     const std::vector<double> of_field = space->sizes();
     std::vector<double>       sizes;
@@ -260,7 +260,7 @@ namespace lamella
 
 
   std::vector<RigidMotion>
-  Beam::missing_motions() const
+  Beam::omitted_rigid_motions() const
   {
     if (beam_section->theory().can_twist())
       return {};

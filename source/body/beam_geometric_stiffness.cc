@@ -318,7 +318,7 @@ namespace lamella
 
 
   double
-  BeamGeometricStiffness::short_waves() const
+  BeamGeometricStiffness::largest_short_wave_ratio() const
   {
     return Utilities::MPI::max(largest_wave, communicator());
   }

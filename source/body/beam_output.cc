@@ -107,7 +107,7 @@ namespace lamella
                               place.unit[1]);
         samples.push_back(sample_at(point, on_axis, u));
       }
-    return mean_of(samples);
+    return mean_sample(samples);
   }
 
 
@@ -335,7 +335,7 @@ namespace lamella
       return Body::cut(position, n, u);
     const auto places =
       beam_axis->locate(position,
-                        arithmetic::same_place_along * beam_axis->length());
+                        arithmetic::same_position_along * beam_axis->length());
     std::vector<OutputCell> cells;
     if (!places.empty())
       cells = cut_axis_cell(places[0].first, places[0].second, n, u);
@@ -363,7 +363,7 @@ namespace lamella
 
 
   GridIntervals
-  Beam::picture_degrees() const
+  Beam::output_degrees() const
   {
     const CrossSectionElement &element = beam_section->element();
     // Shapes are cubic at most.
@@ -375,9 +375,9 @@ namespace lamella
 
 
   void
-  Beam::for_each_turned_cell(const GridIntervals   &n,
-                             const Vector          &u,
-                             const UseOfOutputCell &use) const
+  Beam::for_each_rotated_cell(const GridIntervals      &n,
+                              const Vector             &u,
+                              const OutputCellCallback &use) const
   {
     const unsigned int n_cells = beam_section->n_cells(), in_line = n[0] + 1,
                        in_cell = in_line * (n[2] + 1);
@@ -418,12 +418,12 @@ namespace lamella
 
 
   void
-  Beam::for_each_output_cell(const GridIntervals   &n,
-                             const Vector          &u,
-                             const UseOfOutputCell &use) const
+  Beam::for_each_output_cell(const GridIntervals      &n,
+                             const Vector             &u,
+                             const OutputCellCallback &use) const
   {
     if (has_finite_rotations())
-      return for_each_turned_cell(n, u, use);
+      return for_each_rotated_cell(n, u, use);
     std::vector<double> etas;
     for (unsigned int j = 0; j <= n[1]; ++j)
       etas.push_back(double(j) / n[1]);

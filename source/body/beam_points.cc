@@ -35,7 +35,7 @@ namespace lamella
   Beam::nearness() const
   {
     return std::max(arithmetic::same_in_element * beam_section->extents().first,
-                    arithmetic::same_place_along * beam_axis->length());
+                    arithmetic::same_position_along * beam_axis->length());
   }
 
 
@@ -86,7 +86,7 @@ namespace lamella
 
 
 
-  PlyAt
+  PlyAndAxes
   Beam::ply_at(const Location::Place &place) const
   {
     const unsigned int cell = place.cell % beam_section->n_cells();
@@ -157,7 +157,7 @@ namespace lamella
     values_of_fields(const SectionPoint &point,
                      const Quantity      quantity,
                      const Placement    &placement,
-                     const FromStrain   &to_frame)
+                     const StrainMap    &to_frame)
     {
       std::vector<FieldValue> values(point.fields->size());
       for (unsigned int a = 0; a < values.size(); ++a)
@@ -212,7 +212,7 @@ namespace lamella
   void
   Beam::add_to_rows(const Location::Place         &place,
                     const Quantity                 quantity,
-                    const FromStrain              &to_frame,
+                    const StrainMap               &to_frame,
                     const double                   share,
                     std::vector<LinearFunctional> &rows) const
   {
@@ -269,7 +269,7 @@ namespace lamella
                              .map(cell, {first.unit[0], first.unit[2]})
                              .position;
         const ElasticLaw law      = law_at(cell, x, position(first));
-        const FromStrain to_frame = from_strain(
+        const StrainMap  to_frame = make_strain_map(
           quantity, frame, placement, beam_section->ply_axes(cell, x), law);
         std::vector<LinearFunctional> rows(n);
         if (quantity != Quantity::displacement)
@@ -345,7 +345,7 @@ namespace lamella
     in_section[1] = d[2];
     add_section_breaks(
       beam_section->element(), {a[0], a[2]}, in_section, nearness(), breaks);
-    return tidy_breaks(std::move(breaks));
+    return merge_breaks(std::move(breaks));
   }
 
 

@@ -29,9 +29,9 @@ namespace lamella
       geometric.add_forces(w, f);
     }
     double
-    short_waves() const override
+    largest_short_wave_ratio() const override
     {
-      return geometric.short_waves();
+      return geometric.largest_short_wave_ratio();
     }
 
   private:

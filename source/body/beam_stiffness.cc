@@ -141,12 +141,12 @@ namespace lamella
   std::unique_ptr<LinearSolver>
   Beam::solver_of(const StiffnessTerms &terms,
                   const Constraints    &constraints,
-                  const SolverKind      asked,
+                  const SolverKind      requested,
                   const SolverMonitor  &monitor) const
   {
-    if (asked != SolverKind::automatic || n_processes() > 1 ||
+    if (requested != SolverKind::automatic || n_processes() > 1 ||
         !is_dense(*space, *beam_axis, dof_map))
-      return Body::solver_of(terms, constraints, asked, monitor);
+      return Body::solver_of(terms, constraints, requested, monitor);
     DenseBlocks blocks;
     for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
       blocks.first.push_back(dof_map.first(node));
@@ -168,7 +168,7 @@ namespace lamella
       }
     catch (const NotPositiveDefinite &error)
       {
-        throw_with_place(error);
+        rethrow_with_position(error);
       }
   }
 

@@ -100,9 +100,9 @@ namespace lamella
     {
       SurfaceParts parts;
       for (const bool at_start : {true, false})
-        if (surface_names::covers(surface, surface_names::of_end(at_start)))
+        if (surface_names::covers(surface, surface_names::end_name(at_start)))
           parts.ends.push_back(at_start);
-      if (surface_names::is_all(surface))
+      if (surface_names::is_whole_surface(surface))
         for (const auto &[id, name] : section.boundaries)
           parts.boundaries.push_back(name);
       else if (parts.ends.empty())
@@ -130,7 +130,7 @@ namespace lamella
         std::map<unsigned int, std::vector<EdgePoint>> around;
         for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
           {
-            const auto [cell, eta]    = beam_axis->place_of_node(node);
+            const auto [cell, eta]    = beam_axis->cell_of_node(node);
             const unsigned int degree = degree_at(node);
             if (around.count(degree) == 0)
               around[degree] = element.coarse_edge_points(boundary, degree);
@@ -154,8 +154,8 @@ namespace lamella
 
 
   std::vector<EdgePoint>
-  Beam::fixing(std::vector<EdgePoint>           points,
-               const std::vector<unsigned int> &list) const
+  Beam::select_constraint_points(std::vector<EdgePoint>           points,
+                                 const std::vector<unsigned int> &list) const
   {
     // A component's largest value is of the order of one.
     constexpr double nothing = arithmetic::rounding_of_solutions;
@@ -182,7 +182,7 @@ namespace lamella
       }
     std::set<unsigned int> chosen;
     for (const auto &component : values)
-      for (const unsigned int p : most_independent(component, nothing))
+      for (const unsigned int p : select_independent_rows(component, nothing))
         chosen.insert(p);
     std::vector<EdgePoint> few;
     for (const unsigned int p : chosen)
@@ -193,7 +193,7 @@ namespace lamella
 
 
   std::vector<Location>
-  Beam::fixing_points(const std::string &surface) const
+  Beam::constraint_points(const std::string &surface) const
   {
     const CrossSectionElement &element = beam_section->element();
     const SurfaceParts    parts = parts_of(surface, element.section_mesh());
@@ -202,10 +202,11 @@ namespace lamella
       {
         const unsigned int node   = at_start ? 0 : beam_axis->n_nodes() - 1;
         const unsigned int degree = degree_at(node);
-        for (const EdgePoint &p : fixing(degree < element.degree() ?
-                                           element.coarse_section_grid(degree) :
-                                           element.section_points(),
-                                         dof_map.fields(node)))
+        for (const EdgePoint &p :
+             select_constraint_points(degree < element.degree() ?
+                                        element.coarse_section_grid(degree) :
+                                        element.section_points(),
+                                      dof_map.fields(node)))
           locations.push_back(end_point(p, at_start).location);
       }
     for (const std::string &boundary : parts.boundaries)
@@ -225,7 +226,7 @@ namespace lamella
     std::vector<Location> locations;
     for (unsigned int node = 0; node < beam_axis->n_nodes(); ++node)
       {
-        const auto [cell, eta]    = beam_axis->place_of_node(node);
+        const auto [cell, eta]    = beam_axis->cell_of_node(node);
         const unsigned int degree = degree_at(node);
         if (in_section.count(degree) == 0)
           in_section[degree] = element.coarse_section_grid(degree);

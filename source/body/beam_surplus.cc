@@ -40,7 +40,7 @@ namespace lamella
         const DofIndex first = beam.dofs().first(node);
         for (unsigned int k = 0; k < n; ++k)
           c[k] = u[first + k];
-        of_section.keep_beyond(q, c);
+        of_section.remove_lower_degree(q, c);
         for (unsigned int k = 0; k < n; ++k)
           result[first + k] = c[k];
       }
@@ -50,9 +50,9 @@ namespace lamella
 
 
   void
-  BeamSurplus::take_interpolation(const AxisSpan &span,
-                                  const Vector   &u,
-                                  Vector         &result) const
+  BeamSurplus::subtract_interpolation(const AxisSpan &span,
+                                      const Vector   &u,
+                                      Vector         &result) const
   {
     const GaussLobattoBasis &basis = GaussLobattoBasis::of_degree(span.degree);
     const Axis              &axis  = beam.axis();
@@ -98,9 +98,9 @@ namespace lamella
     const unsigned int n    = beam.section().n_fields();
     Vector             result(u);
     for (const AxisSpan &span : spans)
-      take_interpolation(span, u, result);
+      subtract_interpolation(span, u, result);
     // Ends of spans are nodes of both axes: what is there is kept whole.
-    const double near = arithmetic::same_place * axis.length();
+    const double near = arithmetic::same_position * axis.length();
     const auto   ends = [&](const double y) {
       return std::any_of(spans.begin(), spans.end(), [&](const auto &span) {
         return std::abs(y - span.begin) < near || std::abs(y - span.end) < near;

@@ -93,7 +93,7 @@ namespace lamella
     Vector                                              result(to.n_dofs());
     std::map<std::vector<unsigned int>, ListProjection> projections;
     const double                                        tolerance =
-      arithmetic::same_place_along * from.axis().length();
+      arithmetic::same_position_along * from.axis().length();
     for (unsigned int node = 0; node < to.axis().n_nodes(); ++node)
       {
         const auto &list = to.dofs().fields(node);

@@ -71,7 +71,7 @@ namespace lamella
 
 
   void
-  Beam::for_each_point_of_heat(
+  Beam::for_each_thermal_point(
     const std::function<
       void(const SectionPoint &, const Voigt &, const Voigt &)> &use) const
   {
@@ -91,12 +91,12 @@ namespace lamella
 
 
   std::vector<SectionForces>
-  Beam::forces_of_heat(const std::vector<std::vector<double>> &stations) const
+  Beam::thermal_forces(const std::vector<std::vector<double>> &stations) const
   {
     std::vector<SectionForces> forces;
     for (const std::vector<double> &group : stations)
       forces.emplace_back(beam_section->n_fields(), group.size());
-    for_each_point_of_heat(
+    for_each_thermal_point(
       [&](const SectionPoint &point, const Voigt &active, const Voigt &stress) {
         const auto unit = work_of(stress, point);
         for (unsigned int g = 0; g < stations.size(); ++g)
@@ -115,7 +115,7 @@ namespace lamella
 
 
   std::vector<SectionForces>
-  Beam::forces_of_heat() const
+  Beam::thermal_forces() const
   {
     std::vector<std::vector<double>> stations;
     const auto [begin, end] = beam_axis->own_cells();
@@ -128,17 +128,17 @@ namespace lamella
               ->integration_points()[cell * along_axis().n_stations() + k]
               .y);
       }
-    return forces_of_heat(stations);
+    return thermal_forces(stations);
   }
 
 
 
   double
-  Beam::add_heat(Vector &f) const
+  Beam::add_thermal_load(Vector &f) const
   {
     if (!is_heated())
       return 0.;
-    const std::vector<SectionForces> forces = forces_of_heat();
+    const std::vector<SectionForces> forces = thermal_forces();
     const unsigned int               begin  = beam_axis->own_cells().first;
     double                           energy = 0.;
     along_axis().add_forces(
@@ -152,14 +152,14 @@ namespace lamella
 
 
 
-  Beam::SectionHeat
-  Beam::section_heat(const double y) const
+  Beam::SectionThermalLoad
+  Beam::section_thermal_load(const double y) const
   {
-    SectionHeat heat{Vector(beam_section->n_fields()),
-                     Vector(beam_section->n_fields())};
+    SectionThermalLoad heat{Vector(beam_section->n_fields()),
+                            Vector(beam_section->n_fields())};
     if (!is_heated())
       return heat;
-    const FieldParts work = forces_of_heat({{y}})[0].work;
+    const FieldParts work = thermal_forces({{y}})[0].work;
     for (unsigned int alpha = 0; alpha < heat.on_values.size(); ++alpha)
       {
         heat.on_values[alpha] = work[FieldPart::value](alpha, 0) +

@@ -148,28 +148,28 @@ namespace lamella
 
 
   SolverKind
-  Body::solver_kind(const SolverKind asked) const
+  Body::solver_kind(const SolverKind requested) const
   {
     const bool alone = n_processes() == 1;
-    if (asked == SolverKind::automatic)
+    if (requested == SolverKind::automatic)
       return is_nodal() && n_dofs() > large_for_a_factor ? SolverKind::cg :
              alone                                       ? SolverKind::cholmod :
                                                            SolverKind::mumps;
-    if (asked == SolverKind::cholmod && !alone)
+    if (requested == SolverKind::cholmod && !alone)
       throw InputError("Linear solver",
-                       name_of(asked),
+                       name_of(requested),
                        "works on one process, and there are " +
                          std::to_string(n_processes()),
                        "Choose auto or mumps, or start one process.");
-    if (asked == SolverKind::cg && !is_nodal())
+    if (requested == SolverKind::cg && !is_nodal())
       throw InputError("Linear solver",
-                       name_of(asked),
+                       name_of(requested),
                        "is not for body '" + name() + "' (" + theory() +
                          "): multigrid needs DoFs that are displacements of "
                          "nodes, and those of a beam are amplitudes of "
                          "functions over its section",
                        "Choose auto or mumps.");
-    return asked;
+    return requested;
   }
 
 
@@ -190,9 +190,9 @@ namespace lamella
   std::unique_ptr<StiffnessMatrix>
   Body::assembled(const StiffnessTerms &terms,
                   const Constraints    &constraints,
-                  const SolverKind      asked) const
+                  const SolverKind      requested) const
   {
-    const SolverKind kind = solver_kind(asked);
+    const SolverKind kind = solver_kind(requested);
     if (kind == SolverKind::cholmod)
       return assemble_serial(terms, constraints);
     return assemble_distributed(terms,
@@ -207,9 +207,9 @@ namespace lamella
   std::unique_ptr<StiffnessMatrix>
   Body::assembled_stiffness(const Constraints             &constraints,
                             const std::vector<SpringTerm> &springs,
-                            const SolverKind               asked) const
+                            const SolverKind               requested) const
   {
-    return assembled(stiffness_terms(springs), constraints, asked);
+    return assembled(stiffness_terms(springs), constraints, requested);
   }
 
 
@@ -217,10 +217,10 @@ namespace lamella
   std::unique_ptr<LinearSolver>
   Body::solver_of(const StiffnessTerms &terms,
                   const Constraints    &constraints,
-                  const SolverKind      asked,
+                  const SolverKind      requested,
                   const SolverMonitor  &monitor) const
   {
-    const auto matrix = assembled(terms, constraints, asked);
+    const auto matrix = assembled(terms, constraints, requested);
     if (monitor.assembled)
       monitor.assembled();
     try
@@ -228,13 +228,13 @@ namespace lamella
         return matrix->factorize("body '" + name() + "'",
                                  [&](const FactorSize &size) {
                                    matrix->release();
-                                   if (monitor.sized)
-                                     monitor.sized(size);
+                                   if (monitor.factor_sized)
+                                     monitor.factor_sized(size);
                                  });
       }
     catch (const NotPositiveDefinite &error)
       {
-        throw_with_place(error);
+        rethrow_with_position(error);
       }
   }
 
@@ -243,10 +243,10 @@ namespace lamella
   std::unique_ptr<LinearSolver>
   Body::make_solver(const Constraints             &constraints,
                     const std::vector<SpringTerm> &springs,
-                    const SolverKind               asked,
+                    const SolverKind               requested,
                     const SolverMonitor           &monitor) const
   {
-    return solver_of(stiffness_terms(springs), constraints, asked, monitor);
+    return solver_of(stiffness_terms(springs), constraints, requested, monitor);
   }
 
 
@@ -307,15 +307,15 @@ namespace lamella
                             const Vector                  &correction,
                             const Constraints             &constraints,
                             const std::vector<SpringTerm> &springs,
-                            const SolverKind               asked,
+                            const SolverKind               requested,
                             const SolverMonitor           &monitor) const
   {
     return has_finite_rotations() ?
              solver_of(tangent_terms(u, correction, springs),
                        constraints,
-                       asked,
+                       requested,
                        monitor) :
-             make_solver(constraints, springs, asked, monitor);
+             make_solver(constraints, springs, requested, monitor);
   }
 
 
@@ -338,7 +338,7 @@ namespace lamella
 
 
   void
-  Body::throw_with_place(const NotPositiveDefinite &error) const
+  Body::rethrow_with_position(const NotPositiveDefinite &error) const
   {
     throw NotPositiveDefinite(
       std::string(error.what()) + " It shows first near " +

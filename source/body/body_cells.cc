@@ -82,7 +82,7 @@ namespace lamella
   Body::line_breaks(const Point<3> &a, const Point<3> &b) const
   {
     BoundingBox<3> around(std::vector<Point<3>>{a, b});
-    around.extend(arithmetic::same_place_across * size());
+    around.extend(arithmetic::same_position_across * size());
     std::vector<double> breaks;
     for (unsigned int cell = 0; cell < cells().n; ++cell)
       {
@@ -94,7 +94,7 @@ namespace lamella
           for (const unsigned int side : {0, 1})
             add_side_crossing(corners, normal, side, a, b - a, breaks);
       }
-    return tidy_breaks(std::move(breaks));
+    return merge_breaks(std::move(breaks));
   }
 
 
@@ -106,7 +106,7 @@ namespace lamella
     const Tensor<1, 3>  d       = placement.vector_to_body(b - a);
     unsigned int        sum     = 0;
     for (unsigned int c = 0; c < 3; ++c)
-      if (std::abs(d[c]) > arithmetic::same_place_along * d.norm())
+      if (std::abs(d[c]) > arithmetic::same_position_along * d.norm())
         sum += degrees[c];
     return sum;
   }
@@ -119,8 +119,8 @@ namespace lamella
                     const std::vector<double> &etas,
                     const Vector              &u) const
   {
-    const PlyAt middle = ply_at({cell, Point<3>(0.5, 0.5, 0.5)});
-    OutputCell  result;
+    const PlyAndAxes middle = ply_at({cell, Point<3>(0.5, 0.5, 0.5)});
+    OutputCell       result;
     result.ply        = middle.ply;
     result.fiber      = placement.vector_to_scene(middle.axes[0]);
     result.ply_normal = placement.vector_to_scene(middle.axes[2]);
@@ -140,7 +140,7 @@ namespace lamella
 
 
   bool
-  Body::meets(const unsigned int before, const unsigned int cell) const
+  Body::is_adjacent(const unsigned int before, const unsigned int cell) const
   {
     const auto middle_is_on = [this](const unsigned int of,
                                      const double       eta,
@@ -160,9 +160,9 @@ namespace lamella
 
 
   void
-  Body::average_with_layer_before(const unsigned int cell,
-                                  const Vector      &u,
-                                  OutputCell        &grid) const
+  Body::average_with_previous_layer(const unsigned int cell,
+                                    const Vector      &u,
+                                    OutputCell        &grid) const
   {
     // The cells before share section points with this one's own: the middle of
     // one of the two sides that meet lies on the other.
@@ -174,7 +174,7 @@ namespace lamella
         return false;
       const auto [found, is_new] = known.emplace(place.cell, false);
       if (is_new)
-        found->second = meets(place.cell, cell);
+        found->second = is_adjacent(place.cell, cell);
       return found->second;
     };
     auto locations = locate(grid.positions);
@@ -205,7 +205,7 @@ namespace lamella
     public:
       Layers(const Body &body, const double cut)
         : body(body)
-        , unit(arithmetic::same_place * body.size())
+        , unit(arithmetic::same_position * body.size())
       {
         const unsigned int n = body.cells().n;
         for (unsigned int cell = 0; cell < n; ++cell)
@@ -222,7 +222,7 @@ namespace lamella
       double
       tolerance() const
       {
-        return arithmetic::same_place_along * length;
+        return arithmetic::same_position_along * length;
       }
 
       /// A cell's begin and end.
@@ -303,10 +303,10 @@ namespace lamella
             const OutputCell other = sample_grid(*before, {{n, 0, n}}, {1.}, u);
             for (unsigned int k = 0; k < other.samples.size(); ++k)
               found.back().samples[k] =
-                mean_of({other.samples[k], found.back().samples[k]});
+                mean_sample({other.samples[k], found.back().samples[k]});
           }
         else
-          average_with_layer_before(cell, u, found.back());
+          average_with_previous_layer(cell, u, found.back());
       }
     return found;
   }
@@ -314,9 +314,9 @@ namespace lamella
 
 
   void
-  Body::for_each_output_cell(const GridIntervals   &n,
-                             const Vector          &u,
-                             const UseOfOutputCell &use) const
+  Body::for_each_output_cell(const GridIntervals      &n,
+                             const Vector             &u,
+                             const OutputCellCallback &use) const
   {
     std::vector<double> etas;
     for (unsigned int j = 0; j <= n[1]; ++j)

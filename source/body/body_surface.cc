@@ -77,11 +77,11 @@ namespace lamella
         add_areas(*this, facet, nodes);
       }
     for (const auto &[node, ends] : topology.hanging)
-      nodes[node].share_out(nodes[ends[0]], nodes[ends[1]]);
+      nodes[node].distribute_to_ends(nodes[ends[0]], nodes[ends[1]]);
 
     std::vector<SurfacePoint> points;
     for (const SurfaceNode &node : nodes)
-      if (node.is_there())
+      if (node.has_point())
         points.push_back(node.finished());
     return points;
   }
@@ -89,7 +89,7 @@ namespace lamella
 
 
   std::vector<Location>
-  Body::fixing_points(const std::string &surface) const
+  Body::constraint_points(const std::string &surface) const
   {
     const SurfaceTopology  topology = surface_topology(surface);
     std::set<unsigned int> hanging, seen;

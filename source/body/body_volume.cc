@@ -57,16 +57,16 @@ namespace lamella
                    u,
                    at.ply_stress);
       }
-    return mean_of(samples);
+    return mean_sample(samples);
   }
 
 
 
   void
-  Body::for_each_cell_by_points(const UseOfPoints &use) const
+  Body::for_each_cell_by_points(const PointsCallback &use) const
   {
-    const CellGrid        grid(picture_degrees());
-    const QAnisotropic<3> gauss = gauss_points(picture_degrees());
+    const CellGrid        grid(output_degrees());
+    const QAnisotropic<3> gauss = gauss_points(output_degrees());
     const auto [begin, end]     = cells().own;
     for (unsigned int cell = begin; cell < end; ++cell)
       {
@@ -88,7 +88,7 @@ namespace lamella
 
 
   double
-  Body::add_heat(Vector &f) const
+  Body::add_thermal_load(Vector &f) const
   {
     if (!is_heated())
       return 0.;
@@ -119,10 +119,10 @@ namespace lamella
 
 
   void
-  Body::add_heat_at(const Vector &u, Vector &f) const
+  Body::add_thermal_load_at(const Vector &u, Vector &f) const
   {
-    add_heat(f);
-    for_each_block_of_heat(u, [&](const StiffnessBlock &block) {
+    add_thermal_load(f);
+    for_each_thermal_block(u, [&](const StiffnessBlock &block) {
       block.add_product(u, f);
     });
   }
@@ -130,7 +130,7 @@ namespace lamella
 
 
   void
-  Body::for_each_block_of_heat(
+  Body::for_each_thermal_block(
     const Vector &,
     const std::function<void(const StiffnessBlock &)> &) const
   {}
@@ -187,8 +187,8 @@ namespace lamella
 
 
   void
-  Body::for_each_cell_by_weight(const Tensor<1, 3> &acceleration,
-                                const UseOfForces  &use) const
+  Body::for_each_cell_by_weight(const Tensor<1, 3>   &acceleration,
+                                const ForcesCallback &use) const
   {
     const std::vector<double> rho = densities();
     for_each_cell_by_points([&](const std::vector<Location> &locations,
@@ -260,8 +260,8 @@ namespace lamella
     add_internal_forces(u, f);
     result.energy = 0.5 * (u * f);
 
-    const CellGrid        grid(picture_degrees());
-    const QAnisotropic<3> gauss = gauss_points(picture_degrees());
+    const CellGrid        grid(output_degrees());
+    const QAnisotropic<3> gauss = gauss_points(output_degrees());
     const auto [begin, end]     = cells().own;
     for (unsigned int cell = begin; cell < end; ++cell)
       {

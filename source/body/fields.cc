@@ -7,12 +7,12 @@ namespace lamella
 {
   using namespace dealii;
 
-  FromStrain
-  from_strain(const Quantity    quantity,
-              const Frame       frame,
-              const Placement  &placement,
-              const Triad      &ply,
-              const ElasticLaw &law)
+  StrainMap
+  make_strain_map(const Quantity    quantity,
+                  const Frame       frame,
+                  const Placement  &placement,
+                  const Triad      &ply,
+                  const ElasticLaw &law)
   {
     const Triad to_axes =
       frame == Frame::scene ? transpose(placement.axes) : ply;
@@ -63,17 +63,17 @@ namespace lamella
 
 
   FieldSample
-  turned_sample_of(const Tensor<1, 3> &displacement,
-                   const Gradient     &H,
-                   const Voigt        &strain,
-                   const Placement    &placement,
-                   const Triad        &ply,
-                   const ElasticLaw   &law)
+  finite_strain_sample(const Tensor<1, 3> &displacement,
+                       const Gradient     &H,
+                       const Voigt        &strain,
+                       const Placement    &placement,
+                       const Triad        &ply,
+                       const ElasticLaw   &law)
   {
     const PolarDecomposition F(H);
     FieldSample              sample =
       SampleRotations(placement, ply)
-        .sample(displacement, strain, F.turned_stress(law.stress(strain)));
+        .sample(displacement, strain, F.corotated_stress(law.stress(strain)));
     sample.rotation = placement.rotation_in_scene(F.rotation());
     return sample;
   }
@@ -92,7 +92,7 @@ namespace lamella
 
 
   Deformation
-  over_processes(Deformation share)
+  reduce_over_processes(Deformation share)
   {
     share.energy = Utilities::MPI::sum(share.energy, communicator());
     for (double *largest : {&share.max_rotation,
@@ -107,7 +107,7 @@ namespace lamella
 
 
   FieldSample
-  mean_of(const std::vector<FieldSample> &samples)
+  mean_sample(const std::vector<FieldSample> &samples)
   {
     FieldSample mean;
     double      largest = 0.;

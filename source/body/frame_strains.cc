@@ -140,7 +140,7 @@ namespace lamella
 
     /// With what shear and twist stretch fibers by.
     FrameStrains
-    with_tilt_of_fibers(FrameStrains e)
+    add_fiber_tilt(FrameStrains e)
     {
       constexpr unsigned int G_x = 0, G_y = 1, G_z = 2, k_x = 3, k_y = 4,
                              k_z = 5, half_square_of_k_y = 6;
@@ -177,7 +177,7 @@ namespace lamella
 
 
   Quaternion
-  turned_by(const Quaternion &a, const Quaternion &b)
+  compose_rotations(const Quaternion &a, const Quaternion &b)
   {
     return components(number(a) * number(b));
   }
@@ -250,13 +250,13 @@ namespace lamella
           }
       }
     divide_by_square(Q, e);
-    return with_tilt_of_fibers(e);
+    return add_fiber_tilt(e);
   }
 
 
 
   RotatedVector
-  turned_vector(const Quaternion &Q, const Tensor<1, 3> &v)
+  rotated_vector(const Quaternion &Q, const Tensor<1, 3> &v)
   {
     constexpr unsigned int of_v = 4;
     RotatedVector          x;

@@ -47,7 +47,7 @@ namespace lamella
 
     /// @p section, or where it is rigid one of the same mesh that is not.
     std::shared_ptr<const Section>
-    that_deforms(const std::shared_ptr<const Section> &section)
+    with_warping(const std::shared_ptr<const Section> &section)
     {
       if (section->n_fields() > RigidField::n_all)
         return section;
@@ -56,7 +56,7 @@ namespace lamella
     }
 
     std::vector<std::vector<unsigned int>>
-    all_at_each_node(const Section &section, const Axis &axis)
+    all_fields_at_each_node(const Section &section, const Axis &axis)
     {
       std::vector<unsigned int> all(section.n_fields());
       std::iota(all.begin(), all.end(), 0);
@@ -72,14 +72,14 @@ namespace lamella
     std::shared_ptr<const Axis>    axis,
     const Placement               &placement,
     const std::string             &theory,
-    const bool                     stays_normal)
+    const bool                     keeps_normal)
     : GeometricallyExactBeam(name,
                              no_modes(section),
                              axis,
                              placement,
-                             all_at_each_node(*section, *axis),
+                             all_fields_at_each_node(*section, *axis),
                              theory,
-                             stays_normal)
+                             keeps_normal)
   {}
 
 
@@ -91,20 +91,20 @@ namespace lamella
     const Placement                              &placement,
     const std::vector<std::vector<unsigned int>> &fields_of_node,
     const std::string                            &theory,
-    const bool                                    stays_normal)
+    const bool                                    keeps_normal)
     : Beam(name, space, axis, placement, fields_of_node, theory)
     , h(section().element().reference_length())
-    , deforming(that_deforms(fields().shared_section()))
+    , deformable_section(with_warping(fields().shared_section()))
   {
     for (const auto &list : fields_of_node)
-      if (section().n_fields() > n_of_node && !fields().is_dense(list))
+      if (section().n_fields() > n_node_unknowns && !fields().is_dense(list))
         throw InputError("Sections that turn want Theory = EBBT, TBT, SV or "
                          "SV-N: those of all others deform as a turned one "
                          "does.");
     make_stations();
-    const SaintVenant states(*deforming);
+    const SaintVenant states(*deformable_section);
     twist_stretch = std::make_unique<TwistStretch>(states);
-    make_laws(stays_normal);
+    make_laws(keeps_normal);
     stiffening = stiffening_by_shape(states);
     stiffening[1] -= twist_stretch->stiffening();
   }
@@ -128,7 +128,7 @@ namespace lamella
 
 
   void
-  GeometricallyExactBeam::make_laws(const bool stays_normal)
+  GeometricallyExactBeam::make_laws(const bool keeps_normal)
   {
     // Of a section that does, stiffness against shear over that against
     // stretch.
@@ -143,7 +143,7 @@ namespace lamella
           }
         const auto law = make_law(answer);
         for (const unsigned int shear : {0, 2})
-          if (stays_normal)
+          if (keeps_normal)
             law->D(shear, shear) += normal * law->D(1, 1);
         laws.push_back(law);
         before = &answer;
@@ -296,9 +296,9 @@ namespace lamella
     result += change;
     for (unsigned int node = 0; node < dofs().n_nodes(); ++node)
       {
-        const Tensor<1, 3> theta =
-          rotation_vector_of(turned_by(quaternion_of(rotation(node, change)),
-                                       quaternion_of(rotation(node, u))));
+        const Tensor<1, 3> theta = rotation_vector_of(
+          compose_rotations(quaternion_of(rotation(node, change)),
+                            quaternion_of(rotation(node, u))));
         for (unsigned int c = 0; c < 3; ++c)
           if (rotates_about[c] < section().n_fields())
             result[dofs().first(node) + dofs().place(node, rotates_about[c])] =

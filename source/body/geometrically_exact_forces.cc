@@ -52,7 +52,7 @@ namespace lamella
   {
     const Frame        frame = frame_at(station.point, element);
     const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
-    const unsigned int m = element.a.front().size(), n = n_of_node + m;
+    const unsigned int m = element.a.front().size(), n = n_node_unknowns + m;
     Tensor<1, 11>      on_measures;
     for (unsigned int c = 0; c < n_strains; ++c)
       on_measures += station.weight * s[c] * of.first[c];
@@ -60,10 +60,10 @@ namespace lamella
       {
         const ByNode L = by_node(element, station.point, i);
         for (unsigned int z = 0; z < L.size(); ++z)
-          for (unsigned int c = 0; c < n_of_node; ++c)
+          for (unsigned int c = 0; c < n_node_unknowns; ++c)
             f[i * n + c] += on_measures[z] * L[z][c];
         for (unsigned int a = 0; a < m; ++a)
-          f[i * n + n_of_node + a] +=
+          f[i * n + n_node_unknowns + a] +=
             station.weight * (station.point.N[i] * s[n_strains + a] +
                               station.point.dN[i] * s[n_strains + m + a]);
       }
@@ -94,15 +94,15 @@ namespace lamella
   // ---- heat
 
   std::vector<Vector>
-  GeometricallyExactBeam::heat_stresses(const unsigned int cell) const
+  GeometricallyExactBeam::thermal_stresses(const unsigned int cell) const
   {
     std::vector<double> places;
     for (const Station &station : stations[cell])
       places.push_back(station.point.y);
     const std::vector<unsigned int> &list = laws[cell]->fields;
     const FieldParts                 work =
-      on_list(fields(), list, forces_of_heat({places})[0]).work;
-    const std::vector<double> on_twist = heat_on_twist(places);
+      on_list(fields(), list, thermal_forces({places})[0]).work;
+    const std::vector<double> on_twist = thermal_stress_on_twist(places);
     std::vector<Vector>       result;
     for (unsigned int k = 0; k < places.size(); ++k)
       {
@@ -116,10 +116,11 @@ namespace lamella
 
 
   std::vector<double>
-  GeometricallyExactBeam::heat_on_twist(const std::vector<double> &places) const
+  GeometricallyExactBeam::thermal_stress_on_twist(
+    const std::vector<double> &places) const
   {
     std::vector<double> sums(places.size(), 0.);
-    for_each_point_of_heat(
+    for_each_thermal_point(
       [&](const SectionPoint &point, const Voigt &, const Voigt &stress) {
         const double work = stress * twist_strain(point);
         for (unsigned int k = 0; k < places.size(); ++k)
@@ -131,13 +132,13 @@ namespace lamella
 
 
   void
-  GeometricallyExactBeam::add_heat_at(const Vector &u, Vector &f) const
+  GeometricallyExactBeam::add_thermal_load_at(const Vector &u, Vector &f) const
   {
     for (unsigned int cell = 0; cell < axis().n_cells() && is_heated(); ++cell)
       {
         const Element               at      = element(cell, u);
         const std::vector<LocalDof> numbers = local_dofs(cell);
-        const std::vector<Vector>   s       = heat_stresses(cell);
+        const std::vector<Vector>   s       = thermal_stresses(cell);
         std::vector<double>         local(numbers.size(), 0.);
         for (unsigned int k = 0; k < s.size(); ++k)
           add_forces(stations[cell][k], at, s[k], local);
@@ -148,7 +149,7 @@ namespace lamella
 
 
   void
-  GeometricallyExactBeam::for_each_block_of_heat(
+  GeometricallyExactBeam::for_each_thermal_block(
     const Vector                                      &u,
     const std::function<void(const StiffnessBlock &)> &use) const
   {
@@ -156,7 +157,7 @@ namespace lamella
       {
         const Element               at      = element(cell, u);
         const std::vector<LocalDof> numbers = local_dofs(cell);
-        const std::vector<Vector>   s       = heat_stresses(cell);
+        const std::vector<Vector>   s       = thermal_stresses(cell);
         LAPACKFullMatrix<double>    K(numbers.size(), numbers.size());
         for (unsigned int k = 0; k < s.size(); ++k)
           {
@@ -186,7 +187,7 @@ namespace lamella
                                     const Element             &before,
                                     const std::vector<double> &change)
   {
-    const unsigned int  m = law.warpings.size(), n = n_of_node + m;
+    const unsigned int  m = law.warpings.size(), n = n_node_unknowns + m;
     const Frame         frame = frame_at(station.point, before);
     const FrameStrains  of    = frame_strains(frame.Q, frame.dQ, frame.dr);
     std::vector<double> there = strains(frame, of);
@@ -195,13 +196,13 @@ namespace lamella
         const ByNode  L = by_node(before, station.point, i);
         Tensor<1, 11> dz;
         for (unsigned int z = 0; z < L.size(); ++z)
-          for (unsigned int c = 0; c < n_of_node; ++c)
+          for (unsigned int c = 0; c < n_node_unknowns; ++c)
             dz[z] += L[z][c] * change[i * n + c];
         for (unsigned int c = 0; c < n_strains; ++c)
           there[c] += of.first[c] * dz;
         for (unsigned int a = 0; a < m; ++a)
           {
-            const double by = change[i * n + n_of_node + a];
+            const double by = change[i * n + n_node_unknowns + a];
             there[n_strains + a] += station.point.N[i] * by;
             there[n_strains + m + a] += station.point.dN[i] * by;
           }
@@ -224,7 +225,7 @@ namespace lamella
   {
     const Frame               frame = frame_at(station.point, element);
     const FrameStrains        of = frame_strains(frame.Q, frame.dQ, frame.dr);
-    const unsigned int        m = law.warpings.size(), n = n_of_node + m;
+    const unsigned int        m = law.warpings.size(), n = n_node_unknowns + m;
     const std::vector<ByNode> by = by_nodes(station, element);
     add_stress_tangent(
       station, element, of, by, s, square_of_strains(law, of), K);
@@ -234,7 +235,7 @@ namespace lamella
         for (unsigned int c = 0; c < n_strains; ++c)
           coupled += station.weight * law.D(c, n_strains + a) * of.first[c];
         const auto &N = a < m ? station.point.N : station.point.dN;
-        add_coupling(coupled, by, N, n_of_node + a % m, n, K);
+        add_coupling(coupled, by, N, n_node_unknowns + a % m, n, K);
       }
   }
 
@@ -261,7 +262,7 @@ namespace lamella
                                              Tensor<2, 11> by_measures,
                                              LAPACKFullMatrix<double> &K)
   {
-    const unsigned int n = n_of_node + element.a.front().size();
+    const unsigned int n = n_node_unknowns + element.a.front().size();
     Tensor<1, 11>      stress;
     for (unsigned int c = 0; c < n_strains; ++c)
       {
@@ -277,7 +278,7 @@ namespace lamella
           by_q[a] = station.point.N[j] * stress[a] +
                     station.point.dN[j] * stress[4 + a];
         const double curved = along_geodesic(by_q, element.q[j]);
-        for (unsigned int c = 3; c < n_of_node; ++c)
+        for (unsigned int c = 3; c < n_node_unknowns; ++c)
           K(j * n + c, j * n + c) += curved;
       }
   }
@@ -308,7 +309,7 @@ namespace lamella
                                             const unsigned int         n,
                                             LAPACKFullMatrix<double>  &K)
   {
-    for (unsigned int c = 0; c < n_of_node; ++c)
+    for (unsigned int c = 0; c < n_node_unknowns; ++c)
       {
         Tensor<1, 11> column;
         for (unsigned int z = 0; z < 11; ++z)
@@ -316,7 +317,7 @@ namespace lamella
         column = by_measures * column;
         for (unsigned int i = 0; i < by.size(); ++i)
           for (unsigned int z = 0; z < 11; ++z)
-            for (unsigned int d = 0; d < n_of_node; ++d)
+            for (unsigned int d = 0; d < n_node_unknowns; ++d)
               K(i * n + d, j * n + c) += by[i][z][d] * column[z];
       }
   }
@@ -332,7 +333,7 @@ namespace lamella
                                        LAPACKFullMatrix<double>  &K)
   {
     for (unsigned int i = 0; i < by.size(); ++i)
-      for (unsigned int d = 0; d < n_of_node; ++d)
+      for (unsigned int d = 0; d < n_node_unknowns; ++d)
         {
           double by_spin = 0.;
           for (unsigned int z = 0; z < 11; ++z)
@@ -354,7 +355,7 @@ namespace lamella
     // The first row of the warpings.
     constexpr unsigned int w   = n_strains;
     const Law             &law = *laws[cell];
-    const unsigned int     m = law.warpings.size(), n = n_of_node + m,
+    const unsigned int     m = law.warpings.size(), n = n_node_unknowns + m,
                        n_nodes = axis().nodes_of_cell(cell).size();
     for (unsigned int i = 0; m > 0 && i < n_nodes; ++i)
       for (unsigned int j = 0; j < n_nodes; ++j)
@@ -369,7 +370,7 @@ namespace lamella
             }
           for (unsigned int a = 0; a < m; ++a)
             for (unsigned int b = 0; b < m; ++b)
-              K(i * n + n_of_node + a, j * n + n_of_node + b) +=
+              K(i * n + n_node_unknowns + a, j * n + n_node_unknowns + b) +=
                 NN * law.D(w + a, w + b) + NdN * law.D(w + a, w + m + b) +
                 dNN * law.D(w + m + a, w + b) +
                 dNdN * law.D(w + m + a, w + m + b);
@@ -413,8 +414,8 @@ namespace lamella
 
 
   GeometricallyExactBeam::SectionState
-  GeometricallyExactBeam::shown_state(const AxisPoint &on_axis,
-                                      const Vector    &u) const
+  GeometricallyExactBeam::output_state(const AxisPoint &on_axis,
+                                       const Vector    &u) const
   {
     const unsigned int        cell = on_axis.cell, n = stations[cell].size();
     const double              begin = axis().cell_begin(cell);

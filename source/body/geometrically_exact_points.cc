@@ -176,10 +176,10 @@ namespace lamella
 
 
   RotatedVector
-  GeometricallyExactBeam::turned_point(const PointFields &at,
-                                       const Frame       &frame)
+  GeometricallyExactBeam::rotated_point(const PointFields &at,
+                                        const Frame       &frame)
   {
-    return turned_vector(frame.Q, at.X + warping(at, frame));
+    return rotated_vector(frame.Q, at.X + warping(at, frame));
   }
 
 
@@ -189,7 +189,7 @@ namespace lamella
                                    const Element     &element)
   {
     const std::vector<double> &N = at.on_axis.N;
-    const RotatedVector of = turned_point(at, frame_at(at.on_axis, element));
+    const RotatedVector of = rotated_point(at, frame_at(at.on_axis, element));
     std::vector<Tensor<1, 3>> result;
     for (unsigned int i = 0; i < N.size(); ++i)
       {
@@ -265,8 +265,8 @@ namespace lamella
                                     LAPACKFullMatrix<double> &K)
   {
     const std::vector<double> &N = at.on_axis.N;
-    const unsigned int         n = n_of_node + at.Phi.size();
-    const RotatedVector of = turned_point(at, frame_at(at.on_axis, element));
+    const unsigned int         n = n_node_unknowns + at.Phi.size();
+    const RotatedVector of = rotated_point(at, frame_at(at.on_axis, element));
     // Of the work F . R (X + Phi a) by Q, and by Q and what R turns.
     Tensor<1, 7> first;
     Tensor<2, 7> second;
@@ -303,7 +303,7 @@ namespace lamella
                                         LAPACKFullMatrix<double> &K)
   {
     const std::vector<double> &N = at.on_axis.N;
-    const unsigned int         m = at.Phi.size(), n = n_of_node + m;
+    const unsigned int         m = at.Phi.size(), n = n_node_unknowns + m;
     for (unsigned int j = 0; j < N.size(); ++j)
       {
         const auto other = spin_derivative(element.q[j]);
@@ -315,8 +315,8 @@ namespace lamella
             double by = 0.;
             for (unsigned int d = 0; d < 3; ++d)
               by += row[4 + d] * N[j] * at.Phi[b][d];
-            K(spin, j * n + n_of_node + b) += by;
-            K(j * n + n_of_node + b, spin) += by;
+            K(spin, j * n + n_node_unknowns + b) += by;
+            K(j * n + n_node_unknowns + b, spin) += by;
           }
       }
   }
@@ -358,8 +358,9 @@ namespace lamella
   Voigt
   GeometricallyExactBeam::twist_strain(const SectionPoint &point) const
   {
-    return &section() == deforming.get() ? twist_stretch->strain(point) :
-                                           stretch_of_fiber(section(), point);
+    return &section() == deformable_section.get() ?
+             twist_stretch->strain(point) :
+             stretch_of_fiber(section(), point);
   }
 
 
@@ -411,7 +412,7 @@ namespace lamella
                                     const AxisPoint    &on_axis,
                                     const Vector       &u) const
   {
-    return sample_of_section(point, on_axis.y, shown_state(on_axis, u));
+    return sample_of_section(point, on_axis.y, output_state(on_axis, u));
   }
 
 
@@ -424,7 +425,7 @@ namespace lamella
     std::vector<FieldSample> samples;
     for (const AxisPoint &on_axis : places)
       {
-        const SectionState state = shown_state(on_axis, u);
+        const SectionState state = output_state(on_axis, u);
         for (const SectionPoint &point : points)
           samples.push_back(sample_of_section(point, on_axis.y, state));
       }
@@ -466,8 +467,8 @@ namespace lamella
     for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
       {
         const Element             at = element(cell, u);
-        const std::vector<Vector> of_heat =
-          is_heated() ? heat_stresses(cell) : std::vector<Vector>();
+        const std::vector<Vector> thermal_factor =
+          is_heated() ? thermal_stresses(cell) : std::vector<Vector>();
         for (unsigned int k = 0; k < stations[cell].size(); ++k)
           {
             const Station     &station = stations[cell][k];
@@ -477,7 +478,7 @@ namespace lamella
             Vector                     s = stresses(*laws[cell], e);
             s *= 0.5;
             if (is_heated())
-              s -= of_heat[k];
+              s -= thermal_factor[k];
             result.energy += station.weight * (Vector(e.begin(), e.end()) * s);
             add_strains(state, result);
             result.max_rotation = std::max(
@@ -485,6 +486,6 @@ namespace lamella
               rotation_vector_of(state.frame.Q / state.frame.Q.norm()).norm());
           }
       }
-    return over_processes(result);
+    return reduce_over_processes(result);
   }
 } // namespace lamella

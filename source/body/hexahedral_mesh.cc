@@ -55,9 +55,10 @@ namespace lamella
             const Point<2> x(points[k][0], points[k][2]);
             y += weights[k] * points[k][1];
             unsigned int p = 0;
-            while (p < places.size() && places[p].distance(x) >
-                                          arithmetic::rounding_of_results *
-                                            (arithmetic::above_zero + x.norm()))
+            while (p < places.size() &&
+                   places[p].distance(x) >
+                     arithmetic::rounding_of_results *
+                       (arithmetic::smallest_divisor + x.norm()))
               ++p;
             if (p == places.size())
               {

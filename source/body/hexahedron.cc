@@ -138,7 +138,8 @@ namespace lamella
 
 
   IncompatibleModes
-  Hexahedron::incompatible_modes(const Nodes &nodes, const StiffnessAt &C) const
+  Hexahedron::incompatible_modes(const Nodes          &nodes,
+                                 const StiffnessField &C) const
   {
     if (degree() > 1)
       return IncompatibleModes();
@@ -195,7 +196,7 @@ namespace lamella
 
   FullMatrix<double>
   Hexahedron::stiffness(const Nodes             &nodes,
-                        const StiffnessAt       &C,
+                        const StiffnessField    &C,
                         const IncompatibleModes &modes) const
   {
     const unsigned int                 n      = 3 * n_nodes();

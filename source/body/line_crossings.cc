@@ -79,14 +79,14 @@ namespace lamella
 
 
   std::vector<double>
-  tidy_breaks(std::vector<double> breaks)
+  merge_breaks(std::vector<double> breaks)
   {
     breaks.insert(breaks.end(), {0., 1.});
     std::sort(breaks.begin(), breaks.end());
     std::vector<double> inside;
     for (const double t : breaks)
       if (t >= 0. && t <= 1. &&
-          (inside.empty() || t - inside.back() > arithmetic::same_place))
+          (inside.empty() || t - inside.back() > arithmetic::same_position))
         inside.push_back(t);
     inside.back() = 1.;
     return inside;

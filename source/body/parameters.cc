@@ -222,7 +222,7 @@ namespace lamella
         "Body " + body.name + "/Kinematics/Theories",
         all,
         "the section '" + body.section + "' is more than " +
-          to_text(LagrangeElement::usual_column_aspect) +
+          to_text(LagrangeElement::default_column_aspect) +
           " times as long as thick; LE is made of functions of whole columns "
           "there, in which degrees of LE do not share theirs",
         "Give all pieces of LE-N the same N, and Section order = auto.");
@@ -262,7 +262,7 @@ namespace lamella
               std::shared_ptr<const Axis>    axis)
     {
       const std::string &name      = body.name;
-      const bool         has_modes = body.theory.is_of_solutions();
+      const bool         has_modes = body.theory.is_saint_venant();
       if (body.has_finite_rotations && body.theory.has_rotating_sections() &&
           !has_modes)
         return std::make_unique<GeometricallyExactBeam>(

@@ -67,7 +67,7 @@ namespace lamella
           for (unsigned int d = 0; d < 3; ++d)
             key.push_back(std::lround((x[d] - nodes[0][d]) / unit));
         // In a curved wall the place in the section tells the law.
-        if (laws.varies(mesh.cells()[cell].ply))
+        if (laws.has_varying_law(mesh.cells()[cell].ply))
           for (const unsigned int d : {0, 2})
             key.push_back(std::lround(nodes[0][d] / unit));
         const auto [place, is_new] = numbers.emplace(key, kinds.size());
@@ -83,7 +83,7 @@ namespace lamella
 
 
 
-  StiffnessAt
+  StiffnessField
   Solid::stiffness_of(const unsigned int cell) const
   {
     return [this, cell](const Point<3> &x) { return law(cell, x).stiffness(); };
@@ -356,7 +356,7 @@ namespace lamella
 
 
   double
-  Solid::add_heat(Vector &f) const
+  Solid::add_thermal_load(Vector &f) const
   {
     if (!is_heated())
       return 0.;

@@ -10,7 +10,8 @@ namespace lamella
   using namespace dealii;
 
   FieldSample
-  Solid::sample_place(const Location::Place &place, const Vector &u) const
+  Solid::sample_at_element_point(const Location::Place &place,
+                                 const Vector          &u) const
   {
     const Hexahedron::Nodes  nodes = nodes_of(place.cell);
     const HexahedronPoint    point = element.evaluate(nodes, place.unit);
@@ -43,8 +44,8 @@ namespace lamella
   {
     std::vector<FieldSample> samples;
     for (const Location::Place &place : where.places)
-      samples.push_back(sample_place(place, u));
-    return mean_of(samples);
+      samples.push_back(sample_at_element_point(place, u));
+    return mean_sample(samples);
   }
 
 } // namespace lamella

@@ -13,7 +13,7 @@ namespace lamella
   namespace
   {
     // Each division has eight times the cells of the one before.
-    constexpr unsigned int most_refinements = 8;
+    constexpr unsigned int max_ellipse_refinements = 8;
 
 
 
@@ -22,9 +22,9 @@ namespace lamella
     times(const Entry &entry, const std::string &piece)
     {
       const double n = entry.number(piece);
-      if (!(n >= 0. && n <= most_refinements && n == std::floor(n)))
+      if (!(n >= 0. && n <= max_ellipse_refinements && n == std::floor(n)))
         entry.refuse("how often must be a whole number from 0 to " +
-                     std::to_string(most_refinements) +
+                     std::to_string(max_ellipse_refinements) +
                      ", each time divides cells in eight");
       return static_cast<unsigned int>(n);
     }

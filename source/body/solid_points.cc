@@ -18,7 +18,7 @@ namespace lamella
     /// The box grown by @p share of its section's diagonal across, where cells
     /// may be curved, and by next to nothing along the axis.
     BoundingBox<3>
-    grown(const BoundingBox<3> &box, const double share)
+    enlarged(const BoundingBox<3> &box, const double share)
     {
       auto [lower, upper] = box.get_boundary_points();
       const double across =
@@ -40,8 +40,8 @@ namespace lamella
   {
     std::vector<std::pair<BoundingBox<3>, unsigned int>> all;
     for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
-      all.emplace_back(grown(BoundingBox<3>(nodes_of(cell)),
-                             is_curved ? 0.2 : arithmetic::same_in_element),
+      all.emplace_back(enlarged(BoundingBox<3>(nodes_of(cell)),
+                                is_curved ? 0.2 : arithmetic::same_in_element),
                        cell);
     boxes = pack_rtree(all);
   }
@@ -84,7 +84,7 @@ namespace lamella
     // Positions come out of decimal texts and rotations.
     const double section_size =
       Tensor<1, 2>({box.side_length(0), box.side_length(2)}).norm();
-    const double tolerance = arithmetic::same_place_across * section_size +
+    const double tolerance = arithmetic::same_position_across * section_size +
                              arithmetic::rounding_of_sums * axis_length;
     std::vector<std::vector<Location>> result;
     for (const Point<3> &point : points)
@@ -160,7 +160,7 @@ namespace lamella
 
 
 
-  PlyAt
+  PlyAndAxes
   Solid::ply_at(const Location::Place &place) const
   {
     const Point<3> x =
@@ -173,7 +173,7 @@ namespace lamella
   void
   Solid::add_to_rows(const Location::Place         &place,
                      const Quantity                 quantity,
-                     const FromStrain              &to_frame,
+                     const StrainMap               &to_frame,
                      const double                   share,
                      std::vector<LinearFunctional> &rows) const
   {
@@ -212,12 +212,12 @@ namespace lamella
         const Location::Place &first = where.places[0];
         const Point<3>         x =
           element.evaluate(nodes_of(first.cell), first.unit).position;
-        const FromStrain to_frame =
-          from_strain(quantity,
-                      frame,
-                      placement,
-                      ply_axes(first.cell, x),
-                      law_at(first.cell, first.unit, x));
+        const StrainMap to_frame =
+          make_strain_map(quantity,
+                          frame,
+                          placement,
+                          ply_axes(first.cell, x),
+                          law_at(first.cell, first.unit, x));
         std::vector<LinearFunctional> rows(n);
         if (quantity != Quantity::displacement)
           for (unsigned int c = 0; c < n; ++c)
@@ -279,7 +279,7 @@ namespace lamella
     in_section[0] = d[0];
     in_section[1] = d[2];
     const double tolerance =
-      arithmetic::same_place_across *
+      arithmetic::same_position_across *
       Tensor<1, 2>({box.side_length(0), box.side_length(2)}).norm();
 
     std::vector<double> breaks;
@@ -292,7 +292,7 @@ namespace lamella
           return mesh.nodes()[nodes[v]];
         };
         std::vector<double> crossings;
-        if (std::abs(d[1]) > arithmetic::same_place_along * axis_length)
+        if (std::abs(d[1]) > arithmetic::same_position_along * axis_length)
           for (const unsigned int v : {0, 2})
             crossings.push_back((corner(v)[1] - a[1]) / d[1]);
         if (in_section.norm() > tolerance)
@@ -305,11 +305,11 @@ namespace lamella
               cell, v, w, {a[0], a[2]}, in_section, tolerance, crossings);
         // Not where the line meets the planes of cells further away.
         for (const double t : crossings)
-          if (grown(cell_box, arithmetic::same_in_element)
+          if (enlarged(cell_box, arithmetic::same_in_element)
                 .point_inside(a + t * d))
             breaks.push_back(t);
       }
-    return tidy_breaks(std::move(breaks));
+    return merge_breaks(std::move(breaks));
   }
 
 } // namespace lamella

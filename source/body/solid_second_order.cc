@@ -28,7 +28,7 @@ namespace lamella
     void
     add_geometric_forces(const Vector &w, Vector &f) const override;
     double
-    short_waves() const override
+    largest_short_wave_ratio() const override
     {
       return Utilities::MPI::max(largest_wave, communicator());
     }
@@ -55,7 +55,7 @@ namespace lamella
     /// Of each cell at each sample e_2 and the stress s; empty for cells of
     /// other processes.
     Samples stretch, stress;
-    /// Value of short_waves() on this process.
+    /// Value of largest_short_wave_ratio() on this process.
     double largest_wave = 0.;
   };
 

@@ -67,7 +67,7 @@ namespace lamella
     /// Of an edge's quadratic the two nodes next to the one that hangs weigh
     /// most.
     std::pair<unsigned int, unsigned int>
-    heaviest_two(std::vector<std::pair<unsigned int, double>> masters)
+    two_largest_weights(std::vector<std::pair<unsigned int, double>> masters)
     {
       std::sort(masters.begin(),
                 masters.end(),
@@ -195,7 +195,7 @@ namespace lamella
 
     std::vector<SurfacePoint> points;
     for (const auto &[number, node] : nodes)
-      if (node.is_there())
+      if (node.has_point())
         points.push_back(node.finished());
     return points;
   }
@@ -230,7 +230,7 @@ namespace lamella
 
 
   std::vector<Location>
-  Solid::fixing_points(const std::string &surface) const
+  Solid::constraint_points(const std::string &surface) const
   {
     return node_locations(faces_of(surface));
   }
@@ -298,7 +298,7 @@ namespace lamella
         {
           Assert(hanging.masters.size() == degree() + 1,
                  ExcMessage("An edge hangs on one that hangs itself."));
-          const auto [one, other] = heaviest_two(hanging.masters);
+          const auto [one, other] = two_largest_weights(hanging.masters);
           topology.add_hanging(hanging.node, {{node[one], node[other]}});
         }
     return topology;

@@ -5,7 +5,7 @@
 namespace lamella
 {
   std::string
-  surface_names::of_end(const bool at_start)
+  surface_names::end_name(const bool at_start)
   {
     return at_start ? "start" : "end";
   }
@@ -13,7 +13,7 @@ namespace lamella
 
 
   bool
-  surface_names::is_all(const std::string &surface)
+  surface_names::is_whole_surface(const std::string &surface)
   {
     return surface == "all";
   }
@@ -21,9 +21,9 @@ namespace lamella
 
 
   bool
-  surface_names::is_several(const std::string &surface)
+  surface_names::is_compound_surface(const std::string &surface)
   {
-    return surface == "ends" || is_all(surface);
+    return surface == "ends" || is_whole_surface(surface);
   }
 
 
@@ -31,7 +31,7 @@ namespace lamella
   bool
   surface_names::covers(const std::string &surface, const std::string &part)
   {
-    return surface == part || is_all(surface) ||
+    return surface == part || is_whole_surface(surface) ||
            (surface == "ends" && (part == "start" || part == "end"));
   }
 } // namespace lamella

@@ -25,7 +25,7 @@ namespace lamella
 
 
   void
-  SurfaceNode::share_out(SurfaceNode &one_end, SurfaceNode &other_end)
+  SurfaceNode::distribute_to_ends(SurfaceNode &one_end, SurfaceNode &other_end)
   {
     for (SurfaceNode *end : {&one_end, &other_end})
       {

@@ -127,11 +127,11 @@ namespace lamella
     if (is_heated())
       {
         Vector f(n_dofs());
-        add_heat(f);
-        add_heat_at(u, f);
+        add_thermal_load(f);
+        add_thermal_load_at(u, f);
         result.energy -= 0.5 * (f * u);
       }
-    return over_processes(result);
+    return reduce_over_processes(result);
   }
 
 
@@ -177,16 +177,16 @@ namespace lamella
     Tensor<1, 3>     displacement;
     for (unsigned int a = 0; a < point.fields->size(); ++a)
       displacement += q[FieldPart::value](a, 0) * point.value[a];
-    return turned_sample_of(displacement,
-                            H,
-                            strain_at(point, on_axis, H, u),
-                            placement,
-                            section().ply_axes(point.cell, point.position),
-                            law_at(point.cell,
-                                   point.position,
-                                   placement.to_scene({point.position[0],
-                                                       on_axis.y,
-                                                       point.position[1]})));
+    return finite_strain_sample(
+      displacement,
+      H,
+      strain_at(point, on_axis, H, u),
+      placement,
+      section().ply_axes(point.cell, point.position),
+      law_at(point.cell,
+             point.position,
+             placement.to_scene(
+               {point.position[0], on_axis.y, point.position[1]})));
   }
 
 
@@ -231,7 +231,7 @@ namespace lamella
 
 
   void
-  TotalLagrangianBeam::for_each_block_of_heat(
+  TotalLagrangianBeam::for_each_thermal_block(
     const Vector &,
     const std::function<void(const StiffnessBlock &)> &use) const
   {
@@ -295,7 +295,7 @@ namespace lamella
 
 
   void
-  TotalLagrangianBeam::take_off(
+  TotalLagrangianBeam::subtract_assumed_strain(
     const unsigned int                                           cell,
     const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents,
     StiffnessBlock                                              &block) const
@@ -348,7 +348,7 @@ namespace lamella
         const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents) {
         for (unsigned int k = 0; k < tangents.size(); ++k)
           add_station(cell, k, tangents[k], *block);
-        take_off(cell, tangents, *block++);
+        subtract_assumed_strain(cell, tangents, *block++);
       });
   }
 

@@ -112,18 +112,18 @@ namespace lamella
     if (is_heated())
       {
         Vector f(n_dofs());
-        add_heat(f);
-        add_heat_at(u, f);
+        add_thermal_load(f);
+        add_thermal_load_at(u, f);
         result.energy -= 0.5 * (f * u);
       }
-    return over_processes(result);
+    return reduce_over_processes(result);
   }
 
 
 
   FieldSample
-  TotalLagrangianSolid::sample_place(const Location::Place &place,
-                                     const Vector          &u) const
+  TotalLagrangianSolid::sample_at_element_point(const Location::Place &place,
+                                                const Vector          &u) const
   {
     const HexahedronPoint point =
       hexahedron().evaluate(nodes_of(place.cell), place.unit);
@@ -133,12 +133,12 @@ namespace lamella
       for (unsigned int c = 0; c < 3; ++c)
         displacement[c] += point.N[i] * u[3 * DofIndex(nodes[i]) + c];
     const Gradient H = gradient_at(place.cell, point, u);
-    return turned_sample_of(displacement,
-                            H,
-                            green_strain(H),
-                            placement,
-                            ply_axes(place.cell, point.position),
-                            law_at(place.cell, place.unit, point.position));
+    return finite_strain_sample(displacement,
+                                H,
+                                green_strain(H),
+                                placement,
+                                ply_axes(place.cell, point.position),
+                                law_at(place.cell, place.unit, point.position));
   }
 
 
@@ -233,7 +233,7 @@ namespace lamella
 
 
   void
-  TotalLagrangianSolid::for_each_block_of_heat(
+  TotalLagrangianSolid::for_each_thermal_block(
     const Vector &,
     const std::function<void(const StiffnessBlock &)> &use) const
   {

@@ -87,9 +87,9 @@ namespace lamella
         std::array<double, dim> variation{};
       };
       Edges
-      look_at_edges(const Cell              &cell,
-                    const ParameterBox<dim> &box,
-                    const ForceRange        &range);
+      sample_edges(const Cell              &cell,
+                   const ParameterBox<dim> &box,
+                   const ForceRange        &range);
       /// The moments over a box by Gauss' rule, see MomentRule.
       std::vector<Force>
       rule(const Cell              &cell,
@@ -99,11 +99,12 @@ namespace lamella
       /// How far the halves of a piece are from the whole, along the parameter
       /// where they are furthest, which becomes its direction.
       double
-      disagreement_of_halves(Piece<dim> &piece);
+      bisection_error(Piece<dim> &piece);
       /// Of a piece whose halves see nothing: the parameter that it varies
       /// with, else the longer way.
       unsigned int
-      direction_by(const Edges &edges, const Piece<dim> &piece) const;
+      choose_bisection_direction(const Edges      &edges,
+                                 const Piece<dim> &piece) const;
       Piece<dim>
       piece(const unsigned int cell, const ParameterBox<dim> &box);
       void
@@ -179,9 +180,9 @@ namespace lamella
     /// sides and its corners.
     template <int dim>
     typename Integration<dim>::Edges
-    Integration<dim>::look_at_edges(const Cell              &cell,
-                                    const ParameterBox<dim> &box,
-                                    const ForceRange        &range)
+    Integration<dim>::sample_edges(const Cell              &cell,
+                                   const ParameterBox<dim> &box,
+                                   const ForceRange        &range)
     {
       // Just inside: the edge itself may be another element's.
       constexpr double inside = 1e-7;
@@ -228,7 +229,7 @@ namespace lamella
 
     template <int dim>
     double
-    Integration<dim>::disagreement_of_halves(Piece<dim> &piece)
+    Integration<dim>::bisection_error(Piece<dim> &piece)
     {
       double most = -1.;
       for (unsigned int d = 0; d < dim; ++d)
@@ -256,8 +257,8 @@ namespace lamella
 
     template <int dim>
     unsigned int
-    Integration<dim>::direction_by(const Edges      &edges,
-                                   const Piece<dim> &piece) const
+    Integration<dim>::choose_bisection_direction(const Edges      &edges,
+                                                 const Piece<dim> &piece) const
     {
       const Cell              &cell = cells[piece.cell];
       const ParameterBox<dim> &box  = piece.box;
@@ -284,7 +285,7 @@ namespace lamella
       result.moments = rule(cell, box, 0, range);
       if (constant)
         return result;
-      const Edges  edges = look_at_edges(cell, box, range);
+      const Edges  edges = sample_edges(cell, box, range);
       const double missed =
         std::max(grids[number].beyond(box, range), edges.beyond) * box.volume();
       const std::vector<Force> finer = rule(cell, box, 1, range);
@@ -296,9 +297,9 @@ namespace lamella
         }
       // Which way to cut, and how wrong the whole is: what its halves say,
       // unless there is what they do not see, either.
-      const double most = disagreement_of_halves(result);
+      const double most = bisection_error(result);
       if (dim == 2 && most < missed)
-        result.direction = direction_by(edges, result);
+        result.direction = choose_bisection_direction(edges, result);
       result.error = std::max({result.error, most, missed});
       return result;
     }

@@ -121,7 +121,7 @@ namespace lamella
 
 
   PointForces
-  Couple::dead() const
+  Couple::dead_load() const
   {
     PointForces           result;
     std::vector<Point<3>> x;

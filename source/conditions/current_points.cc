@@ -61,21 +61,24 @@ namespace lamella
 
 
   void
-  CurrentPoints::add_turned(const std::vector<Tensor<1, 3>> &forces,
-                            const double                     factor,
-                            const Vector                    &u,
-                            const Vector                    &w,
-                            Vector                          &f) const
+  CurrentPoints::add_rotated_forces(const std::vector<Tensor<1, 3>> &forces,
+                                    const double                     factor,
+                                    const Vector                    &u,
+                                    const Vector                    &w,
+                                    Vector                          &f) const
   {
-    for_each_turned_block(forces, factor, u, [&](const StiffnessBlock &block) {
-      block.add_product(w, f);
-    });
+    for_each_rotation_block(forces,
+                            factor,
+                            u,
+                            [&](const StiffnessBlock &block) {
+                              block.add_product(w, f);
+                            });
   }
 
 
 
   void
-  CurrentPoints::for_each_turned_block(
+  CurrentPoints::for_each_rotation_block(
     const std::vector<Tensor<1, 3>>                   &forces,
     const double                                       factor,
     const Vector                                      &u,

@@ -13,7 +13,7 @@
 namespace lamella
 {
   std::string
-  Formula::with_all_digits(const double value)
+  Formula::to_exact_text(const double value)
   {
     std::ostringstream text;
     text.precision(std::numeric_limits<double>::max_digits10);
@@ -48,7 +48,7 @@ namespace lamella
 
 
     bool
-    speaks_of_position(const std::string &text)
+    depends_on_position(const std::string &text)
     {
       static const std::regex position("\\b[xyz]\\b");
       return std::regex_search(text, position);
@@ -60,7 +60,7 @@ namespace lamella
   Expression::Expression(const std::string &expression, const Entry &entry)
     : text(expression)
     , entry(entry)
-    , constant(!speaks_of_position(expression))
+    , constant(!depends_on_position(expression))
   {
     const auto fail = [&](const std::string &why) {
       entry.refuse("'" + expression + "' is not an expression of x, y, z" + why,

@@ -5,7 +5,7 @@
 #include <lamella/conditions/couple.h>
 #include <lamella/conditions/current_points.h>
 #include <lamella/conditions/follower_pressure.h>
-#include <lamella/conditions/rows_to_dofs.h>
+#include <lamella/conditions/row_transformation.h>
 
 namespace lamella
 {
@@ -25,7 +25,7 @@ namespace lamella
       {}
 
       bool
-      is_skew() const override
+      is_unsymmetric() const override
       {
         return false;
       }
@@ -45,7 +45,7 @@ namespace lamella
                      const Vector &w,
                      Vector       &f) const override
       {
-        points.add_turned(forces, factor, u, w, f);
+        points.add_rotated_forces(forces, factor, u, w, f);
       }
 
       void
@@ -57,7 +57,7 @@ namespace lamella
       {
         // Within elements, whose tangent has the pattern.
         if (with_values)
-          points.for_each_turned_block(forces, -factor, u, use);
+          points.for_each_rotation_block(forces, -factor, u, use);
       }
 
     private:
@@ -75,7 +75,7 @@ namespace lamella
       {}
 
       bool
-      is_skew() const override
+      is_unsymmetric() const override
       {
         return false;
       }
@@ -84,7 +84,7 @@ namespace lamella
       add_forces(const double factor, const Vector &u, Vector &f) const override
       {
         Vector full(f.size());
-        body.add_heat_at(u, full);
+        body.add_thermal_load_at(u, full);
         f.add(factor, full);
       }
 
@@ -95,7 +95,7 @@ namespace lamella
                      Vector       &f) const override
       {
         Vector full(f.size());
-        body.for_each_block_of_heat(u, [&](const StiffnessBlock &block) {
+        body.for_each_thermal_block(u, [&](const StiffnessBlock &block) {
           block.add_product(w, full);
         });
         f.add(factor, full);
@@ -110,7 +110,7 @@ namespace lamella
       {
         // Within elements, whose tangent has the pattern.
         if (with_values)
-          body.for_each_block_of_heat(u, [&](StiffnessBlock block) {
+          body.for_each_thermal_block(u, [&](StiffnessBlock block) {
             for (double &value : block.values)
               value *= -factor;
             use(block);
@@ -204,7 +204,7 @@ namespace lamella
       for (Tensor<1, 3> &force : forces)
         force *= factor;
       points.add_forces(forces, u, f);
-      points.add_turned(couple.forces(x), factor, u, w, f);
+      points.add_rotated_forces(couple.forces(x), factor, u, w, f);
     }
 
 
@@ -216,7 +216,7 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const
     {
-      const RowsToDofs to_dofs(points.rows(u));
+      const RowTransformation to_dofs(points.rows(u));
       if (!with_values)
         return use(to_dofs.pattern());
       const std::vector<Point<3>>  x        = moved(u);
@@ -234,7 +234,7 @@ namespace lamella
                 0.5 * factor * (spin[i] * stretch[j] + stretch[i] * spin[j]);
         }
       use(block);
-      points.for_each_turned_block(couple.forces(x), -factor, u, use);
+      points.for_each_rotation_block(couple.forces(x), -factor, u, use);
     }
 
 
@@ -248,11 +248,12 @@ namespace lamella
                 const Region       &region,
                 const Body         &body)
     {
-      Vector rest(body.n_dofs()), start(body.n_dofs()), dead(body.n_dofs());
+      Vector rest(body.n_dofs()), start(body.n_dofs()),
+        dead_load(body.n_dofs());
       rotation.add_forces(1., rest, start);
-      add_point_forces(body, point_forces(load, region, body), dead);
-      start -= dead;
-      if (start.l2_norm() > arithmetic::alike * dead.l2_norm())
+      add_point_forces(body, point_forces(load, region, body), dead_load);
+      start -= dead_load;
+      if (start.l2_norm() > arithmetic::alike * dead_load.l2_norm())
         throw InputError("Load " + load.name + "/Pressure",
                          load.pressure.text() + ", follows",
                          "a pressure that follows must be smooth within "
@@ -265,7 +266,7 @@ namespace lamella
 
 
   bool
-  rotates_along(const Load &load)
+  is_follower_load(const Load &load)
   {
     return load.couple || load.follows;
   }
@@ -278,7 +279,7 @@ namespace lamella
     // Heat is one of the body (turning_heat()).
     return load.temperature.empty() &&
            (body.constraints_rotate() ||
-            (body.has_finite_rotations() && rotates_along(load)));
+            (body.has_finite_rotations() && is_follower_load(load)));
   }
 
 

@@ -2,7 +2,7 @@
 
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/conditions/follower_pressure.h>
-#include <lamella/conditions/rows_to_dofs.h>
+#include <lamella/conditions/row_transformation.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -195,7 +195,8 @@ namespace lamella
           for (unsigned int j = 0; j < K.n(); ++j)
             forces[i / 3][i % 3] -= K(i, j) * by[j / 3][j % 3];
         facet.nodes.add_forces(forces, u, f);
-        facet.nodes.add_turned(forces_on(facet, now, factor), 1., u, w, f);
+        facet.nodes.add_rotated_forces(
+          forces_on(facet, now, factor), 1., u, w, f);
       }
   }
 
@@ -210,7 +211,7 @@ namespace lamella
   {
     for (const Facet &facet : facets)
       {
-        const RowsToDofs to_dofs(facet.nodes.rows(u));
+        const RowTransformation to_dofs(facet.nodes.rows(u));
         if (!with_values)
           {
             use(to_dofs.pattern());
@@ -220,10 +221,10 @@ namespace lamella
         FullMatrix<double> K   = facet.stiffness(now, factor);
         K.symmetrize();
         use(to_dofs(K));
-        facet.nodes.for_each_turned_block(forces_on(facet, now, factor),
-                                          -1.,
-                                          u,
-                                          use);
+        facet.nodes.for_each_rotation_block(forces_on(facet, now, factor),
+                                            -1.,
+                                            u,
+                                            use);
       }
   }
 } // namespace lamella

@@ -17,13 +17,13 @@ namespace lamella
   {
     /// The corners of the section half way along the axis of @p body.
     std::vector<Point<3>>
-    corners_of_middle(const Body &body)
+    farthest_section_points(const Body &body)
     {
       const Tensor<1, 3> half =
         0.5 * (centroid_of(body.surface_points("end")) -
                centroid_of(body.surface_points("start")));
       std::vector<Point<3>> corners;
-      for (const SurfacePoint &point : far_points(body, "start"))
+      for (const SurfacePoint &point : farthest_points(body, "start"))
         corners.push_back(point.position + half);
       return corners;
     }
@@ -60,7 +60,7 @@ namespace lamella
 
 
   void
-  clear_held_motions(std::vector<Support> &supports)
+  clear_isostatic_motions(std::vector<Support> &supports)
   {
     for (Support &support : supports)
       if (support.isostatic)
@@ -70,7 +70,7 @@ namespace lamella
 
 
   std::optional<BodyFunctional>
-  row_of(const ContactPlace &place, const Bodies &bodies)
+  row_of(const PotentialContact &place, const Bodies &bodies)
   {
     const Body &body  = *bodies[place.body];
     const auto  sides = body.locate({place.position});
@@ -89,14 +89,14 @@ namespace lamella
 
 
   void
-  find_held_motions(std::vector<Support>            &supports,
-                    const Bodies                    &bodies,
-                    const std::vector<ContactPlace> &places)
+  find_isostatic_motions(std::vector<Support>                &supports,
+                         const Bodies                        &bodies,
+                         const std::vector<PotentialContact> &places)
   {
-    clear_held_motions(supports);
+    clear_isostatic_motions(supports);
     std::vector<PrescribedFunctional> rows =
       prescribed_functionals(supports, bodies);
-    for (const ContactPlace &place : places)
+    for (const PotentialContact &place : places)
       if (const auto row = row_of(place, bodies))
         rows.emplace_back().row = *row;
     for (Support &support : supports)
@@ -117,7 +117,7 @@ namespace lamella
     if (hold.motions.empty())
       return {};
     const Body                 &body   = *bodies[hold.body];
-    const std::vector<Point<3>> points = corners_of_middle(body);
+    const std::vector<Point<3>> points = farthest_section_points(body);
     const std::vector<Location> locations =
       locate_all(body, points, "Body " + body.name() + "/Isostatic support");
     const auto   u     = body.rows(locations, Quantity::displacement);
@@ -150,9 +150,9 @@ namespace lamella
 
 
   void
-  check_balance_of_held(const std::vector<Support> &supports,
-                        const Bodies               &bodies,
-                        const BlockVector          &load)
+  check_isostatic_balance(const std::vector<Support> &supports,
+                          const Bodies               &bodies,
+                          const BlockVector          &load)
   {
     for (const Support &support : supports)
       {

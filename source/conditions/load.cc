@@ -290,7 +290,7 @@ namespace lamella
                     const Body               &body,
                     std::vector<std::string> &notes)
     {
-      for (const RigidMotion &missing : body.missing_motions())
+      for (const RigidMotion &missing : body.omitted_rigid_motions())
         {
           const Point<3> axis(missing[3], missing[4], missing[5]);
           double         torque = 0., size = 0.;
@@ -317,7 +317,7 @@ namespace lamella
   PointForces
   point_forces(const Load &load, const Region &region, const Body &body)
   {
-    PointForces at = load.couple ? Couple(load, region, body).dead() :
+    PointForces at = load.couple ? Couple(load, region, body).dead_load() :
                                    LoadValues(load).on(region, body);
     for (unsigned int k = 0; k < at.forces.size(); ++k)
       {
@@ -346,8 +346,8 @@ namespace lamella
     LoadResultant result;
     result.name = load.name;
     // Bodies that are heated have no force of it.
-    result.is_heat = !load.temperature.empty();
-    if (result.is_heat)
+    result.is_temperature = !load.temperature.empty();
+    if (result.is_temperature)
       return result;
     for (const Region &region : load.on)
       {
@@ -365,7 +365,7 @@ namespace lamella
 
 
   void
-  spread_totals(std::vector<Load> &loads, const Bodies &bodies)
+  distribute_total_forces(std::vector<Load> &loads, const Bodies &bodies)
   {
     for (Load &load : loads)
       {

@@ -120,8 +120,9 @@ namespace lamella
         regions.push_back(region);
       }
     if (regions.empty())
-      on.is_missing("write BODY: point, line, body or the name of a surface "
-                    "such as ends or top.");
+      on.refuse_missing(
+        "write BODY: point, line, body or the name of a surface "
+        "such as ends or top.");
     const bool uses_points =
       std::any_of(regions.begin(), regions.end(), [](const Region &r) {
         return !r.at.empty();
@@ -428,7 +429,7 @@ namespace lamella
 
     /// Whether @p pressure ends with `, follows`, which is taken off.
     bool
-    take_follows(Formula &pressure)
+    parse_follower(Formula &pressure)
     {
       const std::string text  = pressure.text();
       const std::size_t comma = text.rfind(',');
@@ -494,7 +495,7 @@ namespace lamella
     load.name     = name;
     load.on       = parse_regions(on, in["At"], bodies);
     load.pressure = in["Pressure"].text();
-    load.follows  = take_follows(load.pressure);
+    load.follows  = parse_follower(load.pressure);
     if (load.follows && load.pressure.empty())
       what.refuse("says nothing of how much follows",
                   "Write a number or an expression before it, `12, follows`.");

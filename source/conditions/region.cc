@@ -22,7 +22,7 @@ namespace lamella
   bool
   Region::covers_end(const bool at_start) const
   {
-    return covers(surface_names::of_end(at_start));
+    return covers(surface_names::end_name(at_start));
   }
 
 
@@ -59,7 +59,7 @@ namespace lamella
   bool
   Region::is_several_surfaces() const
   {
-    return kind == Kind::surface && surface_names::is_several(surface);
+    return kind == Kind::surface && surface_names::is_compound_surface(surface);
   }
 
 
@@ -98,9 +98,9 @@ namespace lamella
 
 
   std::vector<std::vector<Location>>
-  locate_sides(const Body                  &body,
-               const std::vector<Point<3>> &points,
-               const std::string           &path)
+  locate_in_plies(const Body                  &body,
+                  const std::vector<Point<3>> &points,
+                  const std::string           &path)
   {
     std::vector<std::vector<Location>> found = body.locate(points);
     for (unsigned int i = 0; i < points.size(); ++i)
@@ -128,7 +128,8 @@ namespace lamella
              const std::string           &path)
   {
     std::vector<Location> locations;
-    for (const std::vector<Location> &sides : locate_sides(body, points, path))
+    for (const std::vector<Location> &sides :
+         locate_in_plies(body, points, path))
       locations.push_back(sides.front());
     return locations;
   }
@@ -171,7 +172,7 @@ namespace lamella
           return body.body_points();
         case Region::Kind::surface:
           check_surface(body, region.surface, path);
-          return body.fixing_points(region.surface);
+          return body.constraint_points(region.surface);
         default:
           Assert(false, ExcMessage("The region was never filled in."));
           return {};

@@ -39,7 +39,7 @@ namespace lamella
     : body(body)
     , prescribed(rows)
     , functionals(rows.size())
-    , sizes(body.dof_sizes())
+    , sizes(body.dof_scales())
   {
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (rows[r].row.body == index)
@@ -291,8 +291,8 @@ namespace lamella
 
 
   std::optional<DofIndex>
-  RowElimination::shift_to(const std::vector<unsigned int> &group,
-                           const BodyConstraints           &held) const
+  RowElimination::find_shift(const std::vector<unsigned int> &group,
+                             const BodyConstraints           &held) const
   {
     if (group.size() != rows.size())
       return {};
@@ -324,8 +324,8 @@ namespace lamella
 
 
   void
-  RowElimination::move_to(const std::vector<unsigned int> &group,
-                          const DofIndex                   shift)
+  RowElimination::apply_shift_to(const std::vector<unsigned int> &group,
+                                 const DofIndex                   shift)
   {
     std::map<unsigned int, unsigned int> number;
     for (unsigned int k = 0; k < rows.size(); ++k)

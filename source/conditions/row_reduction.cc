@@ -66,9 +66,9 @@ namespace lamella
     std::optional<RowElimination> last;
     for (const auto &group : held.groups())
       {
-        const auto shift = last ? last->shift_to(group, held) : std::nullopt;
+        const auto shift = last ? last->find_shift(group, held) : std::nullopt;
         if (shift)
-          last->move_to(group, *shift);
+          last->apply_shift_to(group, *shift);
         else
           last.emplace(group, held);
         keep(*last, body, rows, support_names);

@@ -27,7 +27,7 @@ namespace lamella
   {
     /// Of @p points those furthest from @p x.
     std::vector<SurfacePoint>
-    furthest_from(const Point<3> &x, const std::vector<SurfacePoint> &points)
+    farthest_from(const Point<3> &x, const std::vector<SurfacePoint> &points)
     {
       double                    most = 0.;
       std::vector<SurfacePoint> found;
@@ -43,12 +43,12 @@ namespace lamella
 
 
   std::vector<SurfacePoint>
-  far_points(const Body &body, const std::string &surface)
+  farthest_points(const Body &body, const std::string &surface)
   {
     const std::vector<SurfacePoint> points = body.surface_points(surface);
-    std::vector<SurfacePoint> far = furthest_from(centroid_of(points), points);
+    std::vector<SurfacePoint> far = farthest_from(centroid_of(points), points);
     if (far.size() == 1)
-      for (const SurfacePoint &point : furthest_from(far[0].position, points))
+      for (const SurfacePoint &point : farthest_from(far[0].position, points))
         far.push_back(point);
     return far;
   }
@@ -145,7 +145,7 @@ namespace lamella
     std::vector<Point<3>> points;
     std::vector<Location> locations;
     for (const char *surface : {"start", "end"})
-      for (const SurfacePoint &point : far_points(body, surface))
+      for (const SurfacePoint &point : farthest_points(body, surface))
         {
           points.push_back(point.position);
           locations.push_back(point.location);

@@ -368,7 +368,7 @@ namespace lamella
                      const std::vector<PrescribedFunctional> &rows)
   {
     const std::vector<Vector> motions = body.rigid_motions();
-    std::vector<RigidMotion>  values  = body.missing_motions();
+    std::vector<RigidMotion>  values  = body.omitted_rigid_motions();
     for (const PrescribedFunctional &prescribed : rows)
       if (prescribed.row.body == index)
         {

@@ -12,7 +12,7 @@ namespace lamella
   using namespace dealii;
 
   void
-  apply_heat(const std::vector<Load> &loads, const Bodies &bodies)
+  apply_temperatures(const std::vector<Load> &loads, const Bodies &bodies)
   {
     std::map<unsigned int, std::string> heated;
     for (const Load &load : loads)
@@ -50,7 +50,7 @@ namespace lamella
              BlockVector        &f)
   {
     LoadResultant result;
-    result.name = name_of_weight;
+    result.name = weight_load_name;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         const Body &body = *bodies[b];

@@ -48,7 +48,7 @@ namespace lamella
                   const Bodies           &bodies)
     {
       const unsigned int body = a.first_body;
-      const double tolerance  = arithmetic::same_place * bodies[body]->size();
+      const double tolerance = arithmetic::same_position * bodies[body]->size();
       std::vector<Point<3>> positions, shared;
       for (const ContactInterface::Point &point : b.points)
         positions.push_back(on_body(b, point, body));
@@ -132,14 +132,14 @@ namespace lamella
 
 
   void
-  check_partners(const std::vector<ContactInterface> &interfaces)
+  check_node_matching(const std::vector<ContactInterface> &interfaces)
   {
     for (const ContactInterface &contact : interfaces)
       {
         const unsigned int pairs = contact.rows.size();
         if (contact.discretization != Discretization::node_to_node ||
-            pairs >=
-              std::min(contact.beside_nodes, contact.beside_nodes_second))
+            pairs >= std::min(contact.nonmatching_nodes,
+                              contact.nonmatching_nodes_second))
           continue;
         throw InputError(
           "Contact " + contact.name + "/Discretization",
@@ -147,8 +147,8 @@ namespace lamella
           "only " + std::to_string(pairs) +
             " nodes of First and of Second "
             "face each other, " +
-            std::to_string(contact.beside_nodes) + " and " +
-            std::to_string(contact.beside_nodes_second) +
+            std::to_string(contact.nonmatching_nodes) + " and " +
+            std::to_string(contact.nonmatching_nodes_second) +
             " others face the other surface, but none of its nodes: the "
             "bodies would pass through each other",
           "Use auto or surface to surface, or give both surfaces the same "
@@ -222,11 +222,11 @@ namespace lamella
 
 
   std::vector<std::string>
-  broken_assumptions(const ContactInterface          &interface,
-                     const Bodies                    &bodies,
-                     const BlockVector               &u,
-                     const LoadFactor                &factor,
-                     const std::vector<unsigned int> &active)
+  assumption_warnings(const ContactInterface          &interface,
+                      const Bodies                    &bodies,
+                      const BlockVector               &u,
+                      const LoadFactor                &factor,
+                      const std::vector<unsigned int> &active)
   {
     constexpr double large_sliding = 0.1, large_angle = 5. / 180. * numbers::PI;
 

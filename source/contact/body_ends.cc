@@ -23,7 +23,7 @@ namespace lamella
 
 
   BodyEnds::BodyEnds(const Body &body)
-    : near(arithmetic::same_place * body.size())
+    : near(arithmetic::same_position * body.size())
     , nodes(nodes_at_ends(body))
     , search(nodes)
   {}

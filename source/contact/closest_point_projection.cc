@@ -21,10 +21,10 @@ namespace lamella
 
     /// a_ab - r . X_,ab at @p st; r = x - X.
     Tensor<2, 2>
-    foot_matrix(const FacetMap        &map,
-                const Point<2>        &st,
-                const FacetMap::Place &place,
-                const Tensor<1, 3>    &r)
+    projection_matrix(const FacetMap        &map,
+                      const Point<2>        &st,
+                      const FacetMap::Place &place,
+                      const Tensor<1, 3>    &r)
     {
       Tensor<2, 2> matrix;
       matrix[0][0] = place.d_s * place.d_s;
@@ -50,9 +50,9 @@ namespace lamella
           const bool                or_near)
     {
       const auto room = [&](const unsigned int side) {
-        if (!or_near || (facet.body_ends[side] && !facet.goes_on[side]))
+        if (!or_near || (facet.at_body_end[side] && !facet.has_neighbor[side]))
           return arithmetic::same_in_element;
-        return facet.goes_on[side] ? beyond : beyond_rim;
+        return facet.has_neighbor[side] ? beyond : beyond_rim;
       };
       return st[0] >= -room(0) && st[0] <= 1. + room(1) && st[1] >= -room(2) &&
              st[1] <= 1. + room(3);
@@ -126,7 +126,7 @@ namespace lamella
       {
         const auto         place = map(st);
         const Tensor<1, 3> r     = x - place.position;
-        const Tensor<1, 2> step  = invert(foot_matrix(map, st, place, r)) *
+        const Tensor<1, 2> step = invert(projection_matrix(map, st, place, r)) *
                                   Tensor<1, 2>({place.d_s * r, place.d_t * r});
         st += step;
         // Written so that what is not a number ends it.
@@ -145,7 +145,7 @@ namespace lamella
                            const Point<3>     &x,
                            const Tensor<1, 3> &n1,
                            const double        search_radius,
-                           const std::optional<MeshSurface::FacetPlace> &last,
+                           const std::optional<MeshSurface::FacetPoint> &last,
                            const double opposed)
   {
     if (last)
@@ -191,7 +191,7 @@ namespace lamella
       }
     hit.position = x - hit.distance * hit.normal;
     if (std::abs(hit.distance) > search_radius ||
-        n1 * hit.normal > -faces_from_60)
+        n1 * hit.normal > -min_facing_cosine)
       return {};
     return hit;
   }

@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/contact/contact.h>
-#include <lamella/contact/passage.h>
+#include <lamella/contact/pass_through.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,11 +37,11 @@ namespace lamella
     /// Gives rows of @p interface that face nothing the normal of their own
     /// side, @p surface where it is now: not that of what they faced last.
     void
-    face_outwards(const MeshSurface               &surface,
-                  const SlaveSurface              *functions,
-                  const std::vector<GapPoint>     &points,
-                  const std::vector<GapIntegrals> &integrals,
-                  ContactInterface                &interface)
+    orient_outward(const MeshSurface               &surface,
+                   const SlaveSurface              *functions,
+                   const std::vector<GapPoint>     &points,
+                   const std::vector<GapIntegrals> &integrals,
+                   ContactInterface                &interface)
     {
       for (unsigned int q = 0; q < points.size(); ++q)
         for (const auto &[row, weight] : shares_of(functions, q, points[q]))
@@ -74,23 +74,24 @@ namespace lamella
                       interface.points_on_second ? SlaveSide::second :
                                                    SlaveSide::first);
     if (contact.friction > 0.)
-      write_slips(undeformed);
+      assemble_slips(undeformed);
     if (contact.overclosure == Overclosure::adjust)
       {
         find_points();
         const auto before =
           integrate(undeformed, master_points_at_rest(), points);
         for (unsigned int k = 0; k < before.size(); ++k)
-          taken_out[key(interface.points[k])] = std::max(0., -before[k].gap);
+          removed_overlap[key(interface.points[k])] =
+            std::max(0., -before[k].gap);
       }
     if (lines != nullptr && !bodies[contact.first.body]->has_finite_rotations())
-      move_lines();
+      update_lines();
   }
 
 
 
   void
-  Contact::move_lines()
+  Contact::update_lines()
   {
     std::vector<types::global_dof_index> sizes;
     for (const auto &body : undeformed.bodies())
@@ -105,17 +106,17 @@ namespace lamella
   void
   Contact::pair_undeformed()
   {
-    interface = interface_within(undeformed,
-                                 search_radius_of(undeformed.contact(),
-                                                  undeformed.bodies()));
-    keep_lines();
+    interface = make_interface_within(undeformed,
+                                      search_radius_of(undeformed.contact(),
+                                                       undeformed.bodies()));
+    reduce_to_lines();
     points.clear();
   }
 
 
 
   void
-  Contact::keep_lines()
+  Contact::reduce_to_lines()
   {
     lines.reset();
     if (interface.discretization == Discretization::line_to_roller)
@@ -202,10 +203,10 @@ namespace lamella
   Contact::pair(const BlockVector &u, const LoadFactor &factor)
   {
     const ContactSides at(undeformed, u, factor);
-    interface     = interface_within(at, search_radius);
-    paired_at     = u;
-    paired_factor = factor;
-    keep_lines();
+    interface      = make_interface_within(at, search_radius);
+    pairing_u      = u;
+    pairing_factor = factor;
+    reduce_to_lines();
     points.clear();
     find_points();
     // What a point weighs is its undeformed area.
@@ -218,7 +219,7 @@ namespace lamella
     if (interface.discretization == Discretization::surface_to_surface)
       for (GapPoint &point : points)
         point.area *= density(before, point) / density(now, point);
-    if (begun_at.n_blocks() > 0)
+    if (step_begin_u.n_blocks() > 0)
       hold();
     move(u, factor);
   }
@@ -244,12 +245,12 @@ namespace lamella
   {
     if (undeformed.contact().friction == 0.)
       return;
-    begun_at     = u;
-    begun_factor = factor;
+    step_begin_u      = u;
+    step_begin_factor = factor;
     hold();
     for (GapIntegrals &row : integrals)
       row.slid = Tensor<1, 3>();
-    measure_slips(u, factor);
+    offset_slips(u, factor);
   }
 
 
@@ -257,7 +258,7 @@ namespace lamella
   void
   Contact::hold()
   {
-    const ContactSides    then(undeformed, begun_at, begun_factor);
+    const ContactSides    then(undeformed, step_begin_u, step_begin_factor);
     std::vector<GapPoint> on = points;
     if (lines != nullptr)
       lines->follow(*then.surface(false), *then.obstacle(), on);
@@ -270,7 +271,7 @@ namespace lamella
   ContactHistory
   Contact::memory() const
   {
-    return {paired_at, paired_factor, points, interface.discretization};
+    return {pairing_u, pairing_factor, points, interface.discretization};
   }
 
 
@@ -280,16 +281,16 @@ namespace lamella
                    const BlockVector    &u,
                    const LoadFactor     &factor)
   {
-    begun_at = BlockVector();
+    step_begin_u = BlockVector();
     held.clear();
     undeformed.decide(known.discretization, undeformed.contact().slave_side);
     if (known.u.n_blocks() > 0)
       pair(known.u, known.factor);
-    else if (paired_at.n_blocks() > 0)
+    else if (pairing_u.n_blocks() > 0)
       pair_undeformed();
-    paired_at     = known.u;
-    paired_factor = known.factor;
-    points        = known.points;
+    pairing_u      = known.u;
+    pairing_factor = known.factor;
+    points         = known.points;
     move(u, factor);
     // MasterPoints that are found once more differ by rounding.
     points = known.points;
@@ -377,7 +378,7 @@ namespace lamella
 
 
   void
-  Contact::name_places()
+  Contact::set_constraint_positions()
   {
     const bool          on_second = interface.points_on_second;
     const MeshSurface  *other     = undeformed.surface(!on_second);
@@ -410,7 +411,7 @@ namespace lamella
   Contact::geometry(const bool second) const
   {
     ConstraintGeometry side;
-    side.places          = undeformed.trace_places(second);
+    side.places          = undeformed.trace_locations(second);
     const bool   carries = second == interface.points_on_second;
     const double sign    = carries ? -1. : 1.;
     for (const GapIntegrals &row : integrals)
@@ -442,7 +443,7 @@ namespace lamella
     std::vector<BodyFunctional> second;
     if (interface.second_body)
       second = rows_on(true, *interface.second_body);
-    name_places();
+    set_constraint_positions();
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
       {
         GapConstraint &row = interface.rows[k];
@@ -453,15 +454,15 @@ namespace lamella
           row.parts.push_back(second[k]);
         set_tangent_plane(k, u, factor);
       }
-    face_outwards(*sides.surface(interface.points_on_second),
-                  functions(),
-                  points,
-                  integrals,
-                  interface);
+    orient_outward(*sides.surface(interface.points_on_second),
+                   functions(),
+                   points,
+                   integrals,
+                   interface);
     if (undeformed.contact().friction == 0.)
       return;
-    write_slips(sides);
-    measure_slips(u, factor);
+    assemble_slips(sides);
+    offset_slips(u, factor);
   }
 
 
@@ -483,20 +484,20 @@ namespace lamella
                        const GapPoint     &point,
                        const Tensor<1, 3> &n) const
   {
-    if (!sides.have_moved())
+    if (!sides.are_displaced())
       return tangents_of(n);
     const auto &[facet, st] = point.slave;
     const bool second       = interface.points_on_second;
-    return carried_tangents(undeformed.surface(second)->facets()[facet].map,
-                            sides.surface(second)->facets()[facet].map,
-                            st,
-                            n);
+    return convected_tangents(undeformed.surface(second)->facets()[facet].map,
+                              sides.surface(second)->facets()[facet].map,
+                              st,
+                              n);
   }
 
 
 
   void
-  Contact::write_slips(const ContactSides &sides)
+  Contact::assemble_slips(const ContactSides &sides)
   {
     find_integrals();
     const auto            first = first_points();
@@ -546,16 +547,16 @@ namespace lamella
     if (interface.obstacle != nullptr)
       row.gap_rate = of.normal * interface.obstacle->displacement;
     point.normal          = interface.points_on_second ? -of.normal : of.normal;
-    const auto   adjusted = taken_out.find(key(point));
+    const auto   adjusted = removed_overlap.find(key(point));
     const double gap =
-      of.gap + (adjusted == taken_out.end() ? 0. : adjusted->second);
+      of.gap + (adjusted == removed_overlap.end() ? 0. : adjusted->second);
     row.initial_gap = gap - row.jump(u) - factor.of(row.history) * row.gap_rate;
   }
 
 
 
   void
-  Contact::measure_slips(const BlockVector &u, const LoadFactor &factor)
+  Contact::offset_slips(const BlockVector &u, const LoadFactor &factor)
   {
     const double sign = interface.points_on_second ? -1. : 1.;
     for (unsigned int k = 0; k < interface.rows.size(); ++k)
@@ -627,7 +628,7 @@ namespace lamella
 
 
   std::vector<double>
-  Contact::wandering(const std::vector<GapPoint> &now) const
+  Contact::projection_drift(const std::vector<GapPoint> &now) const
   {
     std::vector<double> off(interface.rows.size(), 0.);
     const MeshSurface  *other = undeformed.surface(!interface.points_on_second);
@@ -647,13 +648,16 @@ namespace lamella
 
 
   unsigned int
-  Contact::count_unseen(const ContactSides &sides, const double touching) const
+  Contact::count_missing_constraints(const ContactSides &sides,
+                                     const double        touching) const
   {
     unsigned int count = 0;
     try
       {
-        const ContactInterface fresh = interface_within(sides, search_radius);
-        for (const RowBeside &row : rows_beside(interface, fresh, most_of))
+        const ContactInterface fresh =
+          make_interface_within(sides, search_radius);
+        for (const AdditionalConstraint &row :
+             additional_constraints(interface, fresh, most_of))
           count += fresh.rows[row.found].initial_gap < touching;
       }
     catch (const InputError &)
@@ -679,7 +683,7 @@ namespace lamella
     const double          touching = -arithmetic::negligible * u.linfty_norm();
     std::vector<GapPoint> on       = points;
     const auto            now      = integrate(at, MasterPoints::projected, on);
-    const std::vector<double> off  = wandering(on);
+    const std::vector<double> off  = projection_drift(on);
     PairingChange             stale;
     for (unsigned int k = 0; k < now.size(); ++k)
       {
@@ -696,9 +700,9 @@ namespace lamella
         if ((carries_force || now[k].gap < touching) &&
             (off[k] > small_sliding * point.spacing ||
              (n - point.normal).norm() > small_rotation))
-          ++stale.wandered;
+          ++stale.drifted;
       }
-    stale.unseen = count_unseen(at, touching);
+    stale.missing_constraints = count_missing_constraints(at, touching);
     return stale;
   }
 
@@ -751,7 +755,7 @@ namespace lamella
   Contact::end_penetration(const BlockVector &u, const LoadFactor &factor) const
   {
     // What `adjust` has taken out of gaps is no depth.
-    if (interface.obstacle != nullptr || !taken_out.empty())
+    if (interface.obstacle != nullptr || !removed_overlap.empty())
       return {};
     const ContactSides now(undeformed, u, factor);
     return deepest_node(paired_sides(now), now, search_radius, true);
@@ -774,7 +778,7 @@ namespace lamella
                                 const LoadFactor  &factor) const
   {
     const Obstacle *const obstacle = interface.obstacle.get();
-    if (lines != nullptr || !taken_out.empty() ||
+    if (lines != nullptr || !removed_overlap.empty() ||
         (obstacle != nullptr && obstacle->shape != Obstacle::Shape::cylinder))
       return {};
     const ContactSides now(undeformed, u, factor);
@@ -808,7 +812,7 @@ namespace lamella
       return lamella::passes_through({*then.surface(false), *then.obstacle()},
                                      {*now.surface(false), *now.obstacle()});
     // What `adjust` has taken out of gaps is no depth.
-    if (!taken_out.empty() || !may_go_through(then, now))
+    if (!removed_overlap.empty() || !may_pass_through(then, now))
       return false;
     // What comes from beside has its first projection somewhere on the way.
     constexpr unsigned int parts   = 4;

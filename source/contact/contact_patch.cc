@@ -120,7 +120,7 @@ namespace lamella
 
 
   std::vector<ContactPatch::Interval>
-  ContactPatch::runs_of(const Line &line)
+  ContactPatch::loaded_intervals(const Line &line)
   {
     const unsigned int    n = line.s.size();
     std::vector<Interval> runs;
@@ -178,7 +178,7 @@ namespace lamella
                 line.area.back() += traction.rows()[row].area;
               }
           }
-        line.runs = runs_of(line);
+        line.runs = loaded_intervals(line);
         lines.push_back(line);
       }
     return lines;
@@ -249,7 +249,7 @@ namespace lamella
 
 
   double
-  ContactPatch::pressed_area(const Line &line)
+  ContactPatch::loaded_area(const Line &line)
   {
     double area = 0.;
     for (unsigned int k = 0; k < line.s.size(); ++k)
@@ -279,7 +279,7 @@ namespace lamella
       force += shares[i] * rows[i].force;
     if (are_lines(lines))
       for (const Line &line : lines)
-        area += pressed_area(line);
+        area += loaded_area(line);
     else
       for (unsigned int i = 0; i < rows.size(); ++i)
         area += rows[i].force > 0. ? shares[i] * rows[i].area : 0.;

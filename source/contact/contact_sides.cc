@@ -58,9 +58,9 @@ namespace lamella
   ContactSides::points(const bool second) const
   {
     const Region &side = region(second);
-    return are_of_edges() ?
+    return is_edge_contact() ?
              end_points(second) :
-             standing_points(
+             displaced_points(
                second, all_bodies[side.body]->surface_points(side.surface));
   }
 
@@ -79,14 +79,14 @@ namespace lamella
                                   return !ends.has(point.position);
                                 }),
                  points.end());
-    return standing_points(second, std::move(points));
+    return displaced_points(second, std::move(points));
   }
 
 
 
   std::vector<SurfacePoint>
-  ContactSides::standing_points(const bool                second,
-                                std::vector<SurfacePoint> points) const
+  ContactSides::displaced_points(const bool                second,
+                                 std::vector<SurfacePoint> points) const
   {
     if (undeformed == nullptr)
       return points;
@@ -105,10 +105,10 @@ namespace lamella
 
 
   const std::vector<Location> &
-  ContactSides::trace_places(const bool second) const
+  ContactSides::trace_locations(const bool second) const
   {
     if (undeformed != nullptr)
-      return undeformed->trace_places(second);
+      return undeformed->trace_locations(second);
     const MeshSurface &on = *surface(second);
     while (places[second].size() < on.n_trace_nodes())
       places[second].push_back(on.trace_location(places[second].size()));
@@ -124,7 +124,7 @@ namespace lamella
     const Body        &body    = *all_bodies[number];
     const Vector      &of_body = u->block(number);
     if (body.constraints_rotate())
-      return body.displacements(trace_places(second), of_body);
+      return body.displacements(trace_locations(second), of_body);
     std::vector<Tensor<1, 3>> result;
     for (const auto &row : trace_rows(second))
       result.emplace_back(
@@ -143,9 +143,9 @@ namespace lamella
     if (undeformed != nullptr && !turned)
       return undeformed->trace_rows(second);
     if (rows[second].empty())
-      rows[second] = turned ?
-                       body.rows_at(trace_places(second), u->block(number)) :
-                       body.rows(trace_places(second), Quantity::displacement);
+      rows[second] =
+        turned ? body.rows_at(trace_locations(second), u->block(number)) :
+                 body.rows(trace_locations(second), Quantity::displacement);
     return rows[second];
   }
 
@@ -162,7 +162,7 @@ namespace lamella
       {
         std::vector<Location> at;
         for (const unsigned int node : numbers)
-          at.push_back(trace_places(second)[node]);
+          at.push_back(trace_locations(second)[node]);
         return body.rows_at(at, u->block(number));
       }
     std::vector<std::vector<LinearFunctional>> result;

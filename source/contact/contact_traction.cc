@@ -44,10 +44,11 @@ namespace lamella
 
   ContactTraction::ContactTraction(std::shared_ptr<const SlaveSurface> surface,
                                    std::vector<Row>                    rows)
-    : carrier(std::move(surface))
+    : traction_surface(std::move(surface))
     , all(std::move(rows))
   {
-    Assert(carrier == nullptr || carrier->n_rows() == all.size(),
+    Assert(traction_surface == nullptr ||
+             traction_surface->n_rows() == all.size(),
            ExcMessage("The surface carries other rows."));
   }
 
@@ -64,10 +65,10 @@ namespace lamella
   ContactTraction::Value
   ContactTraction::at(const SlaveSurface::Place &place) const
   {
-    const std::vector<double> values = carrier->functions_at(place);
-    const auto               &rows   = carrier->facets()[place.facet].rows;
-    const auto               &whole  = carrier->integrals();
-    Value                     sum;
+    const std::vector<double> values = traction_surface->functions_at(place);
+    const auto &rows  = traction_surface->facets()[place.facet].rows;
+    const auto &whole = traction_surface->integrals();
+    Value       sum;
     for (unsigned int k = 0; k < values.size(); ++k)
       for (const auto &[row, share] : rows[k])
         {
@@ -85,9 +86,9 @@ namespace lamella
                            const Tensor<1, 3> &n,
                            const double        search_radius) const
   {
-    if (carrier == nullptr)
+    if (traction_surface == nullptr)
       return {};
-    const auto place = carrier->on_line(x, n, search_radius);
+    const auto place = traction_surface->on_line(x, n, search_radius);
     return place ? at(*place) : Value();
   }
 
@@ -97,8 +98,8 @@ namespace lamella
   ContactTraction::inside(const ContactStrip &strip) const
   {
     std::vector<SlaveSurface::Integrals> sums(all.size());
-    if (carrier != nullptr)
-      sums = carrier->integrals(strip);
+    if (traction_surface != nullptr)
+      sums = traction_surface->integrals(strip);
     for (unsigned int k = 0; k < all.size(); ++k)
       {
         const double at = all[k].place[strip.axis];
@@ -106,10 +107,11 @@ namespace lamella
           sums[k].area = double(strip.from <= at && at < strip.to);
         else
           {
-            const SlaveSurface::Integrals &whole = carrier->integrals()[k];
-            const double                   share = sums[k].area / whole.area;
-            sums[k]                              = {share,
-                                                    (sums[k].moment - share * whole.moment) / whole.area};
+            const SlaveSurface::Integrals &whole =
+              traction_surface->integrals()[k];
+            const double share = sums[k].area / whole.area;
+            sums[k]            = {share,
+                                  (sums[k].moment - share * whole.moment) / whole.area};
           }
       }
     return sums;

@@ -79,8 +79,8 @@ namespace lamella
                const Point<2>           &start)
     {
       const auto   t      = nearest_on(facet.map, roller, start);
-      const double before = facet.goes_on[2] ? past_the_side : 0.,
-                   behind = facet.goes_on[3] ? past_the_side : 0.;
+      const double before = facet.has_neighbor[2] ? past_the_side : 0.,
+                   behind = facet.has_neighbor[3] ? past_the_side : 0.;
       if (t && *t >= -before && *t <= 1. + behind)
         return t;
       return {};
@@ -129,7 +129,7 @@ namespace lamella
   {
     // The nearest row of each station, stations in units far below any
     // distance of nodes.
-    const double unit = arithmetic::as_written * surface.body().size();
+    const double unit = arithmetic::decimal_tolerance * surface.body().size();
     std::map<long, unsigned int> nearest;
     const auto                   far = [&](const unsigned int k) {
       return roller.across_axis(place_of(interface.points[k]) - roller.point)
@@ -162,14 +162,15 @@ namespace lamella
 
 
 
-  MeshSurface::FacetPlace
-  CylinderContactLines::nearest_place(const Line                    &line,
-                                      const MeshSurface             &now,
-                                      const Obstacle                &roller,
-                                      const MeshSurface::FacetPlace &last)
+  MeshSurface::FacetPoint
+  CylinderContactLines::nearest_point_on_line(
+    const Line                    &line,
+    const MeshSurface             &now,
+    const Obstacle                &roller,
+    const MeshSurface::FacetPoint &last)
   {
     constexpr unsigned int  samples  = 8;
-    MeshSurface::FacetPlace best     = last;
+    MeshSurface::FacetPoint best     = last;
     double                  smallest = std::numeric_limits<double>::max();
     const auto try_place = [&](const unsigned int facet, const Point<2> &st) {
       const double here = distance(roller, now.facets()[facet].map, st);
@@ -210,7 +211,8 @@ namespace lamella
                                std::vector<GapPoint> &points) const
   {
     for (unsigned int k = 0; k < points.size(); ++k)
-      points[k].slave = nearest_place(lines[k], now, roller, points[k].slave);
+      points[k].slave =
+        nearest_point_on_line(lines[k], now, roller, points[k].slave);
   }
 
 
@@ -228,7 +230,7 @@ namespace lamella
         const Line line = line_at(surface, roller, station_of(roller, place));
         if (line.empty())
           continue;
-        const auto [facet, st] = nearest_place(
+        const auto [facet, st] = nearest_point_on_line(
           line, now, roller, {line.front().facet, {line.front().s, 0.}});
         const MeshSurface::Facet &at   = now.facets()[facet];
         const auto                here = at.map(st);
@@ -270,7 +272,7 @@ namespace lamella
       const Tensor<1, 3> way =
         place_of(interface.points[k]) - place_of(interface.points[j]);
       if (j == k || std::abs(way * roller.direction) >
-                      arithmetic::as_written * way.norm())
+                      arithmetic::decimal_tolerance * way.norm())
         return {};
       return way.norm();
     };
@@ -295,7 +297,7 @@ namespace lamella
                                    const MeshSurface &surface,
                                    const MeshSurface &now)
   {
-    const double   unit = arithmetic::as_written * surface.body().size();
+    const double   unit = arithmetic::decimal_tolerance * surface.body().size();
     std::set<long> stations;
     for (const MeshSurface::GridNode &node : surface.grid_nodes())
       stations.insert(std::lround(station_of(roller, node.position) / unit));
@@ -305,7 +307,7 @@ namespace lamella
         const Line line = line_at(surface, roller, station * unit);
         if (line.empty())
           continue;
-        const auto at = nearest_place(
+        const auto at = nearest_point_on_line(
           line, now, roller, {line.front().facet, {line.front().s, 0.}});
         const FacetMap    &map   = now.facets()[at.facet].map;
         const auto         place = map(at.st);

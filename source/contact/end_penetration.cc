@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/end_penetration.h>
 #include <lamella/contact/closest_point_projection.h>
+#include <lamella/contact/end_penetration.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ namespace lamella
         return closest_point_projection(
           other, point.position, point.normal, search_radius, {}, opposed);
       };
-      const auto projection = projection_of(edge_faces_from);
+      const auto projection = projection_of(min_facing_cosine_edge);
       if (!projection || std::abs(projection_of(whatever_it_faces)->distance) <
                            std::abs(projection->distance))
         return {};

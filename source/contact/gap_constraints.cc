@@ -60,12 +60,12 @@ namespace lamella
     /// other. Equal grids: the body that comes first, so that it does not
     /// matter which side is called First.
     bool
-    second_is_finer(const ContactSides &sides, const double search_radius)
+    is_second_finer(const ContactSides &sides, const double search_radius)
     {
       const MeshSurface &a = *sides.surface(false), &b = *sides.surface(true);
       const ContactPair &contact = sides.contact();
-      const double       first   = cells_facing(a, b, search_radius),
-                   second        = cells_facing(b, a, search_radius);
+      const double       first   = count_facing_cells(a, b, search_radius),
+                   second        = count_facing_cells(b, a, search_radius);
       if (std::abs(first - second) > same_grid * (first + second))
         return second > first;
       return contact.second.body < contact.first.body;
@@ -84,7 +84,8 @@ namespace lamella
           contact.slave_side == SlaveSide::first)
         return false;
       return contact.slave_side == SlaveSide::second ||
-             (!sides.are_of_edges() && second_is_finer(sides, search_radius));
+             (!sides.is_edge_contact() &&
+              is_second_finer(sides, search_radius));
     }
 
 
@@ -102,22 +103,22 @@ namespace lamella
         }
       const bool on_second       = points_on_second(at, search_radius);
       interface.points_on_second = on_second;
-      Sides sides;
+      ContactSurfacePair sides;
       sides.search_radius = search_radius;
       sides.slave         = at.surface(on_second);
       sides.master_mesh   = at.surface(!on_second);
       sides.master        = sides.master_mesh;
-      sides.of_edges      = at.are_of_edges();
+      sides.edge_contact  = at.is_edge_contact();
       std::optional<ObstacleSurface> obstacle;
       if (at.obstacle() != nullptr)
         {
           sides.master = &obstacle.emplace(at.obstacle());
-          if (at.have_moved())
-            sides.inside_obstacle = at.obstacle()->depth();
+          if (at.are_displaced())
+            sides.max_obstacle_depth = at.obstacle()->depth();
         }
-      else if (!sides.of_edges)
+      else if (!sides.edge_contact)
         (on_second ? interface.unpaired : interface.unpaired_second) =
-          nodes_facing_nothing(*sides.master_mesh, *sides.slave, search_radius);
+          count_unpaired_nodes(*sides.master_mesh, *sides.slave, search_radius);
       Assert(interface.discretization != Discretization::undefined,
              ExcMessage("The discretization was never set."));
       return interface.discretization == Discretization::surface_to_surface ?
@@ -212,11 +213,11 @@ namespace lamella
                                   *interface.second_body :
                                   interface.first_body;
       return std::make_shared<const SlaveSurface>(
-        surface_of_nodes(*bodies[body],
-                         interface.slave_surface,
-                         nodes,
-                         interface.discretization ==
-                           Discretization::node_to_node));
+        make_nodal_slave_surface(*bodies[body],
+                                 interface.slave_surface,
+                                 nodes,
+                                 interface.discretization ==
+                                   Discretization::node_to_node));
     }
 
 
@@ -270,7 +271,7 @@ namespace lamella
 
 
   bool
-  GapConstraints::rub() const
+  GapConstraints::has_friction() const
   {
     return std::any_of(rows.begin(),
                        rows.end(),
@@ -282,7 +283,7 @@ namespace lamella
 
 
   std::pair<unsigned int, unsigned int>
-  GapConstraints::in_contact(const unsigned int row) const
+  GapConstraints::contact_of_row(const unsigned int row) const
   {
     AssertIndexRange(row, size());
     const auto next = std::upper_bound(firsts.begin(), firsts.end(), row);
@@ -292,7 +293,7 @@ namespace lamella
 
 
   std::vector<unsigned int>
-  GapConstraints::among_contact(const unsigned int               contact,
+  GapConstraints::local_rows_of(const unsigned int               contact,
                                 const std::vector<unsigned int> &some) const
   {
     std::vector<unsigned int> result;
@@ -336,27 +337,29 @@ namespace lamella
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies)
   {
-    return interface_within(contact, bodies, search_radius_of(contact, bodies));
+    return make_interface_within(contact,
+                                 bodies,
+                                 search_radius_of(contact, bodies));
   }
 
 
 
   ContactInterface
-  interface_within(const ContactPair &contact,
-                   const Bodies      &bodies,
-                   const double       search_radius)
+  make_interface_within(const ContactPair &contact,
+                        const Bodies      &bodies,
+                        const double       search_radius)
   {
-    return interface_within(ContactSides(contact, bodies), search_radius);
+    return make_interface_within(ContactSides(contact, bodies), search_radius);
   }
 
 
 
   ContactInterface
-  interface_within(const ContactSides &sides, const double search_radius)
+  make_interface_within(const ContactSides &sides, const double search_radius)
   {
     const Bodies &bodies   = sides.bodies();
     ContactPair   contact  = sides.contact();
-    contact.discretization = decided(sides, search_radius);
+    contact.discretization = choose_discretization(sides, search_radius);
     ContactInterface interface;
     interface.name           = contact.name;
     interface.discretization = contact.discretization;
@@ -369,17 +372,17 @@ namespace lamella
                               bodies[contact.second.body]->name();
 
     Gaps gaps = find_gaps(sides, search_radius, interface);
-    if (!sides.have_moved())
-      check_not_passed(contact, bodies, interface.points_on_second, gaps);
+    if (!sides.are_displaced())
+      check_no_penetration(contact, bodies, interface.points_on_second, gaps);
     if (gaps.gaps.empty())
-      fail_without_pairs(contact, bodies, search_radius);
+      throw_no_pairs(contact, bodies, search_radius);
     (interface.points_on_second ? interface.unpaired_second :
                                   interface.unpaired) = gaps.unpaired;
     add_rows(contact, bodies, gaps, interface);
     interface.surface =
       gaps.surface != nullptr ? gaps.surface : surface_of(interface, bodies);
     interface.sampled = std::move(gaps.points);
-    if (!sides.have_moved())
+    if (!sides.are_displaced())
       remove_overclosure(contact, interface);
     return interface;
   }

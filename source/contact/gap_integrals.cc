@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/gap_integrals.h>
 #include <lamella/contact/closest_point_projection.h>
+#include <lamella/contact/gap_integrals.h>
 
 namespace lamella
 {
@@ -153,8 +153,9 @@ namespace lamella
                                    n1,
                                    search_radius,
                                    point.master,
-                                   sides.are_of_edges() ? edge_faces_from :
-                                                          faces_from_60);
+                                   sides.is_edge_contact() ?
+                                     min_facing_cosine_edge :
+                                     min_facing_cosine);
       if (!hit)
         return {};
       point.master = {hit->facet, hit->st};
@@ -229,7 +230,7 @@ namespace lamella
           if (held != nullptr && (*held)[q])
             slid = slide(sides, on_second, *(*held)[q], points[q], *at);
           else if (held != nullptr)
-            (*held)[q] = held_place(sides, points[q], *at);
+            (*held)[q] = slip_reference_point(sides, points[q], *at);
           sums.add(q, points[q], *at, slid);
         }
     return sums.take();
@@ -248,7 +249,7 @@ namespace lamella
     for (unsigned int q = 0; q < points.size(); ++q)
       if (const auto at = master_point(
             sides, on_second, master_points, search_radius, points[q]))
-        held[q] = held_place(sides, points[q], *at);
+        held[q] = slip_reference_point(sides, points[q], *at);
     return held;
   }
 } // namespace lamella

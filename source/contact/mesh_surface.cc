@@ -31,8 +31,8 @@ namespace lamella
     : surface_body(body)
   {
     const SurfaceTopology topology = body.surface_topology(surface);
-    trace_places.resize(topology.n_trace,
-                        {numbers::invalid_unsigned_int, Point<2>()});
+    trace_locations.resize(topology.n_trace,
+                           {numbers::invalid_unsigned_int, Point<2>()});
     for (const SurfaceTopology::Facet &facet : topology.facets)
       make_facet(facet);
     split_at_edges(topology);
@@ -63,8 +63,9 @@ namespace lamella
         facet.normal = outward_normal(facet, facet.map(Point<2>(0.5, 0.5)));
       }
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      nodes[k].position =
-        all_facets[grid_places[k].first].map(grid_places[k].second).position;
+      nodes[k].position = all_facets[grid_points_on_facets[k].first]
+                            .map(grid_points_on_facets[k].second)
+                            .position;
     average_normals();
     make_search();
   }
@@ -93,7 +94,7 @@ namespace lamella
 
     const GaussLobattoBasis &s = *facet.trace_s, &t = *facet.trace_t;
     for (unsigned int k = 0; k < from.trace.size(); ++k)
-      if (auto &[at, st] = trace_places[from.trace[k]];
+      if (auto &[at, st] = trace_locations[from.trace[k]];
           at == numbers::invalid_unsigned_int)
         {
           at = all_facets.size() - 1;
@@ -151,9 +152,9 @@ namespace lamella
         for (unsigned int k = 0; k < 4; ++k)
           {
             const auto [one, other] = sides[k];
-            facet.goes_on[k] =
+            facet.has_neighbor[k] =
               count[sides[k]] > 1 || (hangs[one] && hangs[other]);
-            facet.body_ends[k] =
+            facet.at_body_end[k] =
               ends.has(nodes[one].position) && ends.has(nodes[other].position);
           }
       }
@@ -197,7 +198,7 @@ namespace lamella
                 // The normal of the first facet, until it is averaged.
                 number = nodes.size();
                 nodes.push_back({place.position, normal});
-                grid_places.emplace_back(f, st);
+                grid_points_on_facets.emplace_back(f, st);
                 sides[of_body[k]].push_back(*number);
               }
             facet.grid_nodes.push_back(*number);
@@ -359,7 +360,7 @@ namespace lamella
   Location
   MeshSurface::grid_location(const unsigned int node) const
   {
-    const auto &[facet, st] = grid_places[node];
+    const auto &[facet, st] = grid_points_on_facets[node];
     return surface_body.surface_point(all_facets[facet].side, st).location;
   }
 
@@ -368,17 +369,17 @@ namespace lamella
   Location
   MeshSurface::trace_location(const unsigned int node) const
   {
-    const auto &[facet, st] = trace_places[node];
+    const auto &[facet, st] = trace_locations[node];
     return surface_body.surface_point(all_facets[facet].side, st).location;
   }
 
 
 
-  std::optional<MeshSurface::FacetPlace>
+  std::optional<MeshSurface::FacetPoint>
   MeshSurface::place_of(const Location     &location,
                         const Tensor<1, 3> &normal) const
   {
-    std::optional<FacetPlace> found;
+    std::optional<FacetPoint> found;
     double                    best = -2.;
     for (const Location::Place &place : location.places)
       for (unsigned int f = 0; f < all_facets.size(); ++f)
@@ -393,7 +394,7 @@ namespace lamella
           const double alike = all_facets[f].normal * normal;
           if (off.norm() < arithmetic::same_in_element && alike > best)
             {
-              found = FacetPlace{f, st};
+              found = FacetPoint{f, st};
               best  = alike;
             }
         }
@@ -403,9 +404,9 @@ namespace lamella
 
 
   std::optional<SurfaceHit>
-  MeshSurface::meet_facet(const unsigned int  number,
-                          const Point<3>     &x,
-                          const Tensor<1, 3> &d) const
+  MeshSurface::intersect_facet(const unsigned int  number,
+                               const Point<3>     &x,
+                               const Tensor<1, 3> &d) const
   {
     const Facet       &facet     = all_facets[number];
     const Tensor<1, 3> to_center = facet.center - x;
@@ -413,7 +414,7 @@ namespace lamella
         facet.radius * facet.radius)
       return {};
 
-    const auto found = place_on_line(facet.map, x, d);
+    const auto found = line_intersection(facet.map, x, d);
     if (!found)
       return {};
     const Point<2> &st    = *found;
@@ -432,15 +433,15 @@ namespace lamella
 
 
   std::optional<SurfaceHit>
-  MeshSurface::meet_among(const std::vector<unsigned int> &facets,
-                          const Point<3>                  &x,
-                          const Tensor<1, 3>              &d,
-                          const double                     search_radius) const
+  MeshSurface::intersect_facets(const std::vector<unsigned int> &facets,
+                                const Point<3>                  &x,
+                                const Tensor<1, 3>              &d,
+                                const double search_radius) const
   {
     std::optional<SurfaceHit> nearest;
     for (const unsigned int facet : facets)
       {
-        const auto hit = meet_facet(facet, x, d);
+        const auto hit = intersect_facet(facet, x, d);
         if (hit && std::abs(hit->distance) <=
                      (nearest ? std::abs(nearest->distance) : search_radius))
           nearest = hit;
@@ -455,11 +456,11 @@ namespace lamella
                     const Tensor<1, 3> &d,
                     const double        search_radius) const
   {
-    return meet_among(facets_near(
-                        {x - search_radius * d, x + search_radius * d}),
-                      x,
-                      d,
-                      search_radius);
+    return intersect_facets(facets_near(
+                              {x - search_radius * d, x + search_radius * d}),
+                            x,
+                            d,
+                            search_radius);
   }
 
 

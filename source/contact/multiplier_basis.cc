@@ -63,7 +63,7 @@ namespace lamella
 
 
 
-  MultiplierBasis::MultiplierBasis(const Sides &sides)
+  MultiplierBasis::MultiplierBasis(const ContactSurfacePair &sides)
     : sides(sides)
     , slave(*sides.slave)
     , nodes(slave.grid_nodes().size())
@@ -219,7 +219,7 @@ namespace lamella
   /// The hats of a continuous space: that of a hanging node belongs in halves
   /// to those of the nodes that it hangs between.
   void
-  MultiplierBasis::share_out(const MeshSurface::HangingNode &hanging)
+  MultiplierBasis::distribute_to_ends(const MeshSurface::HangingNode &hanging)
   {
     const Node &from = nodes[hanging.node];
     for (const unsigned int end : hanging.ends)
@@ -335,7 +335,7 @@ namespace lamella
         // Those that others hang on come later.
         Assert(!hangs[hanging.ends[0]] && !hangs[hanging.ends[1]],
                ExcInternalError());
-        share_out(hanging);
+        distribute_to_ends(hanging);
         hangs[hanging.node] = true;
       }
     for (unsigned int k = 0; k < nodes.size(); ++k)

@@ -107,11 +107,11 @@ namespace lamella
     /// Counts the nodes without a partner, with a note of those that face the
     /// other surface all the same.
     void
-    tell_of_nodes_beside(const NodePairs &nodes, ContactInterface &interface)
+    note_unpaired_nodes(const NodePairs &nodes, ContactInterface &interface)
     {
-      interface.unpaired_second     = nodes.pairing.unpaired_second;
-      interface.beside_nodes        = nodes.beside;
-      interface.beside_nodes_second = nodes.beside_second;
+      interface.unpaired_second          = nodes.pairing.unpaired_second;
+      interface.nonmatching_nodes        = nodes.beside;
+      interface.nonmatching_nodes_second = nodes.beside_second;
       if (nodes.beside + nodes.beside_second > 0)
         interface.notes.push_back(
           "contact " + interface.name + ": " + std::to_string(nodes.beside) +
@@ -125,7 +125,7 @@ namespace lamella
 
 
   Discretization
-  decided(const ContactSides &sides, const double search_radius)
+  choose_discretization(const ContactSides &sides, const double search_radius)
   {
     const ContactPair &contact = sides.contact();
     if (contact.discretization != Discretization::automatic)
@@ -147,7 +147,7 @@ namespace lamella
                ContactInterface   &interface)
   {
     const NodePairs nodes = pair_nodes(sides, search_radius);
-    tell_of_nodes_beside(nodes, interface);
+    note_unpaired_nodes(nodes, interface);
     const Pairing &pairing = nodes.pairing;
     Gaps           result;
     result.unpaired = pairing.unpaired;
@@ -155,9 +155,9 @@ namespace lamella
       {
         const SurfacePoint &a = nodes.first[pair.first],
                            &b = nodes.second[pair.second];
-        if (is_too_deep(pair.initial_gap, a.depth, b.depth))
+        if (exceeds_cell_depth(pair.initial_gap, a.depth, b.depth))
           {
-            result.too_deep.push_back(
+            result.deep_penetrations.push_back(
               {a.position, b.position, -pair.initial_gap});
             continue;
           }

@@ -13,7 +13,9 @@ namespace lamella
   namespace
   {
     std::optional<Hit>
-    meet_plane(const Obstacle &plane, const Point<3> &x, const Tensor<1, 3> &d)
+    intersect_plane(const Obstacle     &plane,
+                    const Point<3>     &x,
+                    const Tensor<1, 3> &d)
     {
       const double approach = d * plane.direction;
       if (approach >= 0.)
@@ -25,9 +27,9 @@ namespace lamella
 
 
     std::optional<Hit>
-    meet_cylinder(const Obstacle     &cylinder,
-                  const Point<3>     &x,
-                  const Tensor<1, 3> &d)
+    intersect_cylinder(const Obstacle     &cylinder,
+                       const Point<3>     &x,
+                       const Tensor<1, 3> &d)
     {
       const Tensor<1, 3> r = cylinder.across_axis(x - cylinder.point),
                          e = cylinder.across_axis(d);
@@ -50,8 +52,8 @@ namespace lamella
     Assert(obstacle.shape != Obstacle::Shape::undefined,
            ExcMessage("The shape was never set."));
     return obstacle.shape == Obstacle::Shape::plane ?
-             meet_plane(obstacle, x, d) :
-             meet_cylinder(obstacle, x, d);
+             intersect_plane(obstacle, x, d) :
+             intersect_cylinder(obstacle, x, d);
   }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/pairing.h>
 #include <lamella/contact/closest_point_projection.h>
+#include <lamella/contact/pairing.h>
 #include <lamella/contact/search.h>
 #include <lamella/contact/segments.h>
 
@@ -17,7 +17,7 @@ namespace lamella
     // Cosines between a normal and what it is to oppose. Where points touch
     // nothing but the normals tells whether they face each other; points that
     // are apart and lie along the averaged normal do, up to a steep angle.
-    constexpr double opposed = faces_from_60, steep = 0.1;
+    constexpr double opposed = min_facing_cosine, steep = 0.1;
 
     // As many nodes of an edge may stand at one place.
     constexpr unsigned int twins = 3;
@@ -161,7 +161,9 @@ namespace lamella
 
 
   bool
-  is_too_deep(const double gap, const double depth_1, const double depth_2)
+  exceeds_cell_depth(const double gap,
+                     const double depth_1,
+                     const double depth_2)
   {
     return -gap > std::min(depth_1, depth_2);
   }
@@ -169,13 +171,15 @@ namespace lamella
 
 
   bool
-  is_too_deep(const Sides &sides, const SurfaceHit &hit, const double depth)
+  exceeds_cell_depth(const ContactSurfacePair &sides,
+                     const SurfaceHit         &hit,
+                     const double              depth)
   {
     return sides.master_mesh == nullptr ?
-             -hit.distance > std::max(depth, sides.inside_obstacle) :
-             is_too_deep(hit.distance,
-                         depth,
-                         sides.master_mesh->facets()[hit.facet].depth);
+             -hit.distance > std::max(depth, sides.max_obstacle_depth) :
+             exceeds_cell_depth(hit.distance,
+                                depth,
+                                sides.master_mesh->facets()[hit.facet].depth);
   }
 
 
@@ -222,9 +226,9 @@ namespace lamella
   namespace
   {
     std::optional<MasterPoint>
-    place_opposite(const Sides &sides, const SurfacePoint &point)
+    master_point_for(const ContactSurfacePair &sides, const SurfacePoint &point)
     {
-      if (!sides.of_edges)
+      if (!sides.edge_contact)
         return find_master_point(*sides.master,
                                  point.position,
                                  point.normal,
@@ -234,7 +238,7 @@ namespace lamella
                                                        point.normal,
                                                        sides.search_radius,
                                                        {},
-                                                       edge_faces_from);
+                                                       min_facing_cosine_edge);
       if (!projection)
         return {};
       MasterPoint at;
@@ -252,22 +256,22 @@ namespace lamella
 
 
   Gaps
-  pair_node_to_surface(const Sides                     &sides,
+  pair_node_to_surface(const ContactSurfacePair        &sides,
                        const std::vector<SurfacePoint> &points)
   {
     Gaps result;
     for (const SurfacePoint &point : points)
       {
-        const auto facing = place_opposite(sides, point);
+        const auto facing = master_point_for(sides, point);
         if (!facing)
           {
             ++result.unpaired;
             continue;
           }
         const SurfaceHit &hit = facing->hit;
-        if (is_too_deep(sides, hit, point.depth))
+        if (exceeds_cell_depth(sides, hit, point.depth))
           {
-            result.too_deep.push_back(
+            result.deep_penetrations.push_back(
               {point.position, hit.position, -hit.distance});
             continue;
           }
@@ -280,7 +284,7 @@ namespace lamella
 
 
   unsigned int
-  nodes_facing_nothing(const MeshSurface   &a,
+  count_unpaired_nodes(const MeshSurface   &a,
                        const MasterSurface &b,
                        const double         search_radius)
   {
@@ -293,9 +297,9 @@ namespace lamella
 
 
   double
-  cells_facing(const MeshSurface &a,
-               const MeshSurface &b,
-               const double       search_radius)
+  count_facing_cells(const MeshSurface &a,
+                     const MeshSurface &b,
+                     const double       search_radius)
   {
     double cells = 0.;
     for (const MeshSurface::Facet &facet : a.facets())

@@ -22,11 +22,11 @@ namespace lamella
 
     /// The first of @p places of which one side is in the body (or the
     /// obstacle) of the other; null if there is none.
-    const DeepPlace *
-    first_inside(const ContactPair            &contact,
-                 const Bodies                 &bodies,
-                 const bool                    on_second,
-                 const std::vector<DeepPlace> &places)
+    const DeepPenetration *
+    first_inside(const ContactPair                  &contact,
+                 const Bodies                       &bodies,
+                 const bool                          on_second,
+                 const std::vector<DeepPenetration> &places)
     {
       if (places.empty())
         return nullptr;
@@ -38,7 +38,7 @@ namespace lamella
                     .body];
       const BoundingBox<3> box          = slave.bounding_box(),
                            box_of_other = other.bounding_box();
-      for (const DeepPlace &place : places)
+      for (const DeepPenetration &place : places)
         if (is_in(slave, box, place.opposite) ||
             (contact.obstacle != nullptr ?
                contains(*contact.obstacle, place.position) :
@@ -51,9 +51,9 @@ namespace lamella
 
 
   void
-  fail_without_pairs(const ContactPair &contact,
-                     const Bodies      &bodies,
-                     const double       search_radius)
+  throw_no_pairs(const ContactPair &contact,
+                 const Bodies      &bodies,
+                 const double       search_radius)
   {
     const auto points = [&bodies](const Region &region) {
       return bodies[region.body]->surface_points(region.surface);
@@ -97,14 +97,14 @@ namespace lamella
 
 
   void
-  check_not_passed(const ContactPair &contact,
-                   const Bodies      &bodies,
-                   const bool         on_second,
-                   const Gaps        &gaps)
+  check_no_penetration(const ContactPair &contact,
+                       const Bodies      &bodies,
+                       const bool         on_second,
+                       const Gaps        &gaps)
   {
-    const auto refuse = [&](const DeepPlace   &place,
-                            const std::string &how,
-                            const std::string &remedy) {
+    const auto refuse = [&](const DeepPenetration &place,
+                            const std::string     &how,
+                            const std::string     &remedy) {
       throw InputError(
         "Contact " + contact.name,
         "",
@@ -116,17 +116,17 @@ namespace lamella
           to_text(on_second ? place.opposite : place.position) + how,
         remedy);
     };
-    if (const DeepPlace *place =
-          first_inside(contact, bodies, on_second, gaps.too_deep))
+    if (const DeepPenetration *place =
+          first_inside(contact, bodies, on_second, gaps.deep_penetrations))
       refuse(
         *place,
         ", which is more than the cells there are deep: the bodies lie in "
         "each other",
         "Move the bodies apart, or name the two surfaces that look at each "
         "other.");
-    if (gaps.gaps.empty() && !gaps.too_deep.empty())
+    if (gaps.gaps.empty() && !gaps.deep_penetrations.empty())
       refuse(
-        gaps.too_deep.front(),
+        gaps.deep_penetrations.front(),
         "",
         "Name the two surfaces that look at each other, or move the bodies "
         "apart.");

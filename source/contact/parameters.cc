@@ -31,7 +31,7 @@ namespace lamella
         "multipliers.");
       prm.declare_entry("Penalty",
                         "auto",
-                        patterns::WordOr("auto", patterns::positive()),
+                        patterns::WordOrPattern("auto", patterns::positive()),
                         "auto, or a positive number in the unit of Penalty "
                         "per. auto is 1e6 times the local stiffness E_n A / h "
                         "of the softer side of each pair.");
@@ -84,7 +84,7 @@ namespace lamella
                       "surface the first. Unused with node to node.");
     prm.declare_entry("Search distance",
                       "auto",
-                      patterns::WordOr("auto", patterns::positive()),
+                      patterns::WordOrPattern("auto", patterns::positive()),
                       "Places further apart than this, along the normal, are "
                       "not paired [length]; auto: the length of the smaller "
                       "body.");
@@ -104,7 +104,7 @@ namespace lamella
     prm.declare_entry(
       "Friction",
       "none",
-      patterns::WordOr("none", patterns::optional(patterns::number())),
+      patterns::WordOrPattern("none", patterns::optional(patterns::number())),
       "Coulomb's coefficient mu: shear tractions are at most mu "
       "times the pressure, and that where it slips; none: no "
       "friction.");
@@ -118,7 +118,7 @@ namespace lamella
     parse_surface(const Entry &entry, const std::vector<std::string> &bodies)
     {
       if (entry.is_empty())
-        entry.is_missing("write BODY: SURFACE, as in upper: bottom.");
+        entry.refuse_missing("write BODY: SURFACE, as in upper: bottom.");
       const auto [body, surface] = parse_on_body(entry, bodies);
       Region region;
       region.body    = body;
@@ -359,7 +359,7 @@ namespace lamella
     auto        obstacle = std::make_shared<Obstacle>();
     const Entry shape = in["Shape"], radius = in["Radius"];
     if (shape.is_empty())
-      shape.is_missing("write plane or cylinder.");
+      shape.refuse_missing("write plane or cylinder.");
     obstacle->name         = name;
     obstacle->shape        = shape.choice<Obstacle::Shape>();
     obstacle->point        = in["Through"].point();
@@ -374,7 +374,7 @@ namespace lamella
       }
     obstacle->direction = parse_direction(in["Axis"]);
     if (radius.is_empty())
-      radius.is_missing("give the cylinder a positive radius.");
+      radius.refuse_missing("give the cylinder a positive radius.");
     obstacle->radius = radius.positive();
     return obstacle;
   }

@@ -26,10 +26,10 @@ namespace lamella
 
 
 
-  std::vector<RowBeside>
-  rows_beside(const ContactInterface &own,
-              const ContactInterface &found,
-              const double            share)
+  std::vector<AdditionalConstraint>
+  additional_constraints(const ContactInterface &own,
+                         const ContactInterface &found,
+                         const double            share)
   {
     const auto key = [](const ContactInterface::Point &point) {
       const Point<3> &x = place_of(point);
@@ -38,7 +38,7 @@ namespace lamella
     std::map<std::array<double, 3>, unsigned int> rows;
     for (unsigned int k = 0; k < own.points.size(); ++k)
       rows[key(own.points[k])] = k;
-    std::vector<RowBeside> beside;
+    std::vector<AdditionalConstraint> beside;
     for (unsigned int k = 0; k < found.points.size(); ++k)
       {
         const auto same = rows.find(key(found.points[k]));
@@ -60,8 +60,8 @@ namespace lamella
 
 
   void
-  SearchCheck::look_within(const double            new_search_radius,
-                           const ContactInterface &interface)
+  SearchCheck::extend_search(const double            new_search_radius,
+                             const ContactInterface &interface)
   {
     search_radius    = new_search_radius;
     ContactPair same = contact;
@@ -70,7 +70,7 @@ namespace lamella
     ContactInterface all;
     try
       {
-        all = interface_within(same, bodies, search_radius);
+        all = make_interface_within(same, bodies, search_radius);
       }
     catch (const InputError &)
       {
@@ -78,9 +78,10 @@ namespace lamella
         // there is a Search distance.
         return;
       }
-    unseen.clear();
-    for (const auto &[k, own] : rows_beside(interface, all, 1. - same_area))
-      unseen.push_back({all.rows[k], all.points[k].first, own});
+    missing_constraints.clear();
+    for (const auto &[k, own] :
+         additional_constraints(interface, all, 1. - same_area))
+      missing_constraints.push_back({all.rows[k], all.points[k].first, own});
   }
 
 
@@ -102,12 +103,12 @@ namespace lamella
     const double most = std::max(*contact.search_distance,
                                  automatic_search_distance(contact, bodies));
     if (std::min(needed, most) > search_radius)
-      look_within(std::min(needed, most), interface);
+      extend_search(std::min(needed, most), interface);
 
-    unsigned int  count   = 0;
-    double        deepest = 0., widest = *contact.search_distance;
-    const Unseen *worst = nullptr;
-    for (const Unseen &place : unseen)
+    unsigned int             count   = 0;
+    double                   deepest = 0., widest = *contact.search_distance;
+    const MissingConstraint *worst = nullptr;
+    for (const MissingConstraint &place : missing_constraints)
       {
         const double gap = place.row.gap(u, factor);
         const bool   touches =

@@ -84,7 +84,9 @@ namespace lamella
 
     /// What of @p part lies in @p strip, in pieces.
     std::vector<Polygon>
-    cut_to(const ContactStrip &strip, const FacetMap &map, const Polygon &part)
+    clipped_to_strip(const ContactStrip &strip,
+                     const FacetMap     &map,
+                     const Polygon      &part)
     {
       const unsigned int   n = map.is_affine() ? 1 : parts_of_curves;
       std::vector<Polygon> pieces;
@@ -110,7 +112,7 @@ namespace lamella
     /// The two hats that are not zero at @p t on the grid @p nodes: of the
     /// first one the number and the value; that of the next is the rest.
     std::pair<unsigned int, double>
-    hat_at(const GaussLobattoBasis &nodes, const double t)
+    hat_function_at(const GaussLobattoBasis &nodes, const double t)
     {
       unsigned int k = 0;
       while (k + 2 < nodes.size() && nodes.point(k + 1) <= t)
@@ -160,8 +162,8 @@ namespace lamella
         return;
       }
     values.assign(s.size() * t.size(), 0.);
-    const auto [i, of_i]     = hat_at(s, st[0]);
-    const auto [j, of_j]     = hat_at(t, st[1]);
+    const auto [i, of_i]     = hat_function_at(s, st[0]);
+    const auto [j, of_j]     = hat_function_at(t, st[1]);
     const unsigned int k     = j * s.size() + i;
     values[k]                = of_i * of_j;
     values[k + 1]            = (1. - of_i) * of_j;
@@ -227,7 +229,7 @@ namespace lamella
     std::vector<Integrals> sums(rows);
     for (const Facet &facet : all)
       for (const Polygon &part : facet.parts)
-        for (const Polygon &piece : cut_to(strip, facet.map, part))
+        for (const Polygon &piece : clipped_to_strip(strip, facet.map, part))
           add_integrals(facet, piece, sums);
     return sums;
   }
@@ -248,7 +250,7 @@ namespace lamella
                                                 x + search_radius * d})))
       {
         const Facet &facet = all[f];
-        const auto   st    = place_on_line(facet.map, x, d);
+        const auto   st    = line_intersection(facet.map, x, d);
         if (!st || std::none_of(facet.parts.begin(),
                                 facet.parts.end(),
                                 [&](const Polygon &part) {
@@ -387,7 +389,9 @@ namespace lamella
 
 
   std::optional<Point<2>>
-  place_on_line(const FacetMap &map, const Point<3> &x, const Tensor<1, 3> &d)
+  line_intersection(const FacetMap     &map,
+                    const Point<3>     &x,
+                    const Tensor<1, 3> &d)
   {
     constexpr double accepted = 1e-12, lost = 10.;
 

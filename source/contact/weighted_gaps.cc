@@ -52,7 +52,7 @@ namespace lamella
     class Integrator
     {
     public:
-      explicit Integrator(const Sides &sides);
+      explicit Integrator(const ContactSurfacePair &sides);
 
       Gaps
       run();
@@ -76,7 +76,7 @@ namespace lamella
       void
       add_cell(const Cell &cell);
       void
-      add_cell_against_obstacle(const Cell &cell);
+      integrate_cell_on_obstacle(const Cell &cell);
       void
       add_segment(const Cell                      &cell,
                   const ChordPlane                &plane,
@@ -88,9 +88,9 @@ namespace lamella
                const ChordPlane &plane,
                const Polygon    &corners);
       SlavePoint
-      point_above(const Cell       &cell,
-                  const ChordPlane &plane,
-                  const Point<2>   &p) const;
+      slave_point_at(const Cell       &cell,
+                     const ChordPlane &plane,
+                     const Point<2>   &p) const;
       /// Where @p point faces @p facet, or one of @p candidates beside it.
       struct Search
       {
@@ -109,16 +109,16 @@ namespace lamella
                 const double       weight,
                 const MasterPoint &opposite);
 
-      const Sides    &sides;
-      MultiplierBasis hats;
-      Gaps            result;
+      const ContactSurfacePair &sides;
+      MultiplierBasis           hats;
+      Gaps                      result;
       /// Of each facet what faces the other side, in its unit square.
       std::vector<std::vector<Polygon>> parts;
     };
 
 
 
-    Integrator::Integrator(const Sides &sides)
+    Integrator::Integrator(const ContactSurfacePair &sides)
       : sides(sides)
       , hats(sides)
       , parts(sides.slave->facets().size())
@@ -179,7 +179,7 @@ namespace lamella
 
 
     void
-    Integrator::add_cell_against_obstacle(const Cell &cell)
+    Integrator::integrate_cell_on_obstacle(const Cell &cell)
     {
       const unsigned int degree = std::max(cell.facet->side.trace_degree_s,
                                            cell.facet->side.trace_degree_t);
@@ -224,10 +224,10 @@ namespace lamella
       // does: were its points to decide one by one, the area of a row at the
       // end of the reach would be a matter of where the rule has its points.
       const Search search{segment.facet, candidates, layered};
-      if (!master_point(point_above(cell, plane, centroid(corners)),
+      if (!master_point(slave_point_at(cell, plane, centroid(corners)),
                         search,
                         sides.search_radius,
-                        faces_from_60))
+                        min_facing_cosine))
         return;
       add_part(cell, plane, corners);
       for (unsigned int k = 1; k + 1 < corners.size(); ++k)
@@ -238,10 +238,10 @@ namespace lamella
           for (unsigned int q = 0; q < rule.size() && twice_area > 0.; ++q)
             {
               const SlavePoint point =
-                point_above(cell,
-                            plane,
-                            corners[0] + rule.point(q)[0] * along +
-                              rule.point(q)[1] * across);
+                slave_point_at(cell,
+                               plane,
+                               corners[0] + rule.point(q)[0] * along +
+                                 rule.point(q)[1] * across);
               const auto opposite =
                 master_point(point, search, anywhere, nearly_faces);
               if (opposite)
@@ -264,7 +264,7 @@ namespace lamella
     {
       Polygon part;
       for (const Point<2> &corner : corners)
-        part.push_back(point_above(cell, plane, corner).st);
+        part.push_back(slave_point_at(cell, plane, corner).st);
       // (s, t) and the plane may look at the facet from different sides.
       if (area(part) < 0.)
         std::reverse(part.begin(), part.end());
@@ -274,9 +274,9 @@ namespace lamella
 
 
     Integrator::SlavePoint
-    Integrator::point_above(const Cell       &cell,
-                            const ChordPlane &plane,
-                            const Point<2>   &p) const
+    Integrator::slave_point_at(const Cell       &cell,
+                               const ChordPlane &plane,
+                               const Point<2>   &p) const
     {
       const auto missing = [&](const Point<2> &st) {
         const auto   place = cell.facet->map(st);
@@ -332,11 +332,12 @@ namespace lamella
         }
       if (search.layered)
         {
-          const auto   nearest  = mesh.meet_among(search.candidates,
-                                               point.position,
-                                               on_own->normal,
-                                               search_radius);
-          const double rounding = arithmetic::same_place * mesh.body().size();
+          const auto   nearest = mesh.intersect_facets(search.candidates,
+                                                     point.position,
+                                                     on_own->normal,
+                                                     search_radius);
+          const double rounding =
+            arithmetic::same_position * mesh.body().size();
           if (nearest && std::abs(nearest->distance) + rounding <
                            std::abs(on_own->hit.distance))
             return {};
@@ -352,9 +353,9 @@ namespace lamella
                           const double       weight,
                           const MasterPoint &opposite)
     {
-      if (is_too_deep(sides, opposite.hit, cell.facet->depth))
+      if (exceeds_cell_depth(sides, opposite.hit, cell.facet->depth))
         {
-          result.too_deep.push_back(
+          result.deep_penetrations.push_back(
             {point.position, opposite.hit.position, -opposite.hit.distance});
           return;
         }
@@ -376,7 +377,7 @@ namespace lamella
           if (sides.master_mesh != nullptr)
             add_cell(cell);
           else
-            add_cell_against_obstacle(cell);
+            integrate_cell_on_obstacle(cell);
           hats.close(cell);
         }
       hats.finish(std::move(parts), result);
@@ -387,7 +388,7 @@ namespace lamella
 
 
   Gaps
-  weighted_gaps(const Sides &sides)
+  weighted_gaps(const ContactSurfacePair &sides)
   {
     return Integrator(sides).run();
   }

@@ -104,7 +104,7 @@ namespace lamella
         if (!goal.local)
           return std::nullopt;
         for (const ElementError &element : worst_elements(
-               goal.local->elements, share, left * goal.most_error()))
+               goal.local->elements, share, left * goal.allowed_error()))
           if (!is_marked(element))
             marked.push_back(element);
       }
@@ -150,7 +150,7 @@ namespace lamella
                 goal.local->of_pairs ? std::pow(0.5, 2. * axis.degree) : 1.;
               span.error =
                 std::max(span.error,
-                         known * std::abs(own->error) / goal.most_error());
+                         known * std::abs(own->error) / goal.allowed_error());
             }
           spans.push_back(span);
           begin += length;
@@ -219,7 +219,7 @@ namespace lamella
     const auto is_told = [left](const GoalResult &goal) {
       return goal.local &&
              std::abs(goal.local->contact) + std::abs(goal.local->remainder) <=
-               left * goal.most_error();
+               left * goal.allowed_error();
     };
     if (pairs_nodes(scene) || !std::all_of(goals.begin(), goals.end(), is_told))
       return scene;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/estimate/coarser_model_estimate.h>
-#include <lamella/estimate/poorer.h>
+#include <lamella/estimate/coarser_scenes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +28,9 @@ namespace lamella
 
 
   std::string
-  CoarserModelEstimate::reason_for_none(const Simulation &run)
+  CoarserModelEstimate::unavailable_reason(const Simulation &run)
   {
-    const unsigned int degree = BelowRules().least_degree;
+    const unsigned int degree = CoarserModelRules().min_degree;
     for (const BodyDescription &body : run.model().scene().bodies)
       if (!is_layerwise(body, degree))
         return "body " + body.name + " is no beam of LE-" +
@@ -50,19 +50,19 @@ namespace lamella
   {
     for (const NamedQuantity &quantity : of_run.quantities())
       derivatives.push_back(dual.derivative(quantity));
-    if (Surpluses::reason_for_none(run, rules.least_degree).empty())
+    if (Surpluses::unavailable_reason(run, rules.min_degree).empty())
       surpluses = std::make_unique<const Surpluses>(run);
     bool compares = false;
     for (unsigned int k = 0; k < derivatives.size(); ++k)
-      compares = compares || wants_models_of(k);
+      compares = compares || needs_coarser_models(k);
     if (compares)
-      solve_poorer_models(out, cache);
+      solve_coarser_models(out, cache);
   }
 
 
 
   bool
-  CoarserModelEstimate::wants_models_of(const unsigned int number) const
+  CoarserModelEstimate::needs_coarser_models(const unsigned int number) const
   {
     return !run.model().scene().contacts.empty() || surpluses == nullptr ||
            !derivatives[number];
@@ -71,12 +71,12 @@ namespace lamella
 
 
   void
-  CoarserModelEstimate::solve_poorer_models(std::ostream &out,
-                                            ModelCache   &cache)
+  CoarserModelEstimate::solve_coarser_models(std::ostream &out,
+                                             ModelCache   &cache)
   {
     ComparisonModels others(run, out, cache);
     const auto       poorer = [](const Scene &scene) {
-      return of_one_degree_less(on_half_the_axis(scene));
+      return with_lower_degree(with_halved_axes(scene));
     };
     const Scene one = poorer(for_estimates(run));
     half = others.solved(one, "one degree less, half the axis").numbers;
@@ -92,12 +92,12 @@ namespace lamella
                                      const SurplusParts  &own) const
   {
     const Surplus &section = own.section, &axis = own.axis;
-    return error_bar_from_below(
+    return coarser_model_bar(
       {{section.last,
         section.before,
-        std::max(rules.least_of_before * std::abs(section.before),
-                 rules.least_of_sizes * section.by_nodes)},
-       {axis.last, axis.before, rules.least_of_sizes * axis.by_nodes}},
+        std::max(rules.min_share_of_previous * std::abs(section.before),
+                 rules.min_share_of_sizes * section.by_nodes)},
+       {axis.last, axis.before, rules.min_share_of_sizes * axis.by_nodes}},
       of_run.scale_of(goal),
       of_run.rounding_of(goal));
   }
@@ -116,8 +116,8 @@ namespace lamella
     };
     // The larger one at both levels: sources may cancel in the solved models.
     const double last  = std::max(std::abs(change), by_source(&Surplus::last));
-    const double least = rules.least_of_before * std::abs(before);
-    return error_bar_from_below(
+    const double least = rules.min_share_of_previous * std::abs(before);
+    return coarser_model_bar(
       {{std::copysign(last, change),
         std::copysign(std::max(std::abs(before), by_source(&Surplus::before)),
                       before),
@@ -168,9 +168,10 @@ namespace lamella
           z -= *w;
         own = surpluses->of(z);
       }
-    const ErrorBar bar    = wants_models_of(number) ? by_models(quantity, own) :
-                                                      by_surpluses(quantity, *own);
-    GoalResult     result = of_run.with_bar(number, bar);
+    const ErrorBar bar    = needs_coarser_models(number) ?
+                              by_models(quantity, own) :
+                              by_surpluses(quantity, *own);
+    GoalResult     result = of_run.with_error_bar(number, bar);
     result.shares         = shares_of(quantity, bar, own);
     if (own)
       result.local = own->along_axis;

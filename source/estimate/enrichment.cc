@@ -39,27 +39,28 @@ namespace lamella
                   const PlanRules &rules)
     {
       const bool layers_are_cheap = size.nodes > 0 && body.pieces.empty() &&
-                                    !why_layers(size, rules).empty();
+                                    !reason_for_layerwise(size, rules).empty();
       // Pieces of plain SV beside LE are a user's choice of places for
       // responses.
       for (Theory *theory : theories_of(body))
         if (theory->is_single_layer() ||
-            (theory->is_of_solutions() && theory->order < rules.least_waves))
+            (theory->is_saint_venant() && theory->order < rules.min_waves))
           {
             const unsigned int order = theory->section_order,
-                               waves = theory->is_of_solutions() ?
-                                         rules.least_waves :
-                                         rules.many_waves;
-            *theory                  = layers_are_cheap ? Theory::layerwise(2) :
-                                                          Theory::of_solutions(waves, order);
+                               waves = theory->is_saint_venant() ?
+                                         rules.min_waves :
+                                         rules.substitute_waves;
+            *theory                  = layers_are_cheap ?
+                                         Theory::layerwise(2) :
+                                         Theory::make_saint_venant(waves, order);
             theory->section_order    = order;
             // B2 and B3 with assumed shear strains are for theories that lock.
             body.axis.degree        = 3;
             body.axis.assumed_shear = false;
           }
-        else if (theory->is_of_solutions())
+        else if (theory->is_saint_venant())
           theory->order =
-            std::min(theory->order + rules.more_waves, rules.most_waves);
+            std::min(theory->order + rules.wave_increment, rules.max_waves);
     }
 
 
@@ -68,15 +69,15 @@ namespace lamella
     /// would have too many DoFs, @p times as many as now, and
     /// may_have_responses().
     void
-    keep_small(BodyDescription &body,
+    limit_size(BodyDescription &body,
                const BodySize  &size,
                const double     times,
                const PlanRules &rules)
     {
       if (!may_have_responses(body, size, rules) ||
-          times * size.dofs <= rules.most_dofs_of_layers)
+          times * size.dofs <= rules.max_layerwise_dofs)
         return;
-      body.theory = body.theory.from_solutions(rules.many_waves);
+      body.theory = body.theory.to_saint_venant(rules.substitute_waves);
     }
 
 
@@ -91,7 +92,7 @@ namespace lamella
     {
       const auto known = scene.corner_layers.find(body.section);
       return size.corners > 0 && (known == scene.corner_layers.end() ||
-                                  known->second < rules.most_corner_layers);
+                                  known->second < rules.max_corner_layers);
     }
 
 
@@ -109,7 +110,7 @@ namespace lamella
                                     rules.highest_degree;
       const Theory      &theory = body.theory;
       return (theory.is_layerwise() && theory.order >= most) ||
-             (theory.is_of_solutions() && theory.section_order >= most);
+             (theory.is_saint_venant() && theory.section_order >= most);
     }
 
 
@@ -130,7 +131,7 @@ namespace lamella
         }
       const double growth =
         keeps_degree ? 2. : (body.theory.order + 1.) / body.theory.order;
-      keep_small(body, size, growth * growth, rules);
+      limit_size(body, size, growth * growth, rules);
       if (keeps_degree)
         return;
       for (Theory *theory : theories_of(body))
@@ -200,8 +201,8 @@ namespace lamella
       {
         BodySize &size = sizes.emplace_back();
         size.dofs      = body->n_dofs();
-        size.held_all_along =
-          is_held_all_along(model.scene().supports, sizes.size() - 1);
+        size.constrained_along_axis =
+          is_constrained_along_axis(model.scene().supports, sizes.size() - 1);
         if (const Beam *const beam = beams[sizes.size() - 1])
           {
             size.nodes   = beam->axis().n_nodes();
@@ -224,8 +225,9 @@ namespace lamella
                      const PlanRules       &rules)
   {
     return body.theory.is_layerwise() && body.pieces.empty() &&
-           !size.held_all_along && size.loaded <= rules.long_contact &&
-           size.fields > rules.worth_while * rules.fields_of_responses;
+           !size.constrained_along_axis &&
+           size.loaded <= rules.max_contact_share &&
+           size.fields > rules.min_gain * rules.fields_of_responses;
   }
 
 
@@ -243,7 +245,7 @@ namespace lamella
         case Source::fields:
           return any([](const BodyDescription &body) {
             return body.theory.is_single_layer() ||
-                   body.theory.is_of_solutions();
+                   body.theory.is_saint_venant();
           });
         case Source::section:
           return any(
@@ -274,7 +276,7 @@ namespace lamella
         BodyDescription &body = result.bodies[b];
         if (source == Source::axis && !body.theory.is_solid())
           {
-            keep_small(body, sizes[b], 2., rules);
+            limit_size(body, sizes[b], 2., rules);
             halve_elements(body.axis);
           }
         else if (source == Source::fields && !body.theory.is_solid())

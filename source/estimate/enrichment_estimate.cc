@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/text.h>
+#include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/enrichment_estimate.h>
 #include <lamella/estimate/local_errors.h>
-#include <lamella/estimate/poorer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,16 +28,16 @@ namespace lamella
     of_lower_section(Scene scene)
     {
       for (BodyDescription &body : scene.bodies)
-        if (body.theory.is_of_solutions() && body.theory.section_order > 1)
+        if (body.theory.is_saint_venant() && body.theory.section_order > 1)
           --body.theory.section_order;
-      return of_one_degree_less(scene);
+      return with_lower_degree(scene);
     }
   } // namespace
 
 
 
   std::string
-  EnrichmentEstimate::reason_for_none(const Simulation &run)
+  EnrichmentEstimate::unavailable_reason(const Simulation &run)
   {
     bool any = false;
     for (const BodyDescription &body : run.model().scene().bodies)
@@ -63,23 +63,23 @@ namespace lamella
     const Scene      scene = for_estimates(run);
     ComparisonModels models(run, out, cache);
     if (scene.goals.tolerances.empty())
-      compare_with_poorer(models, scene);
+      compare_with_coarser(models, scene);
     else
-      compare_with_richer(models, scene);
+      compare_with_enriched(models, scene);
     compare_sections(models, scene);
   }
 
 
 
   void
-  EnrichmentEstimate::compare_with_poorer(ComparisonModels &models,
-                                          const Scene      &scene)
+  EnrichmentEstimate::compare_with_coarser(ComparisonModels &models,
+                                           const Scene      &scene)
   {
     others.push_back(
       {Source::axis,
        false,
        rules.of_axis,
-       models.solved(on_half_the_axis(scene), "poorer in axis").numbers});
+       models.solved(with_halved_axes(scene), "poorer in axis").numbers});
     others.push_back(
       {Source::fields,
        false,
@@ -92,8 +92,8 @@ namespace lamella
 
 
   void
-  EnrichmentEstimate::compare_with_richer(ComparisonModels &models,
-                                          const Scene      &scene)
+  EnrichmentEstimate::compare_with_enriched(ComparisonModels &models,
+                                            const Scene      &scene)
   {
     const std::vector<BodySize> sizes = sizes_of(run.model());
     const auto                  look  = [this](const Simulation &finer) {
@@ -102,14 +102,14 @@ namespace lamella
     others.push_back(
       {Source::axis,
        true,
-       rules.of_richer,
+       rules.enriched_factor,
        models
          .solved(enriched(scene, Source::axis, sizes), "richer in axis", look)
          .numbers});
     others.push_back(
       {Source::fields,
        true,
-       rules.of_richer,
+       rules.enriched_factor,
        models.solved(enriched(scene, Source::fields, sizes), "richer in fields")
          .numbers});
   }
@@ -125,19 +125,19 @@ namespace lamella
                   scene.bodies.end(),
                   [this](const auto &body) {
                     return body.theory.has_responses() &&
-                           body.theory.section_order < rules.least_order;
+                           body.theory.section_order < rules.min_order;
                   });
-    const bool  is_richer = is_low && !scene.goals.tolerances.empty();
+    const bool  is_enriched = is_low && !scene.goals.tolerances.empty();
     const Scene other =
-      is_richer ? enriched(scene, Source::section, sizes_of(run.model())) :
-                  of_lower_section(scene);
+      is_enriched ? enriched(scene, Source::section, sizes_of(run.model())) :
+                    of_lower_section(scene);
     const ResultNumbers numbers =
       models
-        .solved(other, is_richer ? "richer in section" : "poorer in section")
+        .solved(other, is_enriched ? "richer in section" : "poorer in section")
         .numbers;
     others.push_back({Source::section,
-                      is_richer,
-                      is_richer ? rules.of_richer : rules.of_fields,
+                      is_enriched,
+                      is_enriched ? rules.enriched_factor : rules.of_fields,
                       numbers});
     of_contact.compare(of_run.quantities(), models, other, numbers);
   }
@@ -150,13 +150,13 @@ namespace lamella
   {
     const double change =
       of_run.numbers().value(goal) - other.numbers.value(goal);
-    return other.is_richer ? -change : change;
+    return other.is_enriched ? -change : change;
   }
 
 
 
   ErrorBar
-  EnrichmentEstimate::bar_of(const NamedQuantity &goal) const
+  EnrichmentEstimate::error_bar_of(const NamedQuantity &goal) const
   {
     const double scale   = of_run.scale_of(goal);
     double       changed = 0.;
@@ -166,15 +166,15 @@ namespace lamella
       {
         const double change = change_by(other, goal);
         bar.bar += other.factor * std::abs(change);
-        bar.estimate += other.is_richer ? change : 0.;
+        bar.estimate += other.is_enriched ? change : 0.;
         changed += std::abs(change);
       }
-    if (changed > rules.most_changed * scale)
+    if (changed > rules.max_change_share * scale)
       {
         bar.trusted = false;
         bar.why     = "models that are a little other change it by " +
-                  to_text(100. * changed / scale, 2) + " %" + where_it_grows() +
-                  ", or refine theory and mesh";
+                  to_text(100. * changed / scale, 2) + " %" +
+                  describe_growth() + ", or refine theory and mesh";
       }
     bar.bar = std::max(bar.bar, of_run.rounding_of(goal));
     return bar;
@@ -186,7 +186,7 @@ namespace lamella
   EnrichmentEstimate::goal(const unsigned int number) const
   {
     const NamedQuantity &quantity = of_run.quantities()[number];
-    GoalResult           result   = of_run.with_bar(number, bar_of(quantity));
+    GoalResult result = of_run.with_error_bar(number, error_bar_of(quantity));
     for (const Other &other : others)
       result.shares.emplace_back(name_of(other.source),
                                  other.factor * change_by(other, quantity));

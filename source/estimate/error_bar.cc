@@ -13,7 +13,7 @@ namespace lamella
     /// Returns why the changes @p first and @p second of successive refinements
     /// give no bar.
     std::string
-    why_not_trusted(const double    first,
+    distrust_reason(const double    first,
                     const double    second,
                     const double    scale,
                     const BarRules &rules)
@@ -22,7 +22,7 @@ namespace lamella
         return "it grows from one refinement to the next, by " +
                to_text(100. * std::abs(first) / scale, 2) + " and then by " +
                to_text(100. * std::abs(second) / scale, 2) + " %" +
-               where_it_grows();
+               describe_growth();
       return "two refinements do not agree: one changes it by " +
              to_text(100. * first / scale, 2) + " %, the next by " +
              to_text(100. * second / scale, 2) + " %. Refine theory or mesh";
@@ -32,7 +32,7 @@ namespace lamella
 
 
   std::string
-  where_it_grows()
+  describe_growth()
   {
     return ", as at a point load, at the edge of a clamp or at the corner of a "
            "punch. Ask for it at some distance from there";
@@ -55,7 +55,7 @@ namespace lamella
                            rules.of_shares * values.shares,
                            rounding});
 
-    if (std::abs(second) <= rules.most_left * std::abs(first) ||
+    if (std::abs(second) <= rules.max_remaining_share * std::abs(first) ||
         spread <= rounding)
       result.trusted = true;
     else if (spread <= rules.small * values.scale)
@@ -64,24 +64,24 @@ namespace lamella
         result.bar     = std::max(result.bar, rules.of_change * spread);
       }
     else
-      result.why = why_not_trusted(first, second, values.scale, rules);
+      result.why = distrust_reason(first, second, values.scale, rules);
     return result;
   }
 
 
 
   ErrorBar
-  error_bar_from_below(const std::vector<Levels> &sources,
-                       const double               scale,
-                       const double               rounding,
-                       const BarRules            &rules)
+  coarser_model_bar(const std::vector<Levels> &sources,
+                    const double               scale,
+                    const double               rounding,
+                    const BarRules            &rules)
   {
     ErrorBar result;
     result.trusted = true;
     for (const Levels &levels : sources)
       {
         const double d = std::abs(levels.last), e = std::abs(levels.before);
-        const bool   contracts = e > 0. && d <= rules.most_left * e;
+        const bool   contracts = e > 0. && d <= rules.max_remaining_share * e;
         const double left      = contracts ? (d / e) / (1. - d / e) : 1.;
         result.estimate += levels.last * left;
         result.parts.push_back(
@@ -91,7 +91,7 @@ namespace lamella
         if (!contracts && std::max(d, e) > rules.small * scale)
           {
             result.trusted = false;
-            result.why     = why_not_trusted(e, d, scale, rules);
+            result.why     = distrust_reason(e, d, scale, rules);
           }
       }
     result.bar = std::max({result.bar, rounding, rules.digits * scale});

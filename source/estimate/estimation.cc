@@ -25,13 +25,15 @@ namespace lamella
 
 
   std::string
-  Estimation::reason_for_none() const
+  Estimation::unavailable_reason() const
   {
     const GoalParameters &goals = run.model().scene().goals;
-    if (const std::string none = RunGoals::reason_for_none(run); !none.empty())
+    if (const std::string none = RunGoals::unavailable_reason(run);
+        !none.empty())
       return none;
     if (goals.bars == ErrorBars::automatic &&
-        !(operations_of_bars(run) <= HalfRules().most_of_run * operations(run)))
+        !(operations_of_bars(run) <=
+          HalvedAxisRules().max_share_of_run * operations(run)))
       return "they would cost more than half of what the run does; --set "
              "\"Goals/Error bars=true\" makes them";
     return "";
@@ -66,8 +68,8 @@ namespace lamella
         const GoalResult bare = of_run->bare(number++);
         const double     most =
           bare.tolerance ?
-                rules.least_of_tolerance * bare.most_error() :
-                rules.least_of_all * first_refinement(quantity).shares;
+                rules.min_tolerance_share * bare.allowed_error() :
+                rules.min_total_share * first_refinement(quantity).shares;
         if (most > 0.)
           weight = std::max(weight, std::abs(share_of(step, quantity)) / most);
       }
@@ -95,7 +97,7 @@ namespace lamella
 
 
   std::vector<Source>
-  Estimation::sources_that_matter() const
+  Estimation::significant_sources() const
   {
     double largest = 0.;
     for (const Step &step : steps)
@@ -145,15 +147,15 @@ namespace lamella
     for (const NameOf<Source> &source : Names<Source>::all)
       if (has_source(models[base].scene, source.value))
         add_step(source.value);
-    climb_once_more();
+    solve_richest_model();
   }
 
 
 
   void
-  Estimation::climb_once_more()
+  Estimation::solve_richest_model()
   {
-    const std::vector<Source> some = sources_that_matter();
+    const std::vector<Source> some = significant_sources();
     before_richest                 = base;
     // A single source is refined again right after its first refinement: the
     // later ones in the chain do not matter.
@@ -183,7 +185,7 @@ namespace lamella
 
 
   ErrorBar
-  Estimation::bar_of(const NamedQuantity &quantity) const
+  Estimation::error_bar_of(const NamedQuantity &quantity) const
   {
     Refinements values = first_refinement(quantity);
     values.richest     = values.richer + models.back().numbers.value(quantity) -
@@ -197,9 +199,9 @@ namespace lamella
   Estimation::goal(const NamedQuantity &quantity,
                    const unsigned int   number) const
   {
-    GoalResult result = failure.empty() ?
-                          of_run->with_bar(number, bar_of(quantity)) :
-                          of_run->bare(number);
+    GoalResult result =
+      failure.empty() ? of_run->with_error_bar(number, error_bar_of(quantity)) :
+                        of_run->bare(number);
     if (!local.empty())
       result.local = local.at(number);
     if (!failure.empty())
@@ -216,7 +218,7 @@ namespace lamella
   std::vector<GoalResult>
   Estimation::goals()
   {
-    if (!reason_for_none().empty())
+    if (!unavailable_reason().empty())
       return {};
     out << "Error bars, from richer models of the scene:" << std::endl;
     of_run = std::make_unique<RunGoals>(run);

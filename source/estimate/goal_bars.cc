@@ -9,7 +9,7 @@
 #include <lamella/estimate/goal_bars.h>
 #include <lamella/estimate/halved_axis_estimate.h>
 #include <lamella/estimate/operations.h>
-#include <lamella/estimate/held_places.h>
+#include <lamella/estimate/support_refinement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,22 +24,23 @@ namespace lamella
   {
     /// Returns the comparison of @p run with models on coarser axes, if it is
     /// possible, and if it is cheap where bars are not asked for.
-    std::optional<HalfPlan>
+    std::optional<HalvedAxisPlan>
     plan_of(const Simulation &run)
     {
-      if (!HalvedAxisEstimate::reason_for_none(run).empty())
+      if (!HalvedAxisEstimate::unavailable_reason(run).empty())
         return {};
       const GoalParameters &goals = run.model().scene().goals;
       // A tolerance leads to LE-3, which LE-2 is close to; LE-1 is far from
       // LE-2.
       if (!goals.tolerances.empty())
-        return HalfPlan{1, 3};
+        return HalvedAxisPlan{1, 3};
       if (goals.bars != ErrorBars::automatic)
-        return HalfPlan();
-      const HalfRules rules;
-      return HalvedAxisEstimate::plan(
-        run,
-        std::max(rules.most_of_run * operations(run), rules.free_operations));
+        return HalvedAxisPlan();
+      const HalvedAxisRules rules;
+      return HalvedAxisEstimate::plan(run,
+                                      std::max(rules.max_share_of_run *
+                                                 operations(run),
+                                               rules.free_operations));
     }
 
 
@@ -50,14 +51,14 @@ namespace lamella
     /// and the name of the models for messages; empty if impossible or too
     /// costly.
     std::pair<std::function<Goals(std::ostream &, ModelCache &)>, std::string>
-    maker_for(const Simulation &run)
+    choose_estimator(const Simulation &run)
     {
-      if (CoarserModelEstimate::reason_for_none(run).empty())
+      if (CoarserModelEstimate::unavailable_reason(run).empty())
         return {[&run](std::ostream &out, ModelCache &cache) {
                   return CoarserModelEstimate(run, out, cache).goals();
                 },
                 "poorer models"};
-      if (EnrichmentEstimate::reason_for_none(run).empty())
+      if (EnrichmentEstimate::unavailable_reason(run).empty())
         return {[&run](std::ostream &out, ModelCache &cache) {
                   return EnrichmentEstimate(run, out, cache).goals();
                 },
@@ -102,21 +103,21 @@ namespace lamella
     /// Extends the bars of @p goals by the effects of supported places. If
     /// these models fail, the bars stay and @p out gets a message.
     void
-    look_at_held_places(const Simulation &run,
+    add_support_effects(const Simulation &run,
                         std::ostream     &out,
                         ModelCache       &cache,
                         Goals            &goals)
     {
       const Outcome outcome = outcome_of(
-        [&] { widen(missed_at_held_places(run, out, cache), goals); });
+        [&] { widen(support_refinement_changes(run, out, cache), goals); });
       if (outcome.status != 0)
         out << "  failed: " << trimmed(outcome.message) << std::endl;
     }
 
 
 
-    /// Returns the goals of @p run with bars by maker_for(). None if bars are
-    /// not wanted, impossible or fail; @p failure then has the reason.
+    /// Returns the goals of @p run with bars by choose_estimator(). None if
+    /// bars are not wanted, impossible or fail; @p failure then has the reason.
     std::optional<Goals>
     cheap_goals(const Simulation &run,
                 std::ostream     &out,
@@ -124,9 +125,9 @@ namespace lamella
                 std::string      &failure)
     {
       if (run.model().scene().goals.bars == ErrorBars::richer ||
-          !RunGoals::reason_for_none(run).empty())
+          !RunGoals::unavailable_reason(run).empty())
         return {};
-      const auto [make, from] = maker_for(run);
+      const auto [make, from] = choose_estimator(run);
       if (!make)
         return {};
       out << "Error bars, from " << from << ":" << std::endl;
@@ -136,13 +137,13 @@ namespace lamella
         outcome_of([&, &make = make] { goals = make(out, cache); });
       if (outcome.status != 0)
         {
-          failure = without_full_stop(trimmed(outcome.message));
+          failure = strip_period(trimmed(outcome.message));
           out << "  failed: " << failure << "." << std::endl;
           failure =
             from + " have no result (" + failure + "), and of richer ones: ";
         }
       else
-        look_at_held_places(run, out, cache, *goals);
+        add_support_effects(run, out, cache, *goals);
       return goals;
     }
   } // namespace
@@ -153,18 +154,20 @@ namespace lamella
   {
     /// Returns the bars of a @p run with large rotations, by a coarser axis.
     GoalBars
-    at_large_rotations(const Simulation &run,
-                       std::ostream     &out,
-                       ModelCache       &cache)
+    bars_for_large_rotations(const Simulation &run,
+                             std::ostream     &out,
+                             ModelCache       &cache)
     {
-      for (const std::string &why : {RunGoals::reason_for_none(run),
-                                     HalvedAxisEstimate::reason_for_none(run)})
+      for (const std::string &why :
+           {RunGoals::unavailable_reason(run),
+            HalvedAxisEstimate::unavailable_reason(run)})
         if (!why.empty())
           return {{}, why};
       out << "Error bars, from a model on a coarser axis:" << std::endl;
       Goals         goals;
       const Outcome outcome = outcome_of([&] {
-        goals = HalvedAxisEstimate(run, HalfPlan{1, 0}, out, cache).goals();
+        goals =
+          HalvedAxisEstimate(run, HalvedAxisPlan{1, 0}, out, cache).goals();
       });
       if (outcome.status != 0)
         return {{},
@@ -177,15 +180,15 @@ namespace lamella
 
 
   GoalBars
-  bars_of(const Simulation &run, std::ostream &out, ModelCache &cache)
+  error_bars_of(const Simulation &run, std::ostream &out, ModelCache &cache)
   {
     if (run.model().scene().solve.rotations == Rotations::large)
-      return at_large_rotations(run, out, cache);
+      return bars_for_large_rotations(run, out, cache);
     std::string failure;
     if (const auto goals = cheap_goals(run, out, cache, failure))
       return {*goals, ""};
     Estimation        estimation(run, out, cache);
-    const std::string none = estimation.reason_for_none();
+    const std::string none = estimation.unavailable_reason();
     return {estimation.goals(), none.empty() ? none : failure + none};
   }
 } // namespace lamella

@@ -8,7 +8,7 @@
 
 namespace lamella
 {
-  using Of = NamedQuantity::Of;
+  using ObjectKind = NamedQuantity::ObjectKind;
 
   namespace
   {
@@ -102,13 +102,13 @@ namespace lamella
       return std::nullopt;
     switch (goal.of)
       {
-        case Of::probe:
+        case ObjectKind::probe:
           return at_probe(goal);
-        case Of::support:
+        case ObjectKind::support:
           return of_support(goal);
-        case Of::contact:
+        case ObjectKind::contact:
           return of_contact(goal);
-        case Of::measure:
+        case ObjectKind::measure:
           return of_measure(goal);
         default:
           return std::nullopt;
@@ -159,7 +159,7 @@ namespace lamella
   std::optional<BlockVector>
   GoalDual::lifting(const NamedQuantity &goal) const
   {
-    if (goal.of != Of::support || goal.column[0] != 'f')
+    if (goal.of != ObjectKind::support || goal.column[0] != 'f')
       return std::nullopt;
     return influence(support_of(goal), goal.column[1] - 'x');
   }
@@ -209,7 +209,7 @@ namespace lamella
     Pair result = zero();
     for (unsigned int k = 0; k < active.size(); ++k)
       {
-        const auto [c, row] = model.model().rows().in_contact(active[k]);
+        const auto [c, row] = model.model().rows().contact_of_row(active[k]);
         const ContactInterface &contact = model.model().interfaces()[c];
         if (contact.name == goal.name)
           result.force[k] = contact.points[row].normal[goal.column[1] - 'x'];

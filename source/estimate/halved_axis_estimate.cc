@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/text.h>
+#include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/halved_axis_estimate.h>
-#include <lamella/estimate/poorer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace lamella
 
 
     bool
-    is_of_layers(const BodyDescription &body)
+    is_layerwise_only(const BodyDescription &body)
     {
       return body.theory.is_layerwise() && body.pieces.empty();
     }
@@ -33,7 +33,7 @@ namespace lamella
     bool
     is_above_linear(const BodyDescription &body)
     {
-      return body.theory.is_of_solutions() ||
+      return body.theory.is_saint_venant() ||
              (body.theory.is_taylor() && body.theory.order > 1);
     }
 
@@ -41,10 +41,10 @@ namespace lamella
 
     /// Returns @p scene with axes halved @p times.
     Scene
-    on_coarser_axis(Scene scene, const unsigned int times)
+    with_coarser_axis(Scene scene, const unsigned int times)
     {
       for (unsigned int time = 0; time < times; ++time)
-        scene = on_half_the_axis(scene);
+        scene = with_halved_axes(scene);
       return scene;
     }
 
@@ -53,10 +53,10 @@ namespace lamella
     /// Returns H_r of the scene of H_p, with LE-@p degree in place of other
     /// theories.
     Scene
-    richer_in_section(Scene scene, const unsigned int degree)
+    with_enriched_section(Scene scene, const unsigned int degree)
     {
       for (BodyDescription &body : scene.bodies)
-        if (is_of_layers(body))
+        if (is_layerwise_only(body))
           ++body.theory.order;
         else
           {
@@ -77,7 +77,7 @@ namespace lamella
 
 
   std::string
-  HalvedAxisEstimate::reason_for_none(const Simulation &run)
+  HalvedAxisEstimate::unavailable_reason(const Simulation &run)
   {
     const Scene &scene = run.model().scene();
     for (const BodyDescription &body : scene.bodies)
@@ -99,15 +99,15 @@ namespace lamella
   double
   HalvedAxisEstimate::operations(const Scene                 &scene,
                                  const std::vector<BodySize> &sizes,
-                                 const HalfPlan              &plan)
+                                 const HalvedAxisPlan        &plan)
   {
-    const Scene rich = richer_in_section(scene, plan.degree);
+    const Scene rich = with_enriched_section(scene, plan.degree);
     double      sum  = 0.;
     for (unsigned int b = 0; b < sizes.size(); ++b)
       {
         const double nodes = sizes[b].nodes * std::pow(0.5, plan.times);
         const auto   take  = [&](const unsigned int degree) {
-          const double m = dofs_of_layers(sizes[b], degree) / sizes[b].nodes;
+          const double m = layerwise_dofs(sizes[b], degree) / sizes[b].nodes;
           return CostRules().of_block * nodes * m * m * m;
         };
         // H_r, and one degree less: H_p or H_l.
@@ -119,14 +119,16 @@ namespace lamella
 
 
 
-  std::optional<HalfPlan>
+  std::optional<HalvedAxisPlan>
   HalvedAxisEstimate::plan(const Simulation &run, const double most)
   {
     const Scene                &scene        = run.model().scene();
     const std::vector<BodySize> sizes        = sizes_of(run.model());
     const bool                  any_is_above = any_body(scene, is_above_linear);
-    for (const HalfPlan &plan :
-         {HalfPlan{1, 2}, HalfPlan{2, 2}, HalfPlan{1, 1}, HalfPlan{2, 1}})
+    for (const HalvedAxisPlan &plan : {HalvedAxisPlan{1, 2},
+                                       HalvedAxisPlan{2, 2},
+                                       HalvedAxisPlan{1, 1},
+                                       HalvedAxisPlan{2, 1}})
       if (operations(scene, sizes, plan) <= most &&
           !(any_is_above && plan.degree == 1))
         return plan;
@@ -135,10 +137,10 @@ namespace lamella
 
 
 
-  HalvedAxisEstimate::HalvedAxisEstimate(const Simulation &run,
-                                         const HalfPlan   &plan,
-                                         std::ostream     &out,
-                                         ModelCache       &cache)
+  HalvedAxisEstimate::HalvedAxisEstimate(const Simulation     &run,
+                                         const HalvedAxisPlan &plan,
+                                         std::ostream         &out,
+                                         ModelCache           &cache)
     : run(run)
     , chosen(plan)
     , of_run(run)
@@ -146,7 +148,7 @@ namespace lamella
   {
     const Scene scene = for_estimates(run);
     layerwise =
-      std::all_of(scene.bodies.begin(), scene.bodies.end(), is_of_layers);
+      std::all_of(scene.bodies.begin(), scene.bodies.end(), is_layerwise_only);
     ComparisonModels others(run, out, cache);
     solve_levels(others, scene);
   }
@@ -156,18 +158,18 @@ namespace lamella
   void
   HalvedAxisEstimate::solve_levels(ComparisonModels &others, const Scene &scene)
   {
-    const Scene half_scene = on_coarser_axis(scene, chosen.times);
+    const Scene half_scene = with_coarser_axis(scene, chosen.times);
     if (chosen.degree == 0)
       {
         half = richer = others.solved(half_scene, "coarser axis").numbers;
         return;
       }
-    const Scene rich = richer_in_section(half_scene, chosen.degree);
-    const Scene low  = of_one_degree_less(layerwise ? half_scene : rich);
+    const Scene rich = with_enriched_section(half_scene, chosen.degree);
+    const Scene low  = with_lower_degree(layerwise ? half_scene : rich);
     half             = others.solved(half_scene, "coarser axis").numbers;
     richer = others.solved(rich, "coarser axis, richer section").numbers;
     if (any_body(layerwise ? half_scene : rich, [](const auto &body) {
-          return is_of_layers(body) && body.theory.order > 1;
+          return is_layerwise_only(body) && body.theory.order > 1;
         }))
       lower = others.solved(low, "coarser axis, poorer section").numbers;
     of_contact.compare(of_run.quantities(), others, half_scene, half);
@@ -190,10 +192,11 @@ namespace lamella
       return bar;
     const double before =
       (layerwise ? half : richer).value(goal) - lower->value(goal);
-    bar.bar =
-      std::max(bar.bar,
-               (layerwise ? rules.least_of_before : 1.) * std::abs(before));
-    if (layerwise && std::abs(change) > rules.most_left * std::abs(before) &&
+    bar.bar = std::max(bar.bar,
+                       (layerwise ? rules.min_share_of_previous : 1.) *
+                         std::abs(before));
+    if (layerwise &&
+        std::abs(change) > rules.max_remaining_share * std::abs(before) &&
         std::abs(change) > rules.small * scale)
       {
         bar.trusted = false;
@@ -215,7 +218,7 @@ namespace lamella
     const double         value    = of_run.numbers().value(quantity);
     ErrorBar             bar      = by_levels(quantity);
     bar.bar           = std::max(bar.bar, of_run.rounding_of(quantity));
-    GoalResult result = of_run.with_bar(number, bar);
+    GoalResult result = of_run.with_error_bar(number, bar);
     result.shares     = {{name_of(Source::axis), value - half.value(quantity)}};
     if (chosen.degree > 0)
       result.shares.emplace_back(

@@ -78,19 +78,19 @@ namespace lamella
     , fine(fine)
     , factor(fine.results().last().load_factor)
     , dual(fine, [this](const unsigned int support, const unsigned int c) {
-      return on_fine(GoalDual::influence_of_support(
+      return interpolate_to_fine(GoalDual::influence_of_support(
         this->coarse.model().structure(), support, c));
     })
   {
     const State          &state = fine.results().last().state;
     const State          &rough = coarse.results().last().state;
-    const BlockVector     u     = on_fine(rough.u);
+    const BlockVector     u     = interpolate_to_fine(rough.u);
     const GapConstraints &rows  = fine.model().rows();
     std::vector<double>   forces(rows.size(), 0.);
     if (!state.force.empty() && !rough.force.empty())
       for (const unsigned int r : dual.active_rows())
         {
-          const unsigned int c = rows.in_contact(r).first;
+          const unsigned int c = rows.contact_of_row(r).first;
           forces[r]            = state.force[r] *
                       resultant(coarse.model(), c, rough.force) /
                       resultant(fine.model(), c, state.force);
@@ -110,7 +110,7 @@ namespace lamella
 
 
   BlockVector
-  Localization::on_fine(const BlockVector &u) const
+  Localization::interpolate_to_fine(const BlockVector &u) const
   {
     return moved(coarse, u, fine);
   }
@@ -118,7 +118,7 @@ namespace lamella
 
 
   BlockVector
-  Localization::on_coarse(const BlockVector &u) const
+  Localization::interpolate_to_coarse(const BlockVector &u) const
   {
     return moved(fine, u, coarse);
   }
@@ -132,7 +132,7 @@ namespace lamella
   {
     const Beam &rough = *beams_in(coarse)[body], &finer = *beams_in(fine)[body];
     const Axis &axis   = rough.axis();
-    const double near  = arithmetic::same_place_along * axis.length();
+    const double near  = arithmetic::same_position_along * axis.length();
     const auto   first = result.elements.size();
     for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
       result.elements.push_back({body,
@@ -157,7 +157,7 @@ namespace lamella
   Localization::of_elements(const BlockVector &z) const
   {
     BlockVector local = z;
-    local -= on_fine(on_coarse(z));
+    local -= interpolate_to_fine(interpolate_to_coarse(z));
     LocalErrors result;
     const auto  all = beams_in(fine);
     for (unsigned int b = 0; b < all.size(); ++b)
@@ -197,7 +197,7 @@ namespace lamella
 
 
   LocalErrors
-  by_pairs(const LocalErrors &errors, const Simulation &finer)
+  distribute_to_finer(const LocalErrors &errors, const Simulation &finer)
   {
     const std::vector<const Beam *> beams  = beams_in(finer);
     LocalErrors                     result = errors;

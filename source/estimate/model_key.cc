@@ -73,7 +73,7 @@ namespace lamella
         {
           end += length;
           words += std::to_string(std::llround(
-                     end / (arithmetic::same_place_along * axis.length))) +
+                     end / (arithmetic::same_position_along * axis.length))) +
                    " ";
         }
       return words + "| ";
@@ -88,14 +88,14 @@ namespace lamella
                    degree,
                    elements,
                    breaks,
-                   fineness,
+                   refinement_factor,
                    equidistant_nodes,
                    assumed_shear] = axis;
       // A graded axis has no elements yet.
       return describe(length) + describe(degree) +
-             (fineness > 0. ? describe(elements) + describe(breaks) :
-                              describe_ends(axis)) +
-             describe(fineness) + (equidistant_nodes ? "e" : "") +
+             (refinement_factor > 0. ? describe(elements) + describe(breaks) :
+                                       describe_ends(axis)) +
+             describe(refinement_factor) + (equidistant_nodes ? "e" : "") +
              (assumed_shear ? "s" : "");
     }
 

@@ -26,7 +26,7 @@ namespace lamella
     {
       std::size_t n = 0;
       for (const LocalInteraction &touch : touches)
-        if (!touch.holds_section)
+        if (!touch.constrains_section)
           n += touch.loads.size();
       return n;
     }
@@ -59,7 +59,7 @@ namespace lamella
     for (unsigned int b = 0; b < sizes.size(); ++b)
       {
         if (!may_have_responses(scene.bodies[b], sizes[b], rules) ||
-            2. * sizes[b].dofs <= rules.most_dofs_of_layers)
+            2. * sizes[b].dofs <= rules.max_layerwise_dofs)
           return std::numeric_limits<double>::infinity();
         sum += cost.axes * sizes[b].nodes * cost.of_block * m * m * m;
         // The body is LE-N, since it may have responses: a beam.

@@ -15,7 +15,7 @@ namespace lamella
     error_ratio(const GoalResult &goal)
     {
       return (goal.trusted ? goal.bar : 2. * std::abs(goal.estimate)) /
-             goal.most_error();
+             goal.allowed_error();
     }
 
 
@@ -33,7 +33,7 @@ namespace lamella
     /// Returns the error of @p goal from elements that are not bisected, if the
     /// axis is refined.
     double
-    of_others(const GoalResult &goal, const Refined &refined)
+    of_others(const GoalResult &goal, const PassRefinement &refined)
     {
       double sum = 0.;
       if (refined.marked && goal.local)
@@ -52,7 +52,7 @@ namespace lamella
 
 
   void
-  shorten(GoalResult &goal, const Course &course, const BarRules &rules)
+  shorten(GoalResult &goal, const PassHistory &course, const BarRules &rules)
   {
     const auto &[first, before, then, now] = course;
     if (!goal.trusted || !before.trusted || then.sources != now.sources)
@@ -71,7 +71,7 @@ namespace lamella
       (is_refined(name) ? own : rest) += std::abs(share);
     const double d = std::abs(goal.value - before.value),
                  q = d / std::min(b, std::abs(before.value - first.value));
-    if (!(q <= rules.most_left))
+    if (!(q <= rules.max_remaining_share))
       return;
     const double by_pass =
       std::max({d, rules.of_change * d * q / (1. - q), rules.of_pass * b}) +
@@ -87,7 +87,7 @@ namespace lamella
 
 
   void
-  hold_share(GoalResult &goal, const Source source, const double least)
+  raise_share(GoalResult &goal, const Source source, const double least)
   {
     for (auto &[name, share] : goal.shares)
       if (name == name_of(source) && std::abs(share) < least)
@@ -106,7 +106,7 @@ namespace lamella
 
 
   void
-  Passes::add(const Pass &pass, const Refined &refined)
+  Passes::add(const Pass &pass, const PassRefinement &refined)
   {
     made.push_back(pass);
     refinements.push_back(refined);
@@ -118,10 +118,10 @@ namespace lamella
                  made[n - 2].goals[g],
                  refinements[n - 2],
                  refined});
-    left_in.resize(pass.goals.size(), 0);
-    for (unsigned int g = 0; g < left_in.size(); ++g)
-      if (left_in[g] == 0 && has_to_leave(g))
-        left_in[g] = made.size();
+    dropped_in_pass.resize(pass.goals.size(), 0);
+    for (unsigned int g = 0; g < dropped_in_pass.size(); ++g)
+      if (dropped_in_pass[g] == 0 && must_be_dropped(g))
+        dropped_in_pass[g] = made.size();
   }
 
 
@@ -150,7 +150,7 @@ namespace lamella
 
 
   bool
-  Passes::has_to_leave(const unsigned int number) const
+  Passes::must_be_dropped(const unsigned int number) const
   {
     const GoalResult &goal       = last().goals[number];
     const auto        has_no_bar = [number](const Pass &pass) {
@@ -161,7 +161,7 @@ namespace lamella
     // Several passes without a bar and with large changes indicate no limit.
     if (made.size() >= rules.patience &&
         std::all_of(made.end() - rules.patience, made.end(), has_no_bar) &&
-        change(number) > goal.most_error())
+        change(number) > goal.allowed_error())
       return true;
     if (made.size() <= rules.slow_passes || goal.met())
       return false;
@@ -169,13 +169,13 @@ namespace lamella
     for (unsigned int k = 1; k <= rules.slow_passes; ++k)
       before =
         std::max(before, error_ratio(made[made.size() - 1 - k].goals[number]));
-    return error_ratio(goal) > rules.least_progress * before;
+    return error_ratio(goal) > rules.min_progress * before;
   }
 
 
 
   bool
-  Passes::all_met() const
+  Passes::all_goals_met() const
   {
     for (unsigned int g = 0; g < last().goals.size(); ++g)
       if (!is_met(g))
@@ -186,17 +186,17 @@ namespace lamella
 
 
   std::vector<GoalResult>
-  Passes::next_goals() const
+  Passes::open_goals() const
   {
-    std::vector<GoalResult> with_bar, open;
+    std::vector<GoalResult> with_error_bar, open;
     for (unsigned int g = 0; g < last().goals.size(); ++g)
-      if (!is_met(g) && left_in[g] == 0)
+      if (!is_met(g) && dropped_in_pass[g] == 0)
         {
           open.push_back(last().goals[g]);
           if (last().goals[g].trusted)
-            with_bar.push_back(last().goals[g]);
+            with_error_bar.push_back(last().goals[g]);
         }
-    return with_bar.empty() ? open : with_bar;
+    return with_error_bar.empty() ? open : with_error_bar;
   }
 
 
@@ -206,7 +206,7 @@ namespace lamella
   {
     std::vector<GoalResult> goals;
     for (unsigned int g = 0; g < last().goals.size(); ++g)
-      if (left_in[g] == 0)
+      if (dropped_in_pass[g] == 0)
         goals.push_back(last().goals[g]);
     return goals;
   }
@@ -218,7 +218,8 @@ namespace lamella
   {
     std::vector<std::string> sentences;
     for (unsigned int g = 0; g < last().goals.size(); ++g)
-      if (const GoalResult &goal = last().goals[g]; left_in[g] == made.size())
+      if (const GoalResult &goal = last().goals[g];
+          dropped_in_pass[g] == made.size())
         sentences.push_back(
           "no further pass is made for " + goal.name + ": " +
           (goal.trusted ? "passes do not make its bar any shorter" : goal.why));
@@ -231,7 +232,7 @@ namespace lamella
   Passes::wanted() const
   {
     std::vector<std::string> names;
-    for (const GoalResult &goal : next_goals())
+    for (const GoalResult &goal : open_goals())
       {
         auto shares = goal.shares;
         std::sort(shares.begin(),
@@ -245,7 +246,8 @@ namespace lamella
         for (const auto &[name, share] : shares)
           {
             const bool is_first = name == shares.front().first;
-            if (is_first || left > rules.small_share * goal.most_error())
+            if (is_first ||
+                left > rules.max_unrefined_share * goal.allowed_error())
               names.push_back(name);
             left -= std::abs(share);
           }
@@ -273,11 +275,11 @@ namespace lamella
           return std::abs(share);
       return 0.;
     };
-    for (const GoalResult &goal : next_goals())
+    for (const GoalResult &goal : open_goals())
       for (const GoalResult &before : made[made.size() - 2].goals)
         if (before.name == goal.name &&
-            share_of(goal) > rules.most_of_degree * share_of(before) &&
-            share_of(goal) > rules.small_share * goal.most_error())
+            share_of(goal) > rules.max_degree_ratio * share_of(before) &&
+            share_of(goal) > rules.max_unrefined_share * goal.allowed_error())
           return true;
     return false;
   }
@@ -285,11 +287,12 @@ namespace lamella
 
 
   bool
-  Passes::can_lose(const std::vector<double> &lost) const
+  Passes::is_loss_acceptable(const std::vector<double> &lost) const
   {
     for (unsigned int g = 0; g < lost.size(); ++g)
       if (const GoalResult &goal = last().goals[g];
-          left_in[g] == 0 && lost[g] > rules.small_share * goal.most_error())
+          dropped_in_pass[g] == 0 &&
+          lost[g] > rules.max_unrefined_share * goal.allowed_error())
         return false;
     return true;
   }
@@ -302,7 +305,7 @@ namespace lamella
     double worst = 0.;
     if (made.size() > 1)
       for (unsigned int g = 0; g < last().goals.size(); ++g)
-        worst = std::max(worst, change(g) / last().goals[g].most_error());
+        worst = std::max(worst, change(g) / last().goals[g].allowed_error());
     return worst;
   }
 
@@ -311,16 +314,16 @@ namespace lamella
   std::string
   Passes::reason_to_stop() const
   {
-    if (all_met())
+    if (all_goals_met())
       return "all goals are within their tolerances";
-    const std::vector<GoalResult> goals = next_goals();
+    const std::vector<GoalResult> goals = open_goals();
     if (goals.empty())
       return "no pass would help the others";
     for (const GoalResult &goal : goals)
       if (goal.shares.empty())
         return goal.why;
-    if (made.size() == rules.most_passes)
-      return std::to_string(rules.most_passes) + " passes are the most";
+    if (made.size() == rules.max_passes)
+      return std::to_string(rules.max_passes) + " passes are the most";
     if (wanted().empty())
       return "nothing is left to be enriched";
     return "";

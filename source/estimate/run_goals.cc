@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/singular_places.h>
+#include <lamella/adapt/singularities.h>
 #include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/run_goals.h>
 
@@ -10,10 +10,10 @@
 namespace lamella
 {
   std::string
-  RunGoals::reason_for_none(const Simulation &run)
+  RunGoals::unavailable_reason(const Simulation &run)
   {
     const GoalParameters &goals = run.model().scene().goals;
-    if (goals.quantities.empty() && goals.whole_probes.empty())
+    if (goals.quantities.empty() && goals.probes_as_goals.empty())
       return "the scene has neither Quantities in Goals nor probes";
     if (goals.bars == ErrorBars::never)
       return "Error bars = false, in Goals";
@@ -33,7 +33,7 @@ namespace lamella
   {
     const GoalParameters &goals = run.model().scene().goals;
     all                         = goals.quantities;
-    for (const std::string &probe : goals.whole_probes)
+    for (const std::string &probe : goals.probes_as_goals)
       for (const NamedQuantity &quantity : values.largest_at(probe))
         all.push_back(quantity);
   }
@@ -41,12 +41,12 @@ namespace lamella
 
 
   std::string
-  RunGoals::reason_for_no_limit(const NamedQuantity &quantity) const
+  RunGoals::singularity_reason(const NamedQuantity &quantity) const
   {
     for (const NamedQuantity &term : quantity.terms)
-      if (const std::string reason = reason_for_no_limit(term); !reason.empty())
+      if (const std::string reason = singularity_reason(term); !reason.empty())
         return reason;
-    if (quantity.of != NamedQuantity::Of::probe ||
+    if (quantity.of != NamedQuantity::ObjectKind::probe ||
         (quantity.kind() != 'e' && quantity.kind() != 's'))
       return "";
     const Scene &scene = run.model().scene();
@@ -56,12 +56,12 @@ namespace lamella
                    [&](const Probe &one) { return one.name == quantity.name; });
     if (probe->box.norm() > 0.)
       return "";
-    return lamella::reason_for_no_limit(probe->position,
-                                        probe->body,
-                                        run.model().structure().bodies(),
-                                        scene.supports,
-                                        scene.loads,
-                                        scene.contacts);
+    return lamella::singularity_reason(probe->position,
+                                       probe->body,
+                                       run.model().structure().bodies(),
+                                       scene.supports,
+                                       scene.loads,
+                                       scene.contacts);
   }
 
 
@@ -90,7 +90,7 @@ namespace lamella
 
 
   GoalResult
-  RunGoals::with_bar(const unsigned int number, const ErrorBar &bar) const
+  RunGoals::with_error_bar(const unsigned int number, const ErrorBar &bar) const
   {
     GoalResult result = bare(number);
     result.estimate   = bar.estimate;
@@ -100,7 +100,7 @@ namespace lamella
         result.trusted = bar.trusted;
         result.why     = bar.why;
       }
-    if (result.value == 0. && touches_nothing(run))
+    if (result.value == 0. && has_no_active_contact(run))
       {
         result.trusted = false;
         result.why     = "no contact touches in the last load step";
@@ -111,7 +111,7 @@ namespace lamella
 
 
   bool
-  RunGoals::touches_nothing(const Simulation &run)
+  RunGoals::has_no_active_contact(const Simulation &run)
   {
     const auto &contacts = run.results().last().contacts;
     return !contacts.empty() &&
@@ -135,7 +135,7 @@ namespace lamella
     result.value = values.value(quantity);
     result.unit  = quantity.unit(run.model().scene().units);
     result.scale = scale_of(quantity);
-    if (const std::string reason = reason_for_no_limit(quantity);
+    if (const std::string reason = singularity_reason(quantity);
         !reason.empty())
       {
         result.has_limit = false;

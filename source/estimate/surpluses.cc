@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/local_errors.h>
-#include <lamella/estimate/poorer.h>
 #include <lamella/estimate/surpluses.h>
 #include <lamella/scene/histories.h>
 
@@ -37,8 +37,8 @@ namespace lamella
 
 
   std::string
-  Surpluses::reason_for_none(const Simulation  &run,
-                             const unsigned int least_degree)
+  Surpluses::unavailable_reason(const Simulation  &run,
+                                const unsigned int min_degree)
   {
     if (const ContactPair *contact = first_with_friction(run.model().scene()))
       return "contact " + contact->name + " has friction";
@@ -48,9 +48,9 @@ namespace lamella
       {
         const Beam *const beam = beams[b];
         if (beam == nullptr || !BeamSurplus::is_possible(*beam) ||
-            beam->section().element().degree() < least_degree)
+            beam->section().element().degree() < min_degree)
           return "body " + bodies[b]->name() + " is no beam of LE-" +
-                 std::to_string(least_degree) + " or more";
+                 std::to_string(min_degree) + " or more";
       }
     return "";
   }
@@ -73,7 +73,7 @@ namespace lamella
           std::make_pair(&section_before, &parts.section_before),
           std::make_pair(&axis, &parts.axis),
           std::make_pair(&axis_before, &parts.axis_before)})
-      *answer = std::make_unique<const Answer>(answer_to(*part));
+      *answer = std::make_unique<const Answer>(forces_of_part(*part));
   }
 
 
@@ -91,7 +91,7 @@ namespace lamella
 
 
   Surpluses::Answer
-  Surpluses::answer_to(const BlockVector &v) const
+  Surpluses::forces_of_part(const BlockVector &v) const
   {
     const BlockVector zero = run.model().structure().zero();
     Answer            answer{run.contact_solver().tangent().apply(v), jumps(v)};
@@ -193,7 +193,7 @@ namespace lamella
     const Vector jump = jumps(z);
     for (unsigned int k = 0; k < jump.size(); ++k)
       result.contact -= answer.rows[k] * jump[k];
-    return by_pairs(result, run);
+    return distribute_to_finer(result, run);
   }
 
 

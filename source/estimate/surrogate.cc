@@ -21,7 +21,7 @@ namespace lamella
         const Theory &other  = next.bodies[b].theory;
         if (theory.is_layerwise() && other.has_responses())
           {
-            theory   = theory.from_solutions(other.order);
+            theory   = theory.to_saint_venant(other.order);
             replaces = true;
           }
       }

@@ -9,7 +9,7 @@
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/goal_bars.h>
-#include <lamella/estimate/start.h>
+#include <lamella/estimate/initial_model.h>
 #include <lamella/estimate/surrogate.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/report/fields_table.h>
@@ -28,11 +28,11 @@ namespace lamella
     /// Throws NumericsError if no contact of @p run touches in its last step
     /// and all goals are zero.
     void
-    require_touch(const Simulation &run)
+    check_active_contact(const Simulation &run)
     {
       const RunGoals goals(run);
       const auto    &all = goals.quantities();
-      if (RunGoals::touches_nothing(run) &&
+      if (RunGoals::has_no_active_contact(run) &&
           std::all_of(all.begin(), all.end(), [&goals](const auto &quantity) {
             return goals.numbers().value(quantity) == 0.;
           }))
@@ -45,24 +45,25 @@ namespace lamella
 
 
   ToleranceRun::ToleranceRun(const Scene &said, std::ostream &out)
-    : scene(start_of(said))
+    : scene(initial_model(said))
     , out(out)
   {
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      begins_equal.push_back(said.bodies[b].axis.fineness > 0. &&
-                             scene.bodies[b].axis.fineness == 0.);
+      starts_with_equal_elements.push_back(
+        said.bodies[b].axis.refinement_factor > 0. &&
+        scene.bodies[b].axis.refinement_factor == 0.);
   }
 
 
 
   void
-  ToleranceRun::keep_ends(const Scene &first)
+  ToleranceRun::store_element_ends(const Scene &first)
   {
     for (unsigned int b = 0; b < first.bodies.size(); ++b)
       {
         kept.emplace_back();
         double end = 0.;
-        if (!begins_equal[b])
+        if (!starts_with_equal_elements[b])
           for (const double length : element_lengths(first.bodies[b].axis))
             kept.back().push_back(end += length);
       }
@@ -77,7 +78,7 @@ namespace lamella
       return std::make_unique<Simulation>(scene, progress, rules);
     };
     auto next = built();
-    if (passes.all().empty() && begin_with_layers(scene, next->model()))
+    if (passes.all().empty() && start_with_layerwise(scene, next->model()))
       next = built();
     const double most = scene.goals.budget_dofs;
     if (most > 0 && next->results().n_dofs() > most)
@@ -97,25 +98,25 @@ namespace lamella
     // Only the results of the pass before are needed: its factorization is
     // freed before the next one.
     if (simulation != nullptr)
-      simulation->forget_solver();
+      simulation->release_solver();
     std::ostream nowhere(nullptr);
     auto         next = next_model(nowhere);
     out << "Pass " << number << ": " << next->results().n_dofs() << " DoFs"
         << std::endl;
     next->solve();
     check_loads(*next);
-    require_touch(*next);
+    check_active_contact(*next);
     cache.keep({for_estimates(*next),
                 ResultNumbers(next->results()),
                 sizes_of(next->model())});
     if (simulation == nullptr)
-      keep_ends(next->model().scene());
+      store_element_ends(next->model().scene());
     Pass pass;
     pass.dofs  = next->results().n_dofs();
-    pass.goals = bars_of(*next, out, cache).goals;
-    require_some_bar(pass.goals);
-    for (unsigned int g = 0; g < lost_by_fields.size(); ++g)
-      hold_share(pass.goals[g], Source::fields, lost_by_fields[g]);
+    pass.goals = error_bars_of(*next, out, cache).goals;
+    check_any_bar(pass.goals);
+    for (unsigned int g = 0; g < surrogate_errors.size(); ++g)
+      raise_share(pass.goals[g], Source::fields, surrogate_errors[g]);
     pass.seconds = wall.wall_time();
     for (const BodySummary &body : next->results().bodies)
       pass.theories +=
@@ -127,7 +128,7 @@ namespace lamella
 
 
   void
-  ToleranceRun::require_some_bar(const std::vector<GoalResult> &goals) const
+  ToleranceRun::check_any_bar(const std::vector<GoalResult> &goals) const
   {
     const auto has_none = [](const GoalResult &goal) {
       return !goal.trusted && goal.shares.empty();
@@ -163,7 +164,7 @@ namespace lamella
 
 
   bool
-  ToleranceRun::is_late() const
+  ToleranceRun::is_time_exceeded() const
   {
     // The decision has to be the same on all processes.
     return scene.goals.budget_seconds > 0. &&
@@ -177,7 +178,7 @@ namespace lamella
   ToleranceRun::reason_to_stop() const
   {
     const std::string reason = passes.reason_to_stop();
-    return reason.empty() && is_late() ?
+    return reason.empty() && is_time_exceeded() ?
              "the budget of " + to_text(scene.goals.budget_seconds) +
                " s is spent" :
              reason;
@@ -186,7 +187,8 @@ namespace lamella
 
 
   Scene
-  ToleranceRun::with_less_of(Scene next, const PlanRules &plan_rules) const
+  ToleranceRun::refined_in_sources(Scene            next,
+                                   const PlanRules &plan_rules) const
   {
     const std::vector<BodySize> sizes = sizes_of(simulation->model());
     for (const Source source : refined.sources)
@@ -210,25 +212,26 @@ namespace lamella
     // Other fields have other errors along the axis; those of EBBT do not
     // apply.
     if (!wants(Source::fields))
-      next = merged(next, kept, passes.active_goals(), pass_rules.most_merged);
+      next =
+        merged(next, kept, passes.active_goals(), pass_rules.max_merged_share);
     if (wants(Source::axis))
       refined.marked = marked_elements(next,
-                                       passes.next_goals(),
-                                       pass_rules.most_left,
-                                       pass_rules.least_done);
+                                       passes.open_goals(),
+                                       pass_rules.max_remaining_share,
+                                       pass_rules.min_bisected_share);
     PlanRules plan_rules;
     if (passes.degrees_stall())
       plan_rules.corner_degree = plan_rules.first_degree;
-    Scene richer = with_less_of(next, plan_rules);
+    Scene richer = refined_in_sources(next, plan_rules);
     if (const auto lost = surrogate_error(*simulation, richer, out, cache);
-        !lost.empty() && !passes.can_lose(lost))
+        !lost.empty() && !passes.is_loss_acceptable(lost))
       {
-        plan_rules.most_dofs_of_layers = std::numeric_limits<double>::max();
-        richer                         = with_less_of(next, plan_rules);
+        plan_rules.max_layerwise_dofs = std::numeric_limits<double>::max();
+        richer                        = refined_in_sources(next, plan_rules);
       }
     else if (!lost.empty())
-      lost_by_fields = lost;
-    scene = with_levels_below(richer);
+      surrogate_errors = lost;
+    scene = with_min_degree(richer);
   }
 
 
@@ -289,10 +292,10 @@ namespace lamella
     if (!is_root_process())
       return;
     write_file(directory + "/passes.csv", table());
-    say_if_interrupted("interrupted. " + directory +
-                       " has the results of pass " +
-                       std::to_string(passes.all().size()) +
-                       ". A run to a Tolerance begins anew.");
+    set_interruption_message("interrupted. " + directory +
+                             " has the results of pass " +
+                             std::to_string(passes.all().size()) +
+                             ". A run to a Tolerance begins anew.");
   }
 
 
@@ -301,7 +304,8 @@ namespace lamella
   ToleranceRun::print_end(const std::string &reason) const
   {
     const std::size_t n = passes.all().size();
-    out << (passes.all_met() ? "\nDone in " : "\nNot all goals are met after ")
+    out << (passes.all_goals_met() ? "\nDone in " :
+                                     "\nNot all goals are met after ")
         << n << (n == 1 ? " pass: " : " passes: ") << reason << "."
         << std::endl;
   }
@@ -313,9 +317,10 @@ namespace lamella
   {
     std::string reason;
     if (is_root_process())
-      say_if_interrupted("interrupted in the first pass: nothing of this run "
-                         "is in " +
-                         directory + ".");
+      set_interruption_message(
+        "interrupted in the first pass: nothing of this run "
+        "is in " +
+        directory + ".");
     while (reason.empty())
       {
         try
@@ -326,7 +331,7 @@ namespace lamella
           {
             if (passes.all().empty())
               throw;
-            reason = without_full_stop(error.what());
+            reason = strip_period(error.what());
             break;
           }
         write_pass(directory);
@@ -336,7 +341,7 @@ namespace lamella
           break;
         refine();
       }
-    say_if_interrupted("");
+    set_interruption_message("");
     print_results(*simulation, directory, out);
     print_end(reason);
   }

@@ -168,7 +168,7 @@ namespace lamella
 
 
   double *
-  BlockFactor::begin_of(const DofIndex dof, const unsigned int block)
+  BlockFactor::column_begin(const DofIndex dof, const unsigned int block)
   {
     const unsigned int s = pattern.block_of[dof];
     double *const      begin =
@@ -194,15 +194,15 @@ namespace lamella
   double &
   BlockFactor::diagonal(const DofIndex dof)
   {
-    return begin_of(dof, pattern.block_of[dof])[dof];
+    return column_begin(dof, pattern.block_of[dof])[dof];
   }
 
 
 
   void
-  BlockFactor::break_down(const unsigned int s,
-                          const blas_int     pivot,
-                          const std::string &what) const
+  BlockFactor::throw_not_definite(const unsigned int s,
+                                  const blas_int     pivot,
+                                  const std::string &what) const
   {
     const std::size_t number = pattern.column[s] + pivot;
     throw NotPositiveDefinite(
@@ -225,7 +225,7 @@ namespace lamella
         const double pivot = entries(s)[std::size_t(i) * pattern.height(s) + i];
         // Nor where the matrix holds what is no number.
         if (!(pivot > 0.) || !std::isfinite(pivot))
-          break_down(s, i + 1, what);
+          throw_not_definite(s, i + 1, what);
         least = std::min(least, pivot);
         most  = std::max(most, pivot);
       }
@@ -246,7 +246,7 @@ namespace lamella
         blas_int       info  = 0;
         dealii::potrf("L", &w, L, &h, &info);
         if (info != 0)
-          break_down(s, info, what);
+          throw_not_definite(s, info, what);
         const auto [smallest, largest] = pivots(s, what);
         least                          = std::min(least, smallest);
         most                           = std::max(most, largest);
@@ -258,9 +258,9 @@ namespace lamella
       }
     reciprocal = least * least / (most * most);
     if (!(reciprocal > 0.))
-      break_down(pattern.n_blocks() - 1,
-                 pattern.width(pattern.n_blocks() - 1),
-                 what);
+      throw_not_definite(pattern.n_blocks() - 1,
+                         pattern.width(pattern.n_blocks() - 1),
+                         what);
   }
 
 
@@ -299,7 +299,7 @@ namespace lamella
                          L + left->row,
                          &h,
                          &one,
-                         begin_of(pattern.first_dof[t], right->block) +
+                         column_begin(pattern.first_dof[t], right->block) +
                            pattern.first_dof[right->block],
                          &h_t);
           }

@@ -3,7 +3,7 @@
 #include <lamella/linear/block_factor.h>
 #include <lamella/linear/block_factorization.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/linear/half_solved_rows.h>
+#include <lamella/linear/forward_solved_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,8 +102,8 @@ namespace lamella
                                            const SolverMonitor  &monitor)
       : factor(BlockPattern(terms, blocks, constraints))
     {
-      if (monitor.sized)
-        monitor.sized({non_zeros(), 8. * non_zeros()});
+      if (monitor.factor_sized)
+        monitor.factor_sized({non_zeros(), 8. * non_zeros()});
       try
         {
           factor.allocate();
@@ -132,7 +132,7 @@ namespace lamella
       for (const auto &[i, of_u] : u)
         for (const auto &[j, of_v] : v)
           if (block_of[j] >= block_of[i])
-            factor.begin_of(i, block_of[j])[j] += value * of_u * of_v;
+            factor.column_begin(i, block_of[j])[j] += value * of_u * of_v;
     }
 
 
@@ -164,7 +164,7 @@ namespace lamella
           if (block_of[j] != current)
             {
               current = block_of[j];
-              to      = factor.begin_of(row, current);
+              to      = factor.column_begin(row, current);
             }
           if (to != nullptr)
             to[j] += weight * values[k];
@@ -254,7 +254,7 @@ namespace lamella
     std::unique_ptr<SolvedRows>
     BlockFactorization::solved_rows() const
     {
-      return half_solved(factor.view(), [this](Vector &x) {
+      return make_forward_solved(factor.view(), [this](Vector &x) {
         factor.backward(x.begin(), 1);
         const auto &permutation = factor.where().permutation;
         Vector      y(x.size());

@@ -152,8 +152,8 @@ namespace lamella
                 "more, or a less slender body.");
             }
           taken.iterations += control.last_step();
-          taken.most_iterations =
-            std::max(taken.most_iterations, control.last_step());
+          taken.max_iterations_per_solve =
+            std::max(taken.max_iterations_per_solve, control.last_step());
         }
       x = 0.;
       for (const DofIndex i : owned)
@@ -183,9 +183,9 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  iterate(std::shared_ptr<const SharedMatrix> matrix,
-          const std::vector<Vector>          &near_null_space,
-          const std::string                  &what)
+  make_conjugate_gradients(std::shared_ptr<const SharedMatrix> matrix,
+                           const std::vector<Vector>          &near_null_space,
+                           const std::string                  &what)
   {
     return std::make_unique<ConjugateGradients>(std::move(matrix),
                                                 near_null_space,

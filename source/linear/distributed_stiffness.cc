@@ -353,7 +353,7 @@ namespace lamella
                                     const FactorMonitor &monitor) const
     {
       if (kind == SolverKind::cg)
-        return iterate(matrix, near_null_space, what);
+        return make_conjugate_gradients(matrix, near_null_space, what);
       UpperTriangle entries;
       // Where the upper half leans to other processes it is a little more.
       const std::size_t half =

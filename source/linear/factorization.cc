@@ -3,7 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/linear/half_solved_rows.h>
+#include <lamella/linear/forward_solved_rows.h>
 
 #include <cholmod.h>
 
@@ -287,7 +287,8 @@ namespace lamella
     std::unique_ptr<SolvedRows>
     CholmodFactorization::solved_rows() const
     {
-      return half_solved(supernodes(), [this](Vector &x) { backward(x); });
+      return make_forward_solved(supernodes(),
+                                 [this](Vector &x) { backward(x); });
     }
   } // namespace
 

@@ -25,6 +25,7 @@ namespace lamella
            (n == 0 ? "" :
                      " of " + to_text(statistics.iterations / n, 3) +
                        " iterations on average, " +
-                       std::to_string(statistics.most_iterations) + " at most");
+                       std::to_string(statistics.max_iterations_per_solve) +
+                       " at most");
   }
 } // namespace lamella

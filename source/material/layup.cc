@@ -14,7 +14,7 @@ namespace lamella
     parse_angle(const std::string &piece)
     {
       const auto is_number = [](const std::string &text) {
-        return fault_of_number(text).rule.empty();
+        return number_error(text).rule.empty();
       };
       static const std::regex pair(R"((\+-|-\+)\s*([0-9.]+))");
       std::smatch             match;

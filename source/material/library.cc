@@ -68,7 +68,7 @@ namespace lamella
     /// The paper's Tables 3 and 7, its core and its half-cylinders. Strengths:
     /// Camanho, Maimi and Davila, Compos. Sci. Technol. 67 (2007) 2715-2727.
     void
-    add_those_of_the_paper(std::vector<LibraryMaterial> &all)
+    add_paper_materials(std::vector<LibraryMaterial> &all)
     {
       Material carbon(EngineeringConstants{
         165e9, 9e9, 9e9, 5.6e9, 5.6e9, 2.8e9, 0.34, 0.34, 0.5});
@@ -127,12 +127,12 @@ namespace lamella
     void
     add_fabric(std::vector<LibraryMaterial> &all)
     {
-      Material fabric(EngineeringConstants{
+      Material oriented_material(EngineeringConstants{
         77e9, 75e9, 13.8e9, 6.5e9, 5.1e9, 4.1e9, 0.06, 0.5, 0.37});
-      fabric.strengths =
+      oriented_material.strengths =
         Strengths{963e6, 900e6, 856e6, 900e6, 60e6, 813e6, 71e6, 75e6, 65e6};
-      fabric.density = 1600.;
-      all.push_back({"woven-carbon-epoxy", fabric});
+      oriented_material.density = 1600.;
+      all.push_back({"woven-carbon-epoxy", oriented_material});
     }
 
 
@@ -188,7 +188,7 @@ namespace lamella
     {
       static const std::vector<LibraryMaterial> all = [] {
         std::vector<LibraryMaterial> some;
-        add_those_of_the_paper(some);
+        add_paper_materials(some);
         add_plies(some);
         add_fabric(some);
         add_metals(some);

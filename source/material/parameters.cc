@@ -195,7 +195,7 @@ namespace lamella
     is_isotropic(const EngineeringConstants &c)
     {
       const auto same = [](const double a, const double b) {
-        return std::abs(a - b) <= arithmetic::as_written * std::abs(b);
+        return std::abs(a - b) <= arithmetic::decimal_tolerance * std::abs(b);
       };
       const double G = 0.5 * c.E1 / (1. + c.nu12);
       return same(c.E2, c.E1) && same(c.E3, c.E1) && same(c.nu13, c.nu12) &&

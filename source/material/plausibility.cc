@@ -41,9 +41,9 @@ namespace lamella
 
 
   std::string
-  doubt_of_moduli(const std::string &name,
-                  const Material    &material,
-                  const Units       &units)
+  moduli_warning(const std::string &name,
+                 const Material    &material,
+                 const Units       &units)
   {
     // Of soft foams and of diamond, in pascals.
     constexpr double softest = 1e6, stiffest = 2e12;
@@ -168,7 +168,7 @@ namespace lamella
 
 
     std::string
-    doubt_of_strains(const Strengths &strains, const double most)
+    ultimate_strain_warning(const Strengths &strains, const double most)
     {
       const auto &[Xt, Xc, Yt, Yc, Zt, Zc, S12, S13, S23] = strains;
       const double largest = std::max({Xt, Xc, Yt, Yc, Zt, Zc, S12, S13, S23});
@@ -182,7 +182,7 @@ namespace lamella
 
 
     std::string
-    doubt_of_density(const double density, const Units &units)
+    density_warning(const double density, const Units &units)
     {
       // Lower limit: aerogels; upper limit: osmium [kg/m^3].
       constexpr double lightest = 5., heaviest = 25000.;
@@ -203,7 +203,7 @@ namespace lamella
 
 
     std::string
-    doubt_of_expansion(const dealii::Tensor<1, 3> &alpha)
+    expansion_warning(const dealii::Tensor<1, 3> &alpha)
     {
       constexpr double most = 1e-3;
       const double     largest =
@@ -219,23 +219,23 @@ namespace lamella
 
 
   std::vector<std::string>
-  doubts_of_material(const std::string &name,
-                     const Material    &material,
-                     const Units       &units)
+  material_warnings(const std::string &name,
+                    const Material    &material,
+                    const Units       &units)
   {
     // Limits for strengths: concrete in tension, whiskers. Limits for shear
     // moduli: stiffest fibers with resin, laminates at 45 degrees. Numbers in
     // another unit are off by a factor of a thousand.
     constexpr double weakest = 1. / 10000., strongest = 0.3, least_shear = 1e-3,
                      most_shear = 10.;
-    std::vector<std::string> doubts;
+    std::vector<std::string> plausibility_warnings;
     const auto               add = [&](const std::string &doubt) {
       if (!doubt.empty())
-        doubts.push_back("material " + name + ": " + doubt);
+        plausibility_warnings.push_back("material " + name + ": " + doubt);
     };
-    if (const std::string doubt = doubt_of_moduli(name, material, units);
+    if (const std::string doubt = moduli_warning(name, material, units);
         !doubt.empty())
-      doubts.push_back(doubt);
+      plausibility_warnings.push_back(doubt);
     std::string ratio = worst_ratio(shear_ratios(material.elastic),
                                     least_shear,
                                     most_shear,
@@ -245,11 +245,11 @@ namespace lamella
       ratio = worst_ratio(strength_ratios(material), weakest, strongest, units);
     add(ratio);
     if (material.ultimate_strains)
-      add(doubt_of_strains(*material.ultimate_strains, strongest));
+      add(ultimate_strain_warning(*material.ultimate_strains, strongest));
     if (material.density)
-      add(doubt_of_density(*material.density, units));
+      add(density_warning(*material.density, units));
     if (material.expansion)
-      add(doubt_of_expansion(*material.expansion));
-    return doubts;
+      add(expansion_warning(*material.expansion));
+    return plausibility_warnings;
   }
 } // namespace lamella

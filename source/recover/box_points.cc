@@ -130,7 +130,7 @@ namespace lamella
             most           = std::max(most, own.size());
             breaks.insert(breaks.end(), own.begin(), own.end());
           }
-        breaks = tidy_breaks(std::move(breaks));
+        breaks = merge_breaks(std::move(breaks));
         if (breaks.size() == most)
           return breaks;
         std::vector<double> finer;
@@ -181,7 +181,7 @@ namespace lamella
              const Tensor<1, 3> &edges,
              const std::string  &path)
   {
-    const auto             at_middle = locate_sides(body, {middle}, path);
+    const auto             at_middle = locate_in_plies(body, {middle}, path);
     std::vector<BoxPoints> sides;
     if (edges.norm() == 0.)
       {

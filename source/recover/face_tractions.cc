@@ -112,7 +112,7 @@ namespace lamella
     for (const SurfaceLoad &load : all.loads)
       if (load.region.body == face.body && load.region.covers(face.surface))
         t += load.factor * (*load.traction)(x, face.normal);
-    for (const Pressing &contact : contacts)
+    for (const ContactOnFace &contact : contacts)
       {
         const ContactTraction::Value value =
           contact.traction->on_line(x, face.normal, contact.reach);

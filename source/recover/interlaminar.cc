@@ -219,7 +219,7 @@ namespace lamella
 
 
   EquilibriumDefect
-  EquilibriumStress::take_defect()
+  EquilibriumStress::reset_defect()
   {
     return std::exchange(defect, EquilibriumDefect());
   }
@@ -229,7 +229,7 @@ namespace lamella
   const EquilibriumStress::Column &
   EquilibriumStress::column_at(const double x, const double y)
   {
-    const double              unit = arithmetic::same_place * box.size.norm();
+    const double unit = arithmetic::same_position * box.size.norm();
     const std::array<long, 2> key{
       {std::lround(x / unit), std::lround(y / unit)}};
     const auto known = columns.find(key);

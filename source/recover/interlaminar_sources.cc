@@ -45,7 +45,8 @@ namespace lamella
       const auto [low, high] =
         std::minmax_element(points.begin(), points.end());
       const double origin = *low,
-                   length = std::max(*high - *low, arithmetic::above_zero);
+                   length =
+                     std::max(*high - *low, arithmetic::smallest_divisor);
       const unsigned int               n = degree + 1;
       std::vector<std::vector<double>> values(points.size());
       std::vector<std::vector<double>> here(n);
@@ -154,7 +155,8 @@ namespace lamella
     for (Profile &profile : all.strain)
       profile.reinit(2 * size);
     all.normal.reinit(size);
-    const std::vector<EdgeShare> edges_here = edge_shares(layers, x, y);
+    const std::vector<FreeEdgeCorrection> edges_here =
+      free_edge_corrections(layers, x, y);
     for (unsigned int k = 0; k < layers.size(); ++k)
       {
         const Point<3> middle(x, y, 0.5 * (layers[k].bottom + layers[k].top));
@@ -173,7 +175,7 @@ namespace lamella
   const EquilibriumStress::Sampled &
   EquilibriumStress::sampled_at(const Point<3> &x, const unsigned int ply)
   {
-    const double        unit = arithmetic::same_place * box.size.norm();
+    const double        unit = arithmetic::same_position * box.size.norm();
     std::array<long, 3> key;
     for (unsigned int d = 0; d < 3; ++d)
       key[d] = std::lround(x[d] / unit);
@@ -197,8 +199,9 @@ namespace lamella
 
 
 
-  EquilibriumStress::EdgeShape
-  EquilibriumStress::edge_shape(const unsigned int side, const double x) const
+  EquilibriumStress::FreeEdgeDecay
+  EquilibriumStress::free_edge_decay(const unsigned int side,
+                                     const double       x) const
   {
     // sinh((W - d) / l) / sinh(W / l), d from the side, without overflow.
     const double W    = box.size[0] / decay,
@@ -212,11 +215,11 @@ namespace lamella
 
 
   const std::vector<Tensor<1, 5>> &
-  EquilibriumStress::edge_stress(const unsigned int        side,
-                                 const std::vector<Layer> &layers,
-                                 const double              y)
+  EquilibriumStress::free_edge_stress(const unsigned int        side,
+                                      const std::vector<Layer> &layers,
+                                      const double              y)
   {
-    const double unit = arithmetic::same_place * box.size.norm();
+    const double unit = arithmetic::same_position * box.size.norm();
     const auto [known, is_new] =
       edges.try_emplace({{long(side), std::lround(y / unit)}});
     if (!is_new)
@@ -251,19 +254,19 @@ namespace lamella
 
 
 
-  std::vector<EquilibriumStress::EdgeShare>
-  EquilibriumStress::edge_shares(const std::vector<Layer> &layers,
-                                 const double              x,
-                                 const double              y)
+  std::vector<EquilibriumStress::FreeEdgeCorrection>
+  EquilibriumStress::free_edge_corrections(const std::vector<Layer> &layers,
+                                           const double              x,
+                                           const double              y)
   {
-    constexpr double       nothing = arithmetic::rounding_of_results;
-    std::vector<EdgeShare> shares(layers.size() * samples.size());
+    constexpr double                nothing = arithmetic::rounding_of_results;
+    std::vector<FreeEdgeCorrection> shares(layers.size() * samples.size());
     for (const unsigned int side : {0, 1})
       {
-        const EdgeShape shape = edge_shape(side, x);
+        const FreeEdgeDecay shape = free_edge_decay(side, x);
         if (!is_free[side] || std::abs(shape.slope) * decay < nothing)
           continue;
-        const auto &stress = edge_stress(side, layers, y);
+        const auto &stress = free_edge_stress(side, layers, y);
         for (unsigned int k = 0; k < shares.size(); ++k)
           {
             shares[k].of_value += shape.value * stress[k];
@@ -310,12 +313,13 @@ namespace lamella
 
 
   void
-  EquilibriumStress::add_sources(const unsigned int            k,
-                                 const Layer                  &layer,
-                                 const std::vector<EdgeShare> &edges_here,
-                                 const Stencil                &along_x,
-                                 const Stencil                &along_y,
-                                 Sources                      &all)
+  EquilibriumStress::add_sources(
+    const unsigned int                     k,
+    const Layer                           &layer,
+    const std::vector<FreeEdgeCorrection> &edges_here,
+    const Stencil                         &along_x,
+    const Stencil                         &along_y,
+    Sources                               &all)
   {
     const unsigned int n = nodes.size(), size = all.normal.size();
     for (unsigned int q = 0; q < samples.size(); ++q)
@@ -324,7 +328,7 @@ namespace lamella
         // d[a][b] is the derivative a times along x and b times along y.
         Derivatives d =
           derivatives_at(z, layer.ply, along_x, along_y, all.in_plane);
-        const EdgeShare &edge = edges_here[k * samples.size() + q];
+        const FreeEdgeCorrection &edge = edges_here[k * samples.size() + q];
         for (unsigned int b = 0; b < 5; ++b)
           {
             d[0][b][s_xy] -= edge.of_value[b];

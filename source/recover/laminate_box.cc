@@ -14,7 +14,7 @@ namespace lamella
   namespace
   {
     // Of lengths, what is rounding.
-    constexpr double rounding = arithmetic::same_place_across;
+    constexpr double rounding = arithmetic::same_position_across;
 
 
 
@@ -152,7 +152,7 @@ namespace lamella
     /// Refuses a section, with the cells @p cells in @p frame, that has
     /// different plies at one height.
     void
-    refuse_side_by_side(const Body                        &body,
+    check_stacked_plies(const Body                        &body,
                         const Placement                   &frame,
                         const std::vector<BoundingBox<2>> &cells,
                         const std::string                 &path)
@@ -191,7 +191,7 @@ namespace lamella
     box.frame        = Placement::from_directions(Point<3>(), along, up);
     const auto cells = rectangles(body, box.frame, path);
 
-    refuse_side_by_side(body, box.frame, cells, path);
+    check_stacked_plies(body, box.frame, cells, path);
     std::vector<Point<2>> corners;
     double                area = 0.;
     for (const BoundingBox<2> &cell : cells)

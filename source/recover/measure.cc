@@ -45,7 +45,7 @@ namespace lamella
     sides_of(const Entry &entry)
     {
       if (entry.is_empty())
-        entry.is_missing("write PROBE: COLUMN - PROBE: COLUMN.");
+        entry.refuse_missing("write PROBE: COLUMN - PROBE: COLUMN.");
       const std::string &text  = entry.text();
       const auto         minus = text.find(difference);
       if (minus == std::string::npos ||
@@ -86,14 +86,14 @@ namespace lamella
   {
     const Entry   of = in["Difference"];
     NamedQuantity quantity;
-    quantity.of     = NamedQuantity::Of::measure;
+    quantity.of     = NamedQuantity::ObjectKind::measure;
     quantity.name   = name;
     quantity.column = "value";
     quantity.path   = of.path();
     std::vector<dealii::Point<3>> places;
     for (const Entry &side : sides_of(of))
       {
-        const NamedQuantity term = parse_of_probe(side, probes);
+        const NamedQuantity term = parse_probe_quantity(side, probes);
         for (const Probe &probe : probes)
           if (probe.name == term.name)
             places.push_back(probe.position);
@@ -108,7 +108,7 @@ namespace lamella
       of.refuse("is zero whatever happens", "Name two probes, or two columns.");
     quantity.over =
       parse_over(in["Divided by"], places.front().distance(places.back()));
-    quantity.is_plain =
+    quantity.keeps_unit =
       quantity.over == 1. && in["Divided by"].text() != "distance";
     const std::vector<Reference> references =
       parse_references(in["References"], {quantity.column});

@@ -35,7 +35,7 @@ namespace lamella
   char
   NamedQuantity::kind() const
   {
-    return of == Of::measure ? terms[0].kind() : kind_of_column(column);
+    return of == ObjectKind::measure ? terms[0].kind() : kind_of_column(column);
   }
 
 
@@ -43,7 +43,7 @@ namespace lamella
   std::string
   NamedQuantity::unit(const Units &units) const
   {
-    if (!is_plain)
+    if (!keeps_unit)
       return "";
     switch (kind())
       {
@@ -92,7 +92,7 @@ namespace lamella
 
     /// What contacts have beside components.
     const std::vector<std::string> &
-    of_what_presses()
+    contact_quantity_names()
     {
       static const std::vector<std::string> names{
         "pressure", "width", "width x", "width y", "width z", "dissipated"};
@@ -181,15 +181,15 @@ namespace lamella
       std::vector<std::string> columns = components();
       if (of_contact)
         columns.insert(columns.end(),
-                       of_what_presses().begin(),
-                       of_what_presses().end());
+                       contact_quantity_names().begin(),
+                       contact_quantity_names().end());
       if (std::find(columns.begin(), columns.end(), column) == columns.end())
         text.refuse(name + " is no probe but a " +
                     (of_contact ? "contact" : "resultant") +
                     ": its quantities are " + joined(columns));
-      quantity.strip = strip;
-      quantity.of =
-        of_support ? NamedQuantity::Of::support : NamedQuantity::Of::contact;
+      quantity.strip  = strip;
+      quantity.of     = of_support ? NamedQuantity::ObjectKind::support :
+                                     NamedQuantity::ObjectKind::contact;
       quantity.name   = name;
       quantity.column = column;
       quantity.path   = text.path();
@@ -209,8 +209,12 @@ namespace lamella
                 const std::vector<std::string> &place,
                 const std::string              &column)
     {
-      NamedQuantity quantity{
-        NamedQuantity::Of::probe, probe.name, 0, column, {}, text.path()};
+      NamedQuantity quantity{NamedQuantity::ObjectKind::probe,
+                             probe.name,
+                             0,
+                             column,
+                             {},
+                             text.path()};
       if (place.size() > 1)
         {
           constexpr double most = 1e6;
@@ -234,7 +238,7 @@ namespace lamella
 
 
   NamedQuantity
-  parse_of_probe(const Entry &text, const std::vector<Probe> &probes)
+  parse_probe_quantity(const Entry &text, const std::vector<Probe> &probes)
   {
     const auto parts = text.items(':');
     if (parts.size() != 2)
@@ -281,7 +285,7 @@ namespace lamella
         }
     const NamedQuantity resultant =
       find_resultant(text, parts[0], parts[1], names);
-    if (resultant.of == NamedQuantity::Of::undefined)
+    if (resultant.of == NamedQuantity::ObjectKind::undefined)
       text.refuse("no probe, measure, support or contact is called '" +
                     parts[0] + "'",
                   "The nearest is '" +
@@ -338,9 +342,9 @@ namespace lamella
                              std::vector<std::string> &others)
   {
     std::vector<NamedQuantity> quantities;
-    const auto                 add = [&](const NamedQuantity::Of       of,
-                         const std::string            &name,
-                         const std::vector<Reference> &references) {
+    const auto                 add = [&](const NamedQuantity::ObjectKind of,
+                         const std::string              &name,
+                         const std::vector<Reference>   &references) {
       std::set<std::string> seen;
       for (const Reference &reference : references)
         if (seen.insert(reference.quantity).second)
@@ -353,7 +357,7 @@ namespace lamella
     };
     for (const Probe &probe : names.probes)
       {
-        add(NamedQuantity::Of::probe, probe.name, probe.references);
+        add(NamedQuantity::ObjectKind::probe, probe.name, probe.references);
         if (probe.references.empty())
           others.push_back(probe.name);
       }
@@ -361,17 +365,17 @@ namespace lamella
       if (!measure.references.empty())
         quantities.push_back(measure.quantity);
     for (const auto &[name, references] : names.supports)
-      add(NamedQuantity::Of::support, name, references);
+      add(NamedQuantity::ObjectKind::support, name, references);
     for (const auto &[name, references] : names.contacts)
-      add(NamedQuantity::Of::contact, name, references);
+      add(NamedQuantity::ObjectKind::contact, name, references);
     return quantities;
   }
 
 
 
   void
-  require_ply(const NamedQuantity            &quantity,
-              const std::vector<std::string> &plies)
+  check_ply(const NamedQuantity            &quantity,
+            const std::vector<std::string> &plies)
   {
     if (quantity.ply == 0 ||
         std::find(plies.begin(), plies.end(), std::to_string(quantity.ply)) !=

@@ -35,7 +35,8 @@ namespace lamella
     /// Takes the part along the unit vector @p vector off the values @p rest at
     /// the points, and returns it.
     FieldValues
-    take_off(const std::vector<double> &vector, std::vector<FieldValues> &rest)
+    subtract_assumed_strain(const std::vector<double> &vector,
+                            std::vector<FieldValues>  &rest)
     {
       FieldValues amount;
       for (unsigned int i = 0; i < rest.size(); ++i)
@@ -173,7 +174,7 @@ namespace lamella
         for (double &value : expansion)
           value /= left;
 
-        const FieldValues amount = take_off(vector, rest);
+        const FieldValues amount = subtract_assumed_strain(vector, rest);
         for (unsigned int j = 0; j <= k; ++j)
           coefficients[j] += expansion[j] * amount;
         vectors.push_back(std::move(vector));

@@ -43,7 +43,7 @@ namespace lamella
 
 
   std::vector<SurfacePoint>
-  Plausibility::some_nodes(const unsigned int b) const
+  Plausibility::sample_nodes(const unsigned int b) const
   {
     const std::vector<SurfacePoint> points = bodies[b]->surface_points("all");
     std::vector<SurfacePoint>       some;
@@ -193,9 +193,9 @@ namespace lamella
 
 
   Plausibility::CurrentBody
-  Plausibility::moved_by(const Vector                    &u,
-                         const unsigned int               b,
-                         const std::vector<SurfacePoint> &points) const
+  Plausibility::make_current_body(const Vector                    &u,
+                                  const unsigned int               b,
+                                  const std::vector<SurfacePoint> &points) const
   {
     CurrentBody moved;
     for (const SurfacePoint &point : points)
@@ -214,9 +214,9 @@ namespace lamella
 
 
   void
-  Plausibility::add_doubts_of_units(const std::vector<CurrentBody> &moved,
-                                    const bool                      is_rigid,
-                                    std::vector<std::string> &sentences) const
+  Plausibility::add_unit_warnings(const std::vector<CurrentBody> &moved,
+                                  const bool                      is_rigid,
+                                  std::vector<std::string> &sentences) const
   {
     const std::string remedy =
       ". Check loads and displacements, and that all numbers are in Units = " +
@@ -267,7 +267,7 @@ namespace lamella
                                        });
     if (!is_driven && !structure.is_heated() &&
         farthest->displacement.value >
-          arithmetic::as_written * structure.size())
+          arithmetic::decimal_tolerance * structure.size())
       sentences.push_back(
         "body " + bodies[farthest - moved.begin()]->name() + " moves by " +
         to_text(farthest->displacement.value, 3) + " at " +
@@ -280,9 +280,9 @@ namespace lamella
 
 
   std::vector<std::string>
-  Plausibility::doubts(const BlockVector &u,
-                       const Checks      &checks,
-                       const bool         last)
+  Plausibility::plausibility_warnings(const BlockVector &u,
+                                      const Checks      &checks,
+                                      const bool         last)
   {
     const bool is_rigid =
       std::none_of(checks.energies.begin(),
@@ -298,15 +298,15 @@ namespace lamella
           {
             if (known.size() == b)
               known.push_back((this->*points_of)(b));
-            moved.push_back(moved_by(u.block(b), b, known[b]));
+            moved.push_back(make_current_body(u.block(b), b, known[b]));
           }
         return moved;
       };
     if (!units.length.empty() || is_rigid)
       {
-        const auto moved = current_points(nodes, &Plausibility::some_nodes);
+        const auto moved = current_points(nodes, &Plausibility::sample_nodes);
         if (!units.length.empty())
-          add_doubts_of_units(moved, is_rigid, sentences);
+          add_unit_warnings(moved, is_rigid, sentences);
         if (is_rigid && last)
           add_rigid_motion(moved, sentences);
       }

@@ -23,7 +23,7 @@ namespace lamella
 
 
     void
-    put_values(const FieldValues &values, FieldSample &sample)
+    set_values_of_sample(const FieldValues &values, FieldSample &sample)
     {
       unsigned int k = 0;
       for (Voigt *part : {&sample.strain, &sample.stress, &sample.ply_stress})
@@ -63,7 +63,7 @@ namespace lamella
     if (kind == StressValues::element)
       return sample;
     // Continuous, so that one of the places tells it.
-    put_values(field(location.ply, location.places.front()), sample);
+    set_values_of_sample(field(location.ply, location.places.front()), sample);
     return sample;
   }
 
@@ -154,7 +154,7 @@ namespace lamella
   const std::vector<Location::Place> &
   StressRecovery::meeting(const unsigned int ply, const Place &place)
   {
-    std::vector<Place> &places = meetings[key_of(place)];
+    std::vector<Place> &places = element_patches[key_of(place)];
     if (places.empty())
       {
         const auto here = body.locate({body.position(place)});

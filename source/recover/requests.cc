@@ -48,7 +48,7 @@ namespace lamella
     parse_place(const Entry &entry, const std::vector<std::string> &bodies)
     {
       if (entry.is_empty())
-        entry.is_missing("write BODY: x, y, z.");
+        entry.refuse_missing("write BODY: x, y, z.");
       const auto [body, place] = parse_on_body(entry, bodies);
       return {body, entry.point(place)};
     }
@@ -178,7 +178,7 @@ namespace lamella
   {
     const Entry at = in["At"];
     if (at.is_empty())
-      at.is_missing("write BODY: distance from the start of its axis.");
+      at.refuse_missing("write BODY: distance from the start of its axis.");
     const auto [body, distance] = parse_on_body(at, bodies);
     return {name,
             body,

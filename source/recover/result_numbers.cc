@@ -192,19 +192,19 @@ namespace lamella
                         point_of(row.at("shear")),
                         row.at("dissipated")});
       const nlohmann::json               &surface = json.at("surface");
-      std::shared_ptr<const SlaveSurface> carrier;
+      std::shared_ptr<const SlaveSurface> traction_surface;
       if (!surface.is_null())
         {
           std::vector<SlaveSurface::Facet> facets;
           for (const auto &facet : surface.at("facets"))
             facets.push_back(facet_of(facet));
-          carrier = std::make_shared<const SlaveSurface>(
+          traction_surface = std::make_shared<const SlaveSurface>(
             surface.at("hats") ? SlaveSurface::Functions::hats :
                                  SlaveSurface::Functions::trace,
             rows.size(),
             std::move(facets));
         }
-      return ContactTraction(carrier, std::move(rows));
+      return ContactTraction(traction_surface, std::move(rows));
     }
   } // namespace
 
@@ -264,7 +264,8 @@ namespace lamella
     const bool         is_component = column[0] == 'f' || column[0] == 'm';
     const unsigned int component    = column[1] - 'x';
     if (is_component && !quantity.strip)
-      return (quantity.of == NamedQuantity::Of::support ? supports : contacts)
+      return (quantity.of == NamedQuantity::ObjectKind::support ? supports :
+                                                                  contacts)
         .at(quantity.name)
         .at((column[0] == 'f' ? 0 : 3) + component);
     const ContactTraction &traction = tractions.at(quantity.name);
@@ -286,10 +287,10 @@ namespace lamella
   double
   ResultNumbers::value(const NamedQuantity &quantity) const
   {
-    if (quantity.of == NamedQuantity::Of::measure)
+    if (quantity.of == NamedQuantity::ObjectKind::measure)
       return (value(quantity.terms[0]) - value(quantity.terms[1])) /
              quantity.over;
-    if (quantity.of != NamedQuantity::Of::probe)
+    if (quantity.of != NamedQuantity::ObjectKind::probe)
       return value_of_resultant(quantity);
     std::vector<std::string> plies;
     std::vector<double>      values;
@@ -299,7 +300,7 @@ namespace lamella
         if (quantity.ply == 0 || quantity.ply == row->ply)
           values.push_back(row->columns.at(quantity.column));
       }
-    require_ply(quantity, plies);
+    check_ply(quantity, plies);
     const auto [least, greatest] =
       std::minmax_element(values.begin(), values.end());
     if (*greatest - *least >
@@ -336,7 +337,7 @@ namespace lamella
           return std::abs(rows.front()->columns.at(column));
         };
         NamedQuantity largest{
-          NamedQuantity::Of::probe, name, 0, "", {}, "Quantities"};
+          NamedQuantity::ObjectKind::probe, name, 0, "", {}, "Quantities"};
         for (const std::string &column : columns)
           if (largest.column.empty() ||
               magnitude(column) > magnitude(largest.column))
@@ -354,13 +355,13 @@ namespace lamella
   double
   ResultNumbers::largest_of_kind(const NamedQuantity &quantity) const
   {
-    if (quantity.of == NamedQuantity::Of::measure)
+    if (quantity.of == NamedQuantity::ObjectKind::measure)
       return std::max(largest_of_kind(quantity.terms[0]),
                       largest_of_kind(quantity.terms[1])) /
              std::abs(quantity.over);
     const char kind    = quantity.kind();
     double     largest = 0.;
-    if (quantity.of == NamedQuantity::Of::probe)
+    if (quantity.of == NamedQuantity::ObjectKind::probe)
       {
         for (const ProbeRow &row : probes)
           largest = std::max(largest, largest_of(kind, row));
@@ -402,12 +403,13 @@ namespace lamella
   double
   ResultNumbers::largest_in_material(const NamedQuantity &quantity) const
   {
-    if (quantity.of == NamedQuantity::Of::measure)
+    if (quantity.of == NamedQuantity::ObjectKind::measure)
       return std::max(largest_in_material(quantity.terms[0]),
                       largest_in_material(quantity.terms[1])) /
              std::abs(quantity.over);
     const char kind = quantity.kind();
-    if (quantity.of != NamedQuantity::Of::probe || (kind != 's' && kind != 'e'))
+    if (quantity.of != NamedQuantity::ObjectKind::probe ||
+        (kind != 's' && kind != 'e'))
       return largest_of_kind(quantity);
     std::optional<double> least;
     for (const ProbeRow *own : rows_of(quantity.name))

@@ -245,13 +245,13 @@ namespace lamella
 
 
 
-  BeyondLinear
-  Results::worst_beyond() const
+  NonlinearityEstimate
+  Results::worst_nonlinearity() const
   {
-    BeyondLinear worst;
+    NonlinearityEstimate worst;
     for (const StepResults &step : steps)
       {
-        const BeyondLinear &one = step.checks.beyond;
+        const NonlinearityEstimate &one = step.checks.beyond;
         if (one.stiffening > worst.stiffening)
           {
             worst.stiffening = one.stiffening;

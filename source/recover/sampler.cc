@@ -51,7 +51,7 @@ namespace lamella
       }
     for (const Line &line : lines)
       {
-        line_places.push_back(places_of(line));
+        line_sample_points.push_back(places_of(line));
         check_stress("Line", line);
       }
     for (const Cut &cut : cuts)
@@ -97,7 +97,7 @@ namespace lamella
   bool
   Sampler::is_between_plies(const NamedQuantity &quantity) const
   {
-    if (quantity.of != NamedQuantity::Of::probe || quantity.ply != 0)
+    if (quantity.of != NamedQuantity::ObjectKind::probe || quantity.ply != 0)
       return false;
     const unsigned int probe = number_of(quantity.name);
     return plies_at(probe).size() > 1 && quantity.column[0] != 'u' &&
@@ -128,10 +128,10 @@ namespace lamella
   {
     for (const NamedQuantity &term : quantity.terms)
       check(term);
-    if (quantity.of != NamedQuantity::Of::probe)
+    if (quantity.of != NamedQuantity::ObjectKind::probe)
       return;
     const auto plies = plies_at(number_of(quantity.name));
-    require_ply(quantity, plies);
+    check_ply(quantity, plies);
     if (is_between_plies(quantity))
       refuse_interface(quantity, plies);
   }
@@ -200,7 +200,7 @@ namespace lamella
     {
       if (values != StressValues::equilibrium)
         return std::nullopt;
-      return columns.at(body).take_defect().relative();
+      return columns.at(body).reset_defect().relative();
     }
 
   private:
@@ -341,7 +341,7 @@ namespace lamella
     const Fields fields =
       recoveries(lines[l].body, lines[l].stress, entry_of("Line", lines[l]));
     std::vector<LineRow> rows;
-    for (const auto &[s, location] : line_places[l])
+    for (const auto &[s, location] : line_sample_points[l])
       rows.push_back({s, row_at(lines[l].body, location, fields)});
     return rows;
   }

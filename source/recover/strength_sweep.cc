@@ -38,12 +38,12 @@ namespace lamella
   {
     /// The points of elements that share corners come several times.
     std::vector<Point<3>>
-    without_repetitions(std::vector<Point<3>> points, const double same)
+    without_duplicates(std::vector<Point<3>> points, const double same)
     {
       std::sort(points.begin(),
                 points.end(),
                 [=](const auto &a, const auto &b) {
-                  return comes_before(a, b, same);
+                  return is_before(a, b, same);
                 });
       points.erase(std::unique(points.begin(),
                                points.end(),
@@ -71,7 +71,7 @@ namespace lamella
           end = body.dof_position(dof);
       const double length = end.distance(start);
       direction           = (end - start) / length;
-      same                = arithmetic::same_place * length;
+      same                = arithmetic::same_position * length;
     }
 
     void
@@ -154,7 +154,7 @@ namespace lamella
       // Unstressed, all points are alike.
       if (most == 0. && result.size() > 1)
         result.resize(1);
-      return without_repetitions(std::move(result), same);
+      return without_duplicates(std::move(result), same);
     }
 
     double largest = 0.;
@@ -171,24 +171,25 @@ namespace lamella
 
 
   void
-  StrengthSweep::look_at(const SweptCell &cell,
-                         const Task      &task,
-                         Along           &along,
-                         Candidates      &candidates) const
+  StrengthSweep::evaluate_cell(const SweptCell &cell,
+                               const Task      &task,
+                               Along           &along,
+                               Candidates      &candidates) const
   {
     for (unsigned int k = 0; k < cell.loaded.samples.size(); ++k)
       {
         const Point<3> &x = cell.loaded.positions[k];
-        if (!looks_at(task, cell.touched, k))
+        if (!uses_point(task, cell.touched, k))
           continue;
-        if (is_left_out(x))
+        if (is_excluded(x))
           {
             along.exclude(task.ply, x);
             continue;
           }
         const Voigt &stress = cell.loaded.samples[k].ply_stress;
-        const Voigt  stays =
-          cell.cured == nullptr ? Voigt() : cell.cured->samples[k].ply_stress;
+        const Voigt  stays  = cell.thermal_part == nullptr ?
+                                Voigt() :
+                                cell.thermal_part->samples[k].ply_stress;
         const double value =
           nearness(task.surface.assess(stress - stays, stays));
         along.add(task.ply, x, value);
@@ -199,27 +200,27 @@ namespace lamella
 
 
   std::vector<std::vector<Point<3>>>
-  StrengthSweep::near_failure(const Swept         &swept,
-                              const Displacements &at,
-                              Along               &along) const
+  StrengthSweep::find_candidates(const SweptBody     &swept,
+                                 const Displacements &at,
+                                 Along               &along) const
   {
-    const Body             &body  = *bodies[swept.body];
-    const auto              cells = body.output_cells(intervals, at.u);
-    const auto              cured = at.cured == nullptr ?
-                                      std::vector<OutputCell>() :
-                                      body.output_cells(intervals, *at.cured);
-    const auto             &tasks = swept.tasks;
+    const Body             &body         = *bodies[swept.body];
+    const auto              cells        = body.output_cells(intervals, at.u);
+    const auto              thermal_part = at.thermal_part == nullptr ?
+                                             std::vector<OutputCell>() :
+                                             body.output_cells(intervals, *at.thermal_part);
+    const auto             &tasks        = swept.tasks;
     std::vector<Candidates> candidates(tasks.size());
     for (unsigned int c = 0; c < cells.size(); ++c)
       for (unsigned int t = 0; t < tasks.size(); ++t)
         if (tasks[t].ply == cells[c].ply)
-          look_at({cells[c],
-                   cured.empty() ? nullptr : &cured[c],
-                   swept.touched.empty() ? std::array<bool, 4>{} :
-                                           swept.touched[c]},
-                  tasks[t],
-                  along,
-                  candidates[t]);
+          evaluate_cell({cells[c],
+                         thermal_part.empty() ? nullptr : &thermal_part[c],
+                         swept.touched.empty() ? std::array<bool, 4>{} :
+                                                 swept.touched[c]},
+                        tasks[t],
+                        along,
+                        candidates[t]);
     std::vector<double> largest;
     for (const Candidates &of_task : candidates)
       largest.push_back(of_task.largest);
@@ -229,14 +230,14 @@ namespace lamella
     for (unsigned int t = 0; t < tasks.size(); ++t)
       result.push_back(
         candidates[t].nearest(largest[t],
-                              arithmetic::same_place * body.size()));
+                              arithmetic::same_position * body.size()));
     return result;
   }
 
 
 
   std::optional<PlyReserve>
-  StrengthSweep::worst_row(const Swept                 &swept,
+  StrengthSweep::worst_row(const SweptBody             &swept,
                            const Task                  &task,
                            const std::vector<Point<3>> &points,
                            const Stresses              &stresses) const
@@ -250,10 +251,11 @@ namespace lamella
             continue;
           const Voigt stress  = stresses.recovered(location).ply_stress;
           const Voigt element = body.sample(location, stresses.u).ply_stress;
-          const Voigt stays   = stresses.cure == nullptr ?
-                                  Voigt() :
-                                  stresses.cure->sample(location).ply_stress;
-          const auto  found   = task.surface.assess(stress - stays, stays);
+          const Voigt stays =
+            stresses.thermal_recovery == nullptr ?
+              Voigt() :
+              stresses.thermal_recovery->sample(location).ply_stress;
+          const auto       found = task.surface.assess(stress - stays, stays);
           const PlyReserve row{swept.body,
                                task.ply,
                                name_of(task.criterion),
@@ -359,7 +361,7 @@ namespace lamella
 
   void
   StrengthSweep::add_worst_rows(
-    const Swept                              &swept,
+    const SweptBody                          &swept,
     const std::vector<std::vector<Point<3>>> &points,
     const Stresses                           &stresses,
     std::vector<PlyReserve>                  &plies) const
@@ -384,10 +386,10 @@ namespace lamella
   StrengthSweep::Found
   StrengthSweep::sweep(const BlockVector   &u,
                        const FaceTractions &tractions,
-                       const BlockVector   *cured) const
+                       const BlockVector   *thermal_part) const
   {
     Found found;
-    for (const Swept &swept : all)
+    for (const SweptBody &swept : all)
       {
         const Vector                    &displacement = u.block(swept.body);
         const Body                      &body         = *bodies[swept.body];
@@ -399,20 +401,22 @@ namespace lamella
         const auto     recovered = [&](const Location &location) {
           return columns ? columns->sample(location) : patches.sample(location);
         };
-        const Vector *const of_heat =
-          cured == nullptr ? nullptr : &cured->block(swept.body);
-        std::unique_ptr<StressRecovery> cure;
-        if (of_heat != nullptr)
-          cure = std::make_unique<StressRecovery>(body,
-                                                  *of_heat,
-                                                  StressValues::recovered);
+        const Vector *const thermal_factor =
+          thermal_part == nullptr ? nullptr : &thermal_part->block(swept.body);
+        std::unique_ptr<StressRecovery> thermal_recovery;
+        if (thermal_factor != nullptr)
+          thermal_recovery =
+            std::make_unique<StressRecovery>(body,
+                                             *thermal_factor,
+                                             StressValues::recovered);
         Along      along(body);
-        const auto points = near_failure(swept, {displacement, of_heat}, along);
+        const auto points =
+          find_candidates(swept, {displacement, thermal_factor}, along);
         for (const ReserveAlong &row : along.rows(swept.body))
           found.along.push_back(row);
         add_worst_rows(swept,
                        points,
-                       {displacement, recovered, cure.get()},
+                       {displacement, recovered, thermal_recovery.get()},
                        found.plies);
       }
     return found;
@@ -426,7 +430,7 @@ namespace lamella
                                  const Voigt       &ply_stress) const
   {
     double largest = 0.;
-    for (const Swept &swept : all)
+    for (const SweptBody &swept : all)
       for (const Task &task : swept.tasks)
         if (swept.body == body && task.ply == ply &&
             task.criterion != Criterion::interlaminar)

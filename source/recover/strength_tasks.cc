@@ -119,7 +119,7 @@ namespace lamella
       {
         if (stress == StressValues::equilibrium)
           laminate_box(*bodies[b], "Strength/Stress");
-        Swept swept{b, tasks_of(*bodies[b]), {}};
+        SweptBody swept{b, tasks_of(*bodies[b]), {}};
         if (std::count(criteria.begin(),
                        criteria.end(),
                        Criterion::interlaminar) > 0)
@@ -129,7 +129,7 @@ namespace lamella
     for (const Criterion criterion : criteria)
       {
         const bool has_task =
-          std::any_of(all.begin(), all.end(), [&](const Swept &swept) {
+          std::any_of(all.begin(), all.end(), [&](const SweptBody &swept) {
             return std::any_of(swept.tasks.begin(),
                                swept.tasks.end(),
                                [&](const Task &task) {
@@ -201,9 +201,9 @@ namespace lamella
 
 
   bool
-  StrengthSweep::looks_at(const Task                &task,
-                          const std::array<bool, 4> &touched,
-                          const unsigned int         k)
+  StrengthSweep::uses_point(const Task                &task,
+                            const std::array<bool, 4> &touched,
+                            const unsigned int         k)
   {
     if (task.criterion != Criterion::interlaminar)
       return true;
@@ -216,14 +216,14 @@ namespace lamella
 
 
   bool
-  StrengthSweep::is_left_out(const Point<3> &x) const
+  StrengthSweep::is_excluded(const Point<3> &x) const
   {
     return std::any_of(
       excluded_boxes.begin(), excluded_boxes.end(), [&x](const auto &box) {
         for (unsigned int c = 0; c < 3; ++c)
           {
             const double rounding =
-              arithmetic::same_place * (box[1] - box[0]).norm();
+              arithmetic::same_position * (box[1] - box[0]).norm();
             if (x[c] < box[0][c] - rounding || x[c] > box[1][c] + rounding)
               return false;
           }

@@ -14,7 +14,7 @@ namespace lamella
   using namespace dealii;
 
   bool
-  comes_before(const Point<3> &a, const Point<3> &b, const double same)
+  is_before(const Point<3> &a, const Point<3> &b, const double same)
   {
     for (unsigned int c = 0; c < 3; ++c)
       if (std::abs(a[c] - b[c]) > same)
@@ -35,9 +35,9 @@ namespace lamella
                  of_b = b.reserve ? *b.reserve : -b.index;
     if (std::abs(of_a - of_b) > same * std::max(std::abs(of_a), std::abs(of_b)))
       return of_a < of_b;
-    return comes_before(a.position,
-                        b.position,
-                        same * (a.position.norm() + b.position.norm()));
+    return is_before(a.position,
+                     b.position,
+                     same * (a.position.norm() + b.position.norm()));
   }
 
 
@@ -92,10 +92,10 @@ namespace lamella
 
 
   std::string
-  doubt_of_worst(const std::vector<PlyReserve> &rows,
-                 const std::vector<Support>    &supports,
-                 const std::vector<Load>       &loads,
-                 const Bodies                  &bodies)
+  worst_reserve_warning(const std::vector<PlyReserve> &rows,
+                        const std::vector<Support>    &supports,
+                        const std::vector<Load>       &loads,
+                        const Bodies                  &bodies)
   {
     constexpr double  much  = 0.1;
     const PlyReserve *worst = worst_of(rows);

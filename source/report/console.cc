@@ -342,8 +342,8 @@ namespace lamella
     print_reserves(out, results);
     print_probes(out, results);
     print_goals(out, results);
-    if (!results.why_no_goals.empty())
-      out << "\nNo error bars: " << results.why_no_goals << ".\n";
+    if (!results.no_goals_reason.empty())
+      out << "\nNo error bars: " << results.no_goals_reason << ".\n";
     print_cost(out, results);
     for (const std::string &warning : results.all_warnings())
       out << "\nNote: " << warning << ".\n";

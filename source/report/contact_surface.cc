@@ -131,21 +131,22 @@ namespace lamella
   {
     // The nodes of the side that carries them are known, the places opposite
     // by their positions.
-    const std::vector<Location> nodes = places_of_points();
+    const std::vector<Location> nodes = point_locations();
     std::vector<Point<3>>       opposite;
     for (const ContactInterface::Point &point : contact.points)
       opposite.push_back(contact.points_on_second ? point.first : point.second);
     const Bodies &bodies = structure.bodies();
     if (contact.points_on_second)
       {
-        first_places  = first_of(bodies[contact.first_body]->locate(opposite));
-        second_places = nodes;
+        first_locations =
+          first_of(bodies[contact.first_body]->locate(opposite));
+        second_locations = nodes;
       }
     else
       {
-        first_places = nodes;
+        first_locations = nodes;
         if (contact.second_body)
-          second_places =
+          second_locations =
             first_of(bodies[*contact.second_body]->locate(opposite));
       }
 
@@ -162,7 +163,7 @@ namespace lamella
 
 
   std::vector<Location>
-  ContactSurface::places_of_points() const
+  ContactSurface::point_locations() const
   {
     // Lines of a beam touch a roller anywhere.
     const bool is_line =
@@ -198,7 +199,7 @@ namespace lamella
           return bodies[b]->sample(where, u.block(b)).displacement;
         };
         const Tensor<1, 3> shift =
-          displaced(contact.first_body, first_places[k]);
+          displaced(contact.first_body, first_locations[k]);
         const Point<3> position = point.first + shift;
         append_vector(positions, position);
         append_vector(vectors["displacement"], shift);
@@ -206,7 +207,7 @@ namespace lamella
         append_vector(vectors["separation"],
                       contact.second_body ?
                         point.second +
-                          displaced(*contact.second_body, second_places[k]) -
+                          displaced(*contact.second_body, second_locations[k]) -
                           position :
                         rows[k].gap * point.normal);
         append_scalars(rows[k], scalars);
@@ -230,8 +231,8 @@ namespace lamella
                              Utilities::int_to_string(step, 4) + ".vtu";
     OutputFile output(directory + "/" + name);
     write_vtu_file(output.stream(), grid(u, rows));
-    if (!output.put_in_place())
-      fail_to_write(directory + "/" + name);
+    if (!output.commit())
+      throw_cannot_write(directory + "/" + name);
     return name;
   }
 } // namespace lamella

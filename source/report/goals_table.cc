@@ -132,12 +132,12 @@ namespace lamella
     text += ",stiffening,buckling_factor,scale,why\n";
     for (const GoalResult &goal : results.goals)
       {
-        const BeyondLinear &beyond = results.last().checks.beyond;
+        const NonlinearityEstimate &beyond = results.last().checks.beyond;
         text += '"' + goal.name + '"' + "," + csv(goal.value) + "," +
                 csv(goal.estimate) + "," + csv(goal.value + goal.estimate) +
                 "," + (goal.trusted ? csv(goal.bar) : "") + "," +
                 (goal.trusted ? "1" : "0") + "," +
-                (goal.tolerance ? csv(goal.most_error()) : "") + "," +
+                (goal.tolerance ? csv(goal.allowed_error()) : "") + "," +
                 (goal.tolerance ? (goal.met() ? "1" : "0") : "");
         for (const std::string &source : sources())
           text += "," + csv(share_of(goal, source));
@@ -174,10 +174,10 @@ namespace lamella
   {
     /// What the linear model leaves out, if that is worth a word.
     void
-    print_what_no_refinement_mends(std::ostream &out, const Results &results)
+    print_nonlinear_effects(std::ostream &out, const Results &results)
     {
-      const BeyondLinear &beyond = results.last().checks.beyond;
-      constexpr double    less   = 1e-2;
+      const NonlinearityEstimate &beyond = results.last().checks.beyond;
+      constexpr double            less   = 1e-2;
       if (beyond.stiffening > less || beyond.buckling_factor)
         {
           out << "  All of these are of the linear model, which no refinement "
@@ -219,7 +219,7 @@ namespace lamella
           near_zero.add(goal.name, number_text(goal, goal.scale, 4));
         if (goal.tolerance &&
             (goal.is_near_zero() || goal.tolerance->is_absolute))
-          allowed.add(goal.name, number_text(goal, goal.most_error(), 3));
+          allowed.add(goal.name, number_text(goal, goal.allowed_error(), 3));
         if (!goal.trusted)
           no_bar.add(goal.name, goal.why);
         else if (const std::string source = largest_share(goal);
@@ -234,6 +234,6 @@ namespace lamella
     allowed.print(out, "", " may be off by ", " may be off by ");
     no_bar.print(out, "No bar for ", " yet: ", " yet: ");
     wanting.print(out, "", " wants ", " want ");
-    print_what_no_refinement_mends(out, results);
+    print_nonlinear_effects(out, results);
   }
 } // namespace lamella

@@ -35,7 +35,7 @@ namespace lamella
 
     /// What the page says that no folder has.
     std::string
-    known_to_program()
+    program_data()
     {
       nlohmann::json known;
       known["version"] = version();
@@ -63,12 +63,12 @@ namespace lamella
                        "page with. Install the package python3-jinja2, as "
                        "scripts/setup does.");
     // Names of files are UTF-8 whatever the user's language is.
-    become(python,
-           {"-X",
-            "utf8",
-            path_of_script("report.py"),
-            folder,
-            "--output=" + target,
-            "--program=" + known_to_program()});
+    exec_program(python,
+                 {"-X",
+                  "utf8",
+                  path_of_script("report.py"),
+                  folder,
+                  "--output=" + target,
+                  "--program=" + program_data()});
   }
 } // namespace lamella

@@ -34,11 +34,11 @@ namespace lamella
     /// ` +- 0.1 %` if @p column of @p row of the probe @p name is a goal that
     /// has a bar, @p is_first telling whether it is what the name alone means.
     std::string
-    bar_of(const Results     &results,
-           const std::string &name,
-           const FieldRow    &row,
-           const bool         is_first,
-           const std::string &column)
+    error_bar_of(const Results     &results,
+                 const std::string &name,
+                 const FieldRow    &row,
+                 const bool         is_first,
+                 const std::string &column)
     {
       const std::string of_ply =
         name + "/" + std::to_string(row.ply + 1) + ": " + column;
@@ -54,7 +54,7 @@ namespace lamella
     /// The largest of @p columns over all probes: what is rounding beside it
     /// reads 0.
     double
-    size_of(const StepResults &step, const Columns &columns)
+    displacement_scale(const StepResults &step, const Columns &columns)
     {
       double size = 0.;
       for (const auto &rows : step.probes)
@@ -71,7 +71,7 @@ namespace lamella
     table_of(const Results &results, const Columns &columns, const bool all)
     {
       const StepResults &step = results.last();
-      const double       size = size_of(step, columns);
+      const double       size = displacement_scale(step, columns);
       TextTable          table{{"probe", all ? "ply" : "at"}};
       table.front().insert(table.front().end(), columns.begin(), columns.end());
       table.front().push_back("");
@@ -91,7 +91,8 @@ namespace lamella
                   to_text(std::abs(value) < arithmetic::negligible * size ?
                             0. :
                             value) +
-                  bar_of(results, results.probes[p], row, is_first, column));
+                  error_bar_of(
+                    results, results.probes[p], row, is_first, column));
               }
             table.back().push_back("");
           }

@@ -100,10 +100,10 @@ namespace boost
     void
     serialize_optional(Archive &archive, std::optional<double> &number)
     {
-      bool               is_there = number.has_value();
-      double             value    = number.value_or(0.);
-      archive &is_there &value;
-      number = is_there ? std::optional<double>(value) : std::nullopt;
+      bool                has_point = number.has_value();
+      double              value     = number.value_or(0.);
+      archive &has_point &value;
+      number = has_point ? std::optional<double>(value) : std::nullopt;
     }
 
 
@@ -122,8 +122,8 @@ namespace boost
 
     template <typename Archive>
     void
-    serialize(Archive               &archive,
-              lamella::BeyondLinear &beyond,
+    serialize(Archive                       &archive,
+              lamella::NonlinearityEstimate &beyond,
               const unsigned int)
     {
       archive &beyond.stiffening &beyond.stiffened &beyond.buckled &beyond

@@ -74,11 +74,11 @@ namespace lamella
         lock();
         alone = descriptor >= 0 || !writes;
       }
-    if (!on_all_processes(writes))
+    if (!true_on_all_processes(writes))
       throw InputError("results cannot be written there. Name a folder that "
                        "can be created and written.")
         .at("--output " + folder + ": ");
-    if (!on_all_processes(alone))
+    if (!true_on_all_processes(alone))
       throw InputError("another run is at work there. Wait for it, or name "
                        "another folder.")
         .at("--output " + folder + ": ");
@@ -116,13 +116,13 @@ namespace lamella
   ResultsFolder::has_earlier_results() const
   {
     std::error_code error;
-    return !has_room && fs::exists(folder + "/summary.json", error);
+    return !is_cleared && fs::exists(folder + "/summary.json", error);
   }
 
 
 
   bool
-  ResultsFolder::is_still_there() const
+  ResultsFolder::still_exists() const
   {
     struct stat ours, there;
     return !is_root_process() ||
@@ -136,17 +136,17 @@ namespace lamella
   void
   ResultsFolder::make_room()
   {
-    if (!on_all_processes(is_still_there()))
+    if (!true_on_all_processes(still_exists()))
       throw InputError("the folder was removed or renamed while the run was at "
                        "work, and what it had written with it. Run the scene "
                        "again.")
         .at("--output " + folder + ": ");
-    if (has_room)
+    if (is_cleared)
       return;
-    has_room = true;
+    is_cleared = true;
     if (is_root_process())
       remove_earlier_results(folder);
     // Nobody writes before all of it is gone.
-    on_all_processes(true);
+    true_on_all_processes(true);
   }
 } // namespace lamella

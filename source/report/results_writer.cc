@@ -16,9 +16,10 @@
 
 namespace lamella
 {
-  ResultsWriter::ResultsWriter(const std::string              &directory,
-                               const std::function<Scenery()> &scenery)
-    : scenery(scenery)
+  ResultsWriter::ResultsWriter(
+    const std::string                    &directory,
+    const std::function<OutputSources()> &output_sources)
+    : output_sources(output_sources)
     , place(directory)
   {}
 
@@ -28,8 +29,8 @@ namespace lamella
   ResultsWriter::make_surfaces()
   {
     surfaces.clear();
-    for (const ContactInterface &contact : scenery().contacts)
-      surfaces.emplace_back(contact, scenery().structure);
+    for (const ContactInterface &contact : output_sources().contacts)
+      surfaces.emplace_back(contact, output_sources().structure);
   }
 
 
@@ -37,7 +38,7 @@ namespace lamella
   std::vector<StepResults>
   ResultsWriter::resume()
   {
-    standing = read_restart(place.path(), scenery().resolved);
+    standing = read_restart(place.path(), output_sources().resolved);
     if (is_root_process())
       for (const auto &[name, size] : standing.sizes)
         {
@@ -60,8 +61,8 @@ namespace lamella
   ResultsWriter::write_step(const Results &results)
   {
     place.make_room();
-    const Scenery of    = scenery();
-    const bool    first = results.steps.size() == 1;
+    const OutputSources of    = output_sources();
+    const bool          first = results.steps.size() == 1;
     // Results of a run that has started again are removed.
     if (first)
       standing = {};
@@ -86,7 +87,7 @@ namespace lamella
           }
       }
     write_tables(results);
-    write_standing(results);
+    write_progress(results);
   }
 
 
@@ -115,7 +116,7 @@ namespace lamella
   void
   ResultsWriter::write_vtu_files(const StepResults &step)
   {
-    const Scenery of = scenery();
+    const OutputSources of = output_sources();
     standing.vtu_files["solution"].emplace_back(
       step.step,
       write_vtu(place.path(),
@@ -145,7 +146,7 @@ namespace lamella
 
 
   void
-  ResultsWriter::write_standing(const Results &results)
+  ResultsWriter::write_progress(const Results &results)
   {
     const StepResults &last = results.last();
     if (!standing.steps.empty())

@@ -76,7 +76,7 @@ namespace lamella
       result.tension_center   = cleaned(result.tension_center, size);
       result.shear_center     = cleaned(result.shear_center, size);
       // Upright is upright, whichever way rounding turned it; in degrees.
-      constexpr double same_angle = arithmetic::as_written;
+      constexpr double same_angle = arithmetic::decimal_tolerance;
       if (result.angle < same_angle - 90.)
         result.angle += 180.;
       if (std::abs(result.angle) < same_angle)
@@ -179,14 +179,14 @@ namespace lamella
   SectionStiffness
   section_stiffness(std::shared_ptr<const SectionMesh> mesh)
   {
-    constexpr double most_dofs = 300000.;
+    constexpr double max_dofs = 300000.;
 
     SectionStiffness result;
     const Theory     theory = Theory::layerwise(expansion_degree(*mesh));
     result.expansion        = "LE-" + std::to_string(theory.order);
     try
       {
-        if (n_dofs(*mesh, theory.order) > most_dofs)
+        if (n_dofs(*mesh, theory.order) > max_dofs)
           throw NumericsError(
             "The section has more than 300,000 DoFs in LE-1. Mesh it coarser.");
         compute(*make_section(std::move(mesh), theory), result);

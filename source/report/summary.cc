@@ -107,7 +107,7 @@ namespace lamella
       if (solver.kind == SolverKind::cg)
         {
           json["iterations"]      = solver.iterations;
-          json["most_iterations"] = solver.most_iterations;
+          json["most_iterations"] = solver.max_iterations_per_solve;
         }
       else
         json["factor_non_zeros"] = solver.non_zeros;
@@ -163,7 +163,7 @@ namespace lamella
         json["shares"][source] = share;
       if (goal.tolerance)
         {
-          json["tolerance"] = goal.most_error();
+          json["tolerance"] = goal.allowed_error();
           json["met"]       = goal.met();
         }
       return json;
@@ -232,8 +232,8 @@ namespace lamella
     Json
     beyond_json(const Results &results)
     {
-      const BeyondLinear worst = results.worst_beyond();
-      Json               json{{"stiffening", worst.stiffening},
+      const NonlinearityEstimate worst = results.worst_nonlinearity();
+      Json                       json{{"stiffening", worst.stiffening},
                 {"buckling_factor", buckling_json(worst.buckling_factor)},
                 {"steps", Json::array()}};
       if (worst.stiffening > 0.)
@@ -366,8 +366,8 @@ namespace lamella
       add_last_step(results, json);
     for (const GoalResult &goal : results.goals)
       json["goals"][goal.name] = goal_json(goal);
-    if (!results.why_no_goals.empty())
-      json["no_error_bars"] = results.why_no_goals;
+    if (!results.no_goals_reason.empty())
+      json["no_error_bars"] = results.no_goals_reason;
     json["converged"] = results.converged;
     json["warnings"]  = results.all_warnings();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -50,7 +50,7 @@ namespace lamella
 
     /// What bodies that turn by any angle have beside, of each step.
     std::string
-    turning_header(const Results &results)
+    finite_rotation_header(const Results &results)
     {
       return !results.steps.empty() && results.last().checks.is_large ?
                ",iterations,halvings,max_strain,max_rotation,max_element_rotation" :
@@ -132,7 +132,7 @@ namespace lamella
     headers["history.csv"] = "step,load_factor" + history_header(results);
     for (const std::string &name : results.measures)
       headers["history.csv"] += ",measure:" + name;
-    headers["history.csv"] += turning_header(results) + "\n";
+    headers["history.csv"] += finite_rotation_header(results) + "\n";
     for (const std::string &line : results.lines)
       headers["lines/" + line + ".csv"] =
         "s,step,line," + fields_header() + "\n";

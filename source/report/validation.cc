@@ -338,7 +338,7 @@ namespace lamella
           load.force;
 
       out << "Load " << load.name << ": ";
-      if (load.is_heat)
+      if (load.is_temperature)
         {
           out << "a temperature, which has no resultant\n";
           return;

@@ -119,7 +119,7 @@ namespace lamella
       add(const Body &body, const unsigned int number, const Vector &u)
       {
         // Cells of a degree that readers draw; expansions may be higher.
-        GridIntervals n = body.picture_degrees();
+        GridIntervals n = body.output_degrees();
         for (unsigned int &degree : n)
           degree = std::min(degree, 4u);
         const Lattice     lattice     = lattice_of(n);
@@ -301,7 +301,7 @@ namespace lamella
                                     const auto        &content) {
       OutputFile file(directory + "/" + file_name);
       content(file.stream());
-      return file.put_in_place();
+      return file.commit();
     };
     bool written =
       write(part_of_picture(name, this_process()),
@@ -317,8 +317,8 @@ namespace lamella
                         }) &&
                   written;
       }
-    if (!on_all_processes(written))
-      fail_to_write(directory + "/" + name + ".vtu");
+    if (!true_on_all_processes(written))
+      throw_cannot_write(directory + "/" + name + ".vtu");
     return name + (n_processes() == 1 ? ".vtu" : ".pvtu");
   }
 

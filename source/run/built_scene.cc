@@ -24,7 +24,7 @@ namespace lamella
   {
     /// What takes a while says so before it begins.
     void
-    tell_large_sections(const SectionMeshes &sections, std::ostream &out)
+    print_large_sections(const SectionMeshes &sections, std::ostream &out)
     {
       constexpr unsigned int many = 5000;
       for (const auto &[name, section] : sections)
@@ -88,7 +88,7 @@ namespace lamella
   BuiltScene::build_structure(std::ostream &out)
   {
     section_meshes = build_section_meshes(given);
-    tell_large_sections(section_meshes, out);
+    print_large_sections(section_meshes, out);
     grade_axes(given.bodies,
                section_meshes,
                given.supports,
@@ -99,16 +99,16 @@ namespace lamella
     for (const BodyDescription &body : given.bodies)
       stabilizations.push_back({body.stabilization});
     Bodies bodies = make_bodies_with_fields();
-    hold_bodies(bodies);
+    set_isostatic_motions(bodies);
     whole = std::make_unique<Structure>(std::move(bodies),
                                         given.supports,
                                         given.loads,
                                         stabilizations,
                                         given.gravity);
     for (const LoadFactor &factor : given.solve.load_factors)
-      check_balance_of_held(given.supports,
-                            whole->bodies(),
-                            whole->load(factor));
+      check_isostatic_balance(given.supports,
+                              whole->bodies(),
+                              whole->load(factor));
     for (const auto &body : whole->bodies())
       if (const SolverKind kind = body->solver_kind(given.solve.solver);
           body->has_finite_rotations() && kind == SolverKind::cg)
@@ -125,13 +125,13 @@ namespace lamella
 
 
   void
-  BuiltScene::hold_bodies(const Bodies &bodies)
+  BuiltScene::set_isostatic_motions(const Bodies &bodies)
   {
     if (std::none_of(given.bodies.begin(),
                      given.bodies.end(),
                      [](const BodyDescription &body) { return body.is_held; }))
       return;
-    std::vector<ContactPlace> touched;
+    std::vector<PotentialContact> touched;
     for (const ContactPair &contact : given.contacts)
       {
         const ContactInterface made  = make_interface(contact, bodies);
@@ -139,7 +139,7 @@ namespace lamella
         // Nearer than a tenth of what the section extends to either side.
         const double depth =
           0.1 * centroid_of(first.surface_points("start"))
-                  .distance(far_points(first, "start").front().position);
+                  .distance(farthest_points(first, "start").front().position);
         for (const auto &[row, normal] :
              main_normals(contact, made, bodies, depth))
           {
@@ -149,7 +149,7 @@ namespace lamella
               touched.push_back({*made.second_body, at.second, normal});
           }
       }
-    find_held_motions(given.supports, bodies, touched);
+    find_isostatic_motions(given.supports, bodies, touched);
   }
 
 
@@ -179,18 +179,18 @@ namespace lamella
     Bodies bodies =
       make_bodies(given.bodies, section_meshes, given.solve.memory_limit);
     reasons.assign(bodies.size(), "");
-    spread_totals(given.loads, bodies);
-    clear_held_motions(given.supports);
+    distribute_total_forces(given.loads, bodies);
+    clear_isostatic_motions(given.supports);
     if (has_fields_to_choose(given.bodies))
       {
-        apply_heat(given.loads, bodies);
+        apply_temperatures(given.loads, bodies);
         field_notes = choose_fields(
           bodies,
           given.bodies,
           given.supports,
           given.loads,
           undeformed_interfaces(given.contacts, bodies),
-          stress_places(bodies, given.probes, given.lines, given.cuts),
+          stress_ranges(bodies, given.probes, given.lines, given.cuts),
           field_rules,
           given.gravity,
           &reasons);
@@ -206,7 +206,8 @@ namespace lamella
     /// sides hold, as those along the axis in plane strain: no force in them
     /// would do anything, so none can be told.
     void
-    drop_held_slips(ContactInterface &contact, const Structure &structure)
+    drop_constrained_slips(ContactInterface &contact,
+                           const Structure  &structure)
     {
       for (GapConstraint &row : contact.rows)
         row.slips.erase(
@@ -236,7 +237,7 @@ namespace lamella
         moving.push_back(
           std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
         contact.discretization = contacts[k].discretization;
-        drop_held_slips(contacts[k], *whole);
+        drop_constrained_slips(contacts[k], *whole);
         // Choices that a run may revise are made again by who reads the scene.
         if (contact.part_of ||
             (contact.is_automatic &&
@@ -251,9 +252,9 @@ namespace lamella
                                     name_of(contact.discretization));
       }
     number_rows();
-    check_partners(contacts);
+    check_node_matching(contacts);
     check_conflicts(contacts, whole->bodies());
-    check_held_overlaps();
+    check_constrained_overlaps();
     check_strips();
   }
 
@@ -273,8 +274,8 @@ namespace lamella
 
 
   double
-  BuiltScene::held_overlap(const unsigned int             contact,
-                           const ContactInterface::Point &at) const
+  BuiltScene::constrained_overlap(const unsigned int             contact,
+                                  const ContactInterface::Point &at) const
   {
     const ContactInterface &own = contacts[contact];
     // Averaged normals over a curved surface are shorter than 1.
@@ -296,14 +297,14 @@ namespace lamella
 
 
   void
-  BuiltScene::check_held_overlaps() const
+  BuiltScene::check_constrained_overlaps() const
   {
-    double       deepest = arithmetic::same_place * whole->size();
+    double       deepest = arithmetic::same_position * whole->size();
     unsigned int worst   = contacts.size();
     Point<3>     place;
     for (unsigned int c = 0; c < contacts.size(); ++c)
       for (const ContactInterface::Point &at : contacts[c].points)
-        if (const double depth = held_overlap(c, at); depth > deepest)
+        if (const double depth = constrained_overlap(c, at); depth > deepest)
           {
             deepest = depth;
             worst   = c;
@@ -333,7 +334,7 @@ namespace lamella
          {&given.goals.quantities, &given.trade.quantities})
       for (const NamedQuantity &quantity : *quantities)
         for (const ContactInterface &contact : contacts)
-          if (quantity.of == NamedQuantity::Of::contact &&
+          if (quantity.of == NamedQuantity::ObjectKind::contact &&
               quantity.name == contact.name)
             check_strip(quantity, contact.points);
   }
@@ -351,18 +352,18 @@ namespace lamella
                                 given.solve.stress_axes == StressAxes::scene);
     for (const Measure &measure : given.measures)
       places->check(measure.quantity);
-    given.goals.quantities = in_plies(given.goals.quantities);
+    given.goals.quantities = with_resolved_plies(given.goals.quantities);
     units_check = std::make_unique<Plausibility>(*whole, given.units, contacts);
     if (!given.strength.criteria.empty())
       sweep = std::make_unique<StrengthSweep>(whole->bodies(), given.strength);
     if (given.find_first_failure)
-      require_growth(*whole, contacts);
+      check_load_growth(*whole, contacts);
   }
 
 
 
   std::vector<NamedQuantity>
-  BuiltScene::in_plies(std::vector<NamedQuantity> quantities) const
+  BuiltScene::with_resolved_plies(std::vector<NamedQuantity> quantities) const
   {
     for (NamedQuantity &quantity : quantities)
       {
@@ -392,7 +393,7 @@ namespace lamella
   std::string
   BuiltScene::describe_row(const unsigned int row) const
   {
-    const auto [c, k]               = gap_constraints.in_contact(row);
+    const auto [c, k]               = gap_constraints.contact_of_row(row);
     const ContactInterface &contact = contacts[c];
     return "contact " + contact.name + ", body '" +
            whole->bodies()[contact.first_body]->name() + "' at " +
@@ -406,13 +407,13 @@ namespace lamella
   {
     constexpr double        bytes = 8., mega = 1e6;
     const Bodies           &bodies = whole->bodies();
-    const std::vector<Cost> costs  = foreseen_costs(bodies);
+    const std::vector<Cost> costs  = predicted_costs(bodies);
     for (unsigned int b = 0; b < bodies.size(); ++b)
       out << "Plan of body " << bodies[b]->name() << ": " << bodies[b]->theory()
           << ", " << bodies[b]->n_dofs() << " DoFs, a factor of some "
           << to_text(bytes * costs[b].non_zeros / mega, 3) << " MB and "
           << to_text(costs[b].operations, 2) << " multiplications\n  "
-          << (given.goals.theory_is_assumed ?
+          << (given.goals.theory_is_default ?
                 "a run to a tolerance begins with it" :
                 "as the scene says")
           << (reasons[b].empty() ? "" : "; ") << reasons[b] << "\n";
@@ -421,7 +422,7 @@ namespace lamella
 
 
   void
-  BuiltScene::tell_pairs(std::vector<ContactSummary> &found) const
+  BuiltScene::update_pairing_facts(std::vector<ContactSummary> &found) const
   {
     for (unsigned int k = 0; k < contacts.size(); ++k)
       {
@@ -476,7 +477,7 @@ namespace lamella
       found.notes.insert(found.notes.end(), notes.begin(), notes.end());
     };
     add(given.warnings);
-    add(doubts_of_magnitude(given, section_meshes));
+    add(magnitude_warnings(given, section_meshes));
     add(field_notes);
     add(notes_on_theories(given, section_meshes));
     for (const LoadResultant &load : whole->load_resultants())

@@ -55,7 +55,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
     unsigned int
     n_threads(const std::string &text)
     {
-      const bool   is_number = fault_of_number(text).rule.empty();
+      const bool   is_number = number_error(text).rule.empty();
       const double n         = is_number ? to_number(text) : 0.;
       if (!(n >= 1. && n <= 1024. && n == std::floor(n)))
         throw InputError("--threads must be a whole number from 1 to 1024.");
@@ -195,7 +195,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
                                "; the nearest is " +
                                nearest_name(word, options()) + ".");
             else
-              take_scene(word);
+              set_scene_file(word);
           }
       }
 
@@ -224,7 +224,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       }
 
       void
-      take_scene(const std::string &word)
+      set_scene_file(const std::string &word)
       {
         if (!result.scene.empty())
           throw InputError(

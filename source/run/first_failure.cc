@@ -22,8 +22,8 @@ namespace lamella
 
 
   void
-  require_growth(const Structure                     &structure,
-                 const std::vector<ContactInterface> &contacts)
+  check_load_growth(const Structure                     &structure,
+                    const std::vector<ContactInterface> &contacts)
   {
     const auto is_moved = [](const ContactInterface &contact) {
       return contact.obstacle != nullptr &&
@@ -49,7 +49,8 @@ namespace lamella
 
 
 
-  FirstFailureSearch::FirstFailureSearch(const Try &try_load, std::ostream &out)
+  FirstFailureSearch::FirstFailureSearch(const TrySolve &try_load,
+                                         std::ostream   &out)
     : try_load(try_load)
     , out(out)
   {}
@@ -77,12 +78,12 @@ namespace lamella
 
 
   void
-  FirstFailureSearch::attempt(const double factor, const unsigned int leg)
+  FirstFailureSearch::attempt(const double factor, const unsigned int load_step)
   {
     try
       {
         std::vector<PlyReserve> plies;
-        result.trials.push_back(try_load(factor, leg, plies));
+        result.trials.push_back(try_load(factor, load_step, plies));
         judge(factor, plies);
       }
     catch (const NumericsError &error)
@@ -112,7 +113,7 @@ namespace lamella
 
 
   bool
-  FirstFailureSearch::is_narrow() const
+  FirstFailureSearch::is_interval_narrow() const
   {
     const double end = *upper();
     return std::abs(end - result.safe) <= accuracy * std::abs(end);
@@ -125,18 +126,21 @@ namespace lamella
   {
     out << "First failure:" << std::endl;
     // Of the first step that fails, which the search stays on the way of.
-    unsigned int leg = 0;
-    while (leg < steps.size() &&
-           !judge(steps[leg].load_factor.of_scene(), steps[leg].plies))
-      ++leg;
+    unsigned int load_step = 0;
+    while (
+      load_step < steps.size() &&
+      !judge(steps[load_step].load_factor.of_scene(), steps[load_step].plies))
+      ++load_step;
     if (!result.where)
       for (const StepResults &step : steps)
         if (std::abs(step.load_factor.of_scene()) > std::abs(result.safe))
           result.safe = step.load_factor.of_scene();
     for (unsigned int k = 0; k < n_doublings && !upper(); ++k)
-      attempt(result.safe == 0. ? 1. : 2. * result.safe, leg);
-    for (unsigned int k = 0; k < most_halvings && upper() && !is_narrow(); ++k)
-      attempt(0.5 * (result.safe + *upper()), leg);
+      attempt(result.safe == 0. ? 1. : 2. * result.safe, load_step);
+    for (unsigned int k = 0;
+         k < most_halvings && upper() && !is_interval_narrow();
+         ++k)
+      attempt(0.5 * (result.safe + *upper()), load_step);
     return result;
   }
 

@@ -23,7 +23,7 @@ namespace lamella
     /// @p scene with linear kinematics; nothing keeps these within their range
     /// if there @p are_others to take then.
     Scene
-    linear_one(Scene scene, const bool are_others)
+    with_linear_rotations(Scene scene, const bool are_others)
     {
       scene.solve.rotations = Rotations::linear;
       if (are_others)
@@ -42,7 +42,9 @@ namespace lamella
                            std::ostream    &out)
   {
     build_large(scene, text, out);
-    linear = make_simulation(linear_one(scene, large != nullptr), text, out);
+    linear = make_simulation(with_linear_rotations(scene, large != nullptr),
+                             text,
+                             out);
     out << "Rotations = auto: the linear model first" << std::endl;
     try
       {
@@ -53,13 +55,12 @@ namespace lamella
       {
         if (large == nullptr)
           throw;
-        why =
-          "the linear model has no result: " + without_full_stop(error.what());
+        why = "the linear model has no result: " + strip_period(error.what());
       }
-    why = std::string("rotations: ") + (is_enough ? "linear" : "large") +
+    why = std::string("rotations: ") + (linear_suffices ? "linear" : "large") +
           ", taken by Rotations = auto: " + why;
     out << why << std::endl;
-    (is_enough ? large : linear).reset();
+    (linear_suffices ? large : linear).reset();
     chosen().add_endnote(why);
   }
 
@@ -78,7 +79,7 @@ namespace lamella
       {
         if (requests_finite_rotations(scene))
           throw;
-        why = "large is refused: " + without_full_stop(error.what()) + "; ";
+        why = "large is refused: " + strip_period(error.what()) + "; ";
       }
   }
 
@@ -91,17 +92,17 @@ namespace lamella
     bool   is_buckled = false;
     for (const StepResults &step : linear->results().steps)
       {
-        const BeyondLinear &beyond = step.checks.beyond;
+        const NonlinearityEstimate &beyond = step.checks.beyond;
         rotation      = std::max(rotation, step.checks.max_rotation);
         stiffening    = std::max(stiffening, beyond.stiffening);
         amplification = std::max(amplification, beyond.amplification);
         is_buckled |= beyond.buckling_factor && *beyond.buckling_factor < 1.;
       }
     const bool along =
-      std::any_of(scene.loads.begin(), scene.loads.end(), rotates_along);
+      std::any_of(scene.loads.begin(), scene.loads.end(), is_follower_load);
     const double turned   = along ? rotation : rotation * rotation,
                  left_out = std::max({stiffening, turned, amplification});
-    is_enough =
+    linear_suffices =
       large == nullptr || (!is_buckled && left_out <= needs_finite_rotations &&
                            rotation <= scene.solve.rotation_limit);
     const auto per_cent = [](const double share) {

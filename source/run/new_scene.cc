@@ -76,7 +76,7 @@ namespace lamella
         .at(place);
     OutputFile target(file);
     target.stream() << text;
-    if (!target.stream() || !target.put_in_place())
+    if (!target.stream() || !target.commit())
       throw InputError(file + " cannot be written. Name a scene in a folder "
                               "that is there and can be written.")
         .at(place);

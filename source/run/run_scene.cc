@@ -20,7 +20,7 @@ namespace lamella
     /// What to say of the folder @p directory where the user ends the run after
     /// @p done of @p all load steps.
     void
-    keep_ready_for_interruption(const std::string &directory,
+    update_interruption_message(const std::string &directory,
                                 const unsigned int done,
                                 const unsigned int all,
                                 const bool         may_resume)
@@ -28,11 +28,12 @@ namespace lamella
       if (!is_root_process())
         return;
       if (done == 0)
-        say_if_interrupted("interrupted before the first load step was done: "
-                           "nothing of this run is in " +
-                           directory + ".");
+        set_interruption_message(
+          "interrupted before the first load step was done: "
+          "nothing of this run is in " +
+          directory + ".");
       else
-        say_if_interrupted(
+        set_interruption_message(
           "interrupted. " + directory + " has " +
           (done == all ?
              "all load steps, but not what comes after them" :
@@ -64,7 +65,7 @@ namespace lamella
 
 
     /// What the files of @p simulation are made of, beyond results.
-    ResultsWriter::Scenery
+    ResultsWriter::OutputSources
     scenery_of(const Simulation &simulation)
     {
       const BuiltScene &built = simulation.model();
@@ -90,13 +91,13 @@ namespace lamella
       const Results &found = simulation.results();
       // Steps of an earlier run, which are not looked at again.
       const std::size_t earlier = found.steps.size();
-      keep_ready_for_interruption(directory, earlier, found.load_steps, true);
+      update_interruption_message(directory, earlier, found.load_steps, true);
       try
         {
           simulation.solve([&](const Results &results) {
             const SignalBlock whole;
             writer.write_step(results);
-            keep_ready_for_interruption(directory,
+            update_interruption_message(directory,
                                         results.steps.size(),
                                         results.load_steps,
                                         !simulation.is_revised());
@@ -106,7 +107,7 @@ namespace lamella
         {
           if (found.steps.size() > earlier)
             {
-              simulation.count_costs();
+              simulation.record_costs();
               writer.write_end(found);
               print_results(simulation, directory, simulation.output());
             }
@@ -131,7 +132,7 @@ namespace lamella
       const SignalBlock whole;
       writer.write_outcome(results);
       if (is_root_process())
-        say_if_interrupted(
+        set_interruption_message(
           "interrupted while error bars were made. " + writer.folder().path() +
           " has all results but these. The same command with --resume makes "
           "them; a run with --set \"Goals/Error bars=false\" makes none.");
@@ -180,7 +181,7 @@ namespace lamella
     {
       const SignalBlock whole;
       writer.write_end(found);
-      say_if_interrupted("");
+      set_interruption_message("");
     }
     print_results(simulation, directory, out);
   }
@@ -190,7 +191,7 @@ namespace lamella
   void
   write_run(Simulation &simulation, const std::string &directory)
   {
-    simulation.count_costs();
+    simulation.record_costs();
     ResultsWriter writer(directory,
                          [&simulation] { return scenery_of(simulation); });
     Results       so_far = simulation.results();

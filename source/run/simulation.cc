@@ -26,7 +26,8 @@ namespace lamella
     , timer(out, TimerOutput::never, TimerOutput::wall_times)
   {
     for (const BodyDescription &body : given.bodies)
-      may_refine.push_back(body.axis.fineness > 0. || !given.solve.is_judged ||
+      may_refine.push_back(body.axis.refinement_factor > 0. ||
+                           !given.solve.computes_estimates ||
                            !given.goals.tolerances.empty());
     build(given, rules);
   }
@@ -47,13 +48,13 @@ namespace lamella
 
 
   bool
-  Simulation::take_all_fields()
+  Simulation::rebuild_with_all_fields()
   {
     FieldRules rules = built->rules();
     for (unsigned int b = 0; b < scene().bodies.size(); ++b)
       if (const Body &body = *built->structure().bodies()[b];
           scene().bodies[b].pieces.empty() &&
-          scene().bodies[b].theory.is_of_solutions())
+          scene().bodies[b].theory.is_saint_venant())
         {
           rules.unsolved.push_back(body.name());
           out << "Body " << body.name() << ": " << body.theory()
@@ -63,7 +64,7 @@ namespace lamella
         }
     if (rules.unsolved.size() == built->rules().unsolved.size())
       return false;
-    forget_solver();
+    release_solver();
     build(built->anew(), rules);
     return true;
   }
@@ -73,11 +74,11 @@ namespace lamella
   bool
   Simulation::shorten_elements(const UndetectedPenetration &missed)
   {
-    if (!may_refine[missed.body] || last_is_bare)
+    if (!may_refine[missed.body] || last_has_state_only)
       return false;
     Scene            shorter = built->anew();
     BodyDescription &body    = shorter.bodies[missed.body];
-    shorten_at(body.axis, missed.y, missed.longest);
+    refine_at(body.axis, missed.y, missed.longest);
     const std::string what = "Body " + body.name +
                              ": shorter elements at y = " + to_text(missed.y) +
                              " of its axis, for a contact between its points";
@@ -116,7 +117,7 @@ namespace lamella
   bool
   Simulation::add_ends(const MissingEnds &missing)
   {
-    if (last_is_bare)
+    if (last_has_state_only)
       return false;
     Scene       with_ends = built->anew();
     std::string added;
@@ -142,14 +143,14 @@ namespace lamella
     // No other run can resume the load steps of the changed scene.
     changed.resolved += "# " + what + "\n";
     revised = true;
-    forget_solver();
+    release_solver();
     build(changed, built->rules());
   }
 
 
 
   void
-  Simulation::forget_solver()
+  Simulation::release_solver()
   {
     path.reset();
     recorder.reset();
@@ -173,7 +174,7 @@ namespace lamella
       catch (const IllConditioned &)
         {
           // Steps that are done stay with the fields that they have.
-          if (!found.steps.empty() || !take_all_fields())
+          if (!found.steps.empty() || !rebuild_with_all_fields())
             throw;
         }
       catch (const UndetectedPenetration &missed)
@@ -195,7 +196,7 @@ namespace lamella
   {
     prepare();
     // What touched is told by rows where pairs may be others in the next step.
-    if (last_is_bare &&
+    if (last_has_state_only &&
         (!path->has_more() || built->structure().has_finite_rotations()))
       complete_last_step();
     do_steps(observer);
@@ -208,7 +209,7 @@ namespace lamella
       for (const std::string &warning : solver->warnings())
         found.endnotes.push_back(warning);
     found.converged = true;
-    count_costs();
+    record_costs();
     return found;
   }
 
@@ -218,14 +219,14 @@ namespace lamella
   Simulation::prepare()
   {
     const MemoryBudget budget(scene().solve.memory_limit);
-    const std::string  memory = budget.require_matrices(built->structure());
+    const std::string  memory = budget.check_matrix_memory(built->structure());
     print_bodies(out, built->structure(), built->interfaces(), scene().units);
     out << "Memory: " << memory << std::endl;
     auto step = scene().solve.rotations == Rotations::large ?
                   make_large_step(budget) :
                   make_linear_step(budget);
     recorder =
-      std::make_unique<StepRecorder>(*built, found, cured_state(*step));
+      std::make_unique<StepRecorder>(*built, found, solve_thermal_state(*step));
     path = std::make_unique<LoadPath>(std::move(step),
                                       scene().solve.load_factors,
                                       scene().solve.substeps,
@@ -238,7 +239,7 @@ namespace lamella
     if (found.steps.empty())
       return;
     path->resume(found.steps.size(), found.last().state);
-    number_moved_rows();
+    renumber_rows();
   }
 
 
@@ -248,7 +249,7 @@ namespace lamella
   {
     make_solver(budget);
     if (!found.steps.empty())
-      solver->recall(found.last().memory);
+      solver->restore(found.last().memory);
     return std::make_unique<LinearStep>(*solver,
                                         built->interfaces(),
                                         built->contact_objects(),
@@ -263,8 +264,8 @@ namespace lamella
   Simulation::make_large_step(const MemoryBudget &budget)
   {
     TangentOperator::BodyMonitor monitor;
-    monitor.sized = [budget](const Body &body, const FactorSize &size) {
-      budget.require_factor(body, size);
+    monitor.factor_sized = [budget](const Body &body, const FactorSize &size) {
+      budget.check_factor_memory(body, size);
     };
     return std::make_unique<LargeStep>(
       built->structure(),
@@ -320,10 +321,10 @@ namespace lamella
       phase.reset();
       phase.emplace(timer, name_of(which));
     };
-    monitor.begins    = [&](const Body &) { begin(Phase::assembly); };
-    monitor.assembled = [&](const Body &) { begin(Phase::factorization); };
-    monitor.sized     = [&](const Body &body, const FactorSize &size) {
-      out << "Memory: " << budget.require_factor(body, size) << std::endl;
+    monitor.begins       = [&](const Body &) { begin(Phase::assembly); };
+    monitor.assembled    = [&](const Body &) { begin(Phase::factorization); };
+    monitor.factor_sized = [&](const Body &body, const FactorSize &size) {
+      out << "Memory: " << budget.check_factor_memory(body, size) << std::endl;
     };
     monitor.ends = [&](const Body &) { phase.reset(); };
     return linearized(built->structure(), scene().solve.solver, monitor);
@@ -332,7 +333,7 @@ namespace lamella
 
 
   std::shared_ptr<const BlockVector>
-  Simulation::cured_state(Step &step)
+  Simulation::solve_thermal_state(Step &step)
   {
     if (built->strength() == nullptr || !built->structure().is_heated())
       return nullptr;
@@ -358,8 +359,8 @@ namespace lamella
     last.substeps         = kept.substeps;
     last.change           = kept.change;
     last.warnings         = std::move(kept.warnings);
-    recorder->take_measures(found);
-    last_is_bare = false;
+    recorder->add_measures(found);
+    last_has_state_only = false;
   }
 
 
@@ -383,7 +384,7 @@ namespace lamella
   {
     const State      previous = path->state();
     const SolvedStep solved   = path->advance();
-    number_moved_rows();
+    renumber_rows();
     if (solved.change)
       out << "  in " << solved.substeps << " substeps; half as many differ by "
           << to_text(100. * *solved.change, 2) << " %" << std::endl;
@@ -392,11 +393,11 @@ namespace lamella
       found.steps.push_back(recorder->record(path->n_done(), solved, previous));
       if (solver != nullptr)
         found.steps.back().memory = solver->memory();
-      recorder->take_measures(found);
+      recorder->add_measures(found);
     }
     if (!observer)
       return;
-    count_costs();
+    record_costs();
     TimerOutput::Scope scope(timer, name_of(Phase::output));
     observer(found);
     if (path->n_done() > 1)
@@ -406,12 +407,12 @@ namespace lamella
 
 
   void
-  Simulation::number_moved_rows()
+  Simulation::renumber_rows()
   {
     if (!built->structure().has_finite_rotations())
       return;
     built->number_rows();
-    built->tell_pairs(found.contacts);
+    built->update_pairing_facts(found.contacts);
   }
 
 
@@ -423,9 +424,9 @@ namespace lamella
     std::vector<PlyReserve>   plies_there;
     FirstFailureSearch        search(
       [&](const double             factor,
-          const unsigned int       leg,
+          const unsigned int       load_step,
           std::vector<PlyReserve> &plies) {
-        SolvedStep   solved = path->branch(factor, leg);
+        SolvedStep   solved = path->branch(factor, load_step);
         FailureTrial trial  = recorder->trial(solved, plies);
         if (trial.reserve && *trial.reserve <= 1.)
           {
@@ -439,7 +440,7 @@ namespace lamella
     // Failures at a load step are reported with it.
     if (failing)
       found.first_failure->warnings =
-        recorder->warnings_beside(*failing, std::move(plies_there));
+        recorder->warnings_off_path(*failing, std::move(plies_there));
     if (const std::string note = search.note(); !note.empty())
       found.endnotes.push_back(note);
   }
@@ -451,24 +452,24 @@ namespace lamella
   void
   Simulation::resume(std::vector<StepResults> steps)
   {
-    found.steps  = std::move(steps);
-    last_is_bare = true;
+    found.steps         = std::move(steps);
+    last_has_state_only = true;
   }
 
 
 
   void
   Simulation::set_goals(std::vector<GoalResult> goals,
-                        const std::string      &why_none)
+                        const std::string      &missing_reason)
   {
-    found.goals        = std::move(goals);
-    found.why_no_goals = why_none;
+    found.goals           = std::move(goals);
+    found.no_goals_reason = missing_reason;
   }
 
 
 
   void
-  Simulation::count_costs()
+  Simulation::record_costs()
   {
     for (const std::string &phase : phase_names())
       found.seconds[phase] = 0.;

@@ -5,7 +5,7 @@
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/step_results.h>
 #include <lamella/scene/rotation_rules.h>
-#include <lamella/solve/soundness.h>
+#include <lamella/solve/solution_check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@ namespace lamella
 {
   StepRecorder::StepRecorder(const BuiltScene                  &built,
                              const Results                     &facts,
-                             std::shared_ptr<const BlockVector> cured)
+                             std::shared_ptr<const BlockVector> thermal_part)
     : built(built)
     , scene(built.scene())
     , structure(built.structure())
-    , cured(std::move(cured))
+    , thermal_part(std::move(thermal_part))
     , facts(facts)
   {}
 
@@ -35,23 +35,23 @@ namespace lamella
     results.step        = step;
     results.load_factor = solved.load_factor;
     results.state       = solved.state;
-    results.checks      = with_parts(solved.checks);
+    results.checks      = with_part_resultants(solved.checks);
     results.substeps    = solved.substeps;
     results.change      = solved.change;
     results.halvings    = solved.cuts;
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);
     built.sampler().sample(solved.state.u, results, tractions);
-    take_strength(results, tractions);
+    record_strength(results, tractions);
     results.warnings = warnings(solved, results);
-    take_contacts(solved, previous, results);
+    record_contacts(solved, previous, results);
     return results;
   }
 
 
 
   Checks
-  StepRecorder::with_parts(Checks checks) const
+  StepRecorder::with_part_resultants(Checks checks) const
   {
     for (unsigned int c = 0; c < checks.contacts.size(); ++c)
       if (const auto whole = scene.contacts[c].part_of)
@@ -62,9 +62,9 @@ namespace lamella
 
 
   bool
-  StepRecorder::has_touched(const State       &previous,
-                            const unsigned int contact,
-                            const unsigned int row) const
+  StepRecorder::was_active(const State       &previous,
+                           const unsigned int contact,
+                           const unsigned int row) const
   {
     if (!structure.has_finite_rotations())
       return !previous.force.empty() &&
@@ -82,9 +82,9 @@ namespace lamella
 
 
   void
-  StepRecorder::take_contacts(const SolvedStep &solved,
-                              const State      &previous,
-                              StepResults      &results) const
+  StepRecorder::record_contacts(const SolvedStep &solved,
+                                const State      &previous,
+                                StepResults      &results) const
   {
     const GapConstraints &all = built.rows();
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
@@ -112,7 +112,7 @@ namespace lamella
                                       forces.slips(k),
                                       forces.length[k],
                                       forces.dissipated[k]};
-            const bool touched = has_touched(previous, c, k);
+            const bool touched = was_active(previous, c, k);
             change.closed += rows.back().touches() && !touched;
             change.opened += !rows.back().touches() && touched;
           }
@@ -122,13 +122,13 @@ namespace lamella
 
 
   void
-  StepRecorder::take_strength(StepResults         &results,
-                              const FaceTractions &tractions) const
+  StepRecorder::record_strength(StepResults         &results,
+                                const FaceTractions &tractions) const
   {
     if (built.strength() == nullptr)
       return;
     StrengthSweep::Found found =
-      built.strength()->sweep(results.state.u, tractions, cured.get());
+      built.strength()->sweep(results.state.u, tractions, thermal_part.get());
     results.plies       = std::move(found.plies);
     results.plies_along = std::move(found.along);
   }
@@ -136,7 +136,7 @@ namespace lamella
 
 
   void
-  StepRecorder::take_measures(Results &results) const
+  StepRecorder::add_measures(Results &results) const
   {
     if (scene.measures.empty())
       return;
@@ -153,12 +153,13 @@ namespace lamella
   {
     FailureTrial trial;
     trial.load_factor = solved.load_factor.of_scene();
-    trial.checks      = with_parts(solved.checks);
+    trial.checks      = with_part_resultants(solved.checks);
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);
     trial.probes = built.sampler().sample_probes(solved.state.u, tractions);
-    plies =
-      built.strength()->sweep(solved.state.u, tractions, cured.get()).plies;
+    plies        = built.strength()
+              ->sweep(solved.state.u, tractions, thermal_part.get())
+              .plies;
     if (const PlyReserve *worst = worst_of(plies))
       trial.reserve = worst->reserve;
     return trial;
@@ -167,8 +168,8 @@ namespace lamella
 
 
   Results
-  StepRecorder::bare_results(const SolvedStep &solved,
-                             const State      &before) const
+  StepRecorder::minimal_results(const SolvedStep &solved,
+                                const State      &before) const
   {
     Results bare;
     bare.bodies       = facts.bodies;
@@ -182,7 +183,7 @@ namespace lamella
     step.checks       = solved.checks;
     step.probes       = built.sampler().sample_probes(
       solved.state.u, built.tractions_at(solved.state, solved.load_factor));
-    take_contacts(solved, before, step);
+    record_contacts(solved, before, step);
     return bare;
   }
 
@@ -195,8 +196,8 @@ namespace lamella
   {
     if (scene.goals.quantities.empty())
       return 0.;
-    const ResultNumbers first(bare_results(one, before)),
-      second(bare_results(other, before));
+    const ResultNumbers first(minimal_results(one, before)),
+      second(minimal_results(other, before));
     double change = 0.;
     for (const NamedQuantity &goal : scene.goals.quantities)
       {

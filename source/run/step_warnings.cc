@@ -6,7 +6,7 @@
 #include <lamella/contact/assumptions.h>
 #include <lamella/run/step_results.h>
 #include <lamella/scene/rotation_rules.h>
-#include <lamella/solve/soundness.h>
+#include <lamella/solve/solution_check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,8 +90,8 @@ namespace lamella
 
 
   std::vector<std::string>
-  StepRecorder::warnings_beside(const SolvedStep       &solved,
-                                std::vector<PlyReserve> plies) const
+  StepRecorder::warnings_off_path(const SolvedStep       &solved,
+                                  std::vector<PlyReserve> plies) const
   {
     StepResults sampled;
     sampled.step  = scene.solve.load_factors.size();
@@ -116,20 +116,20 @@ namespace lamella
       warnings.insert(warnings.end(), more.begin(), more.end());
     };
     add(warnings_of(solved.checks.beyond, structure));
-    if (scene.solve.is_judged)
-      add(built.plausibility().doubts(solved.state.u,
-                                      solved.checks,
-                                      sampled.step ==
-                                        scene.solve.load_factors.size()));
+    if (scene.solve.computes_estimates)
+      add(built.plausibility().plausibility_warnings(
+        solved.state.u,
+        solved.checks,
+        sampled.step == scene.solve.load_factors.size()));
     for (unsigned int k = 0;
          k < contacts.size() && !structure.has_finite_rotations();
          ++k)
-      add(
-        broken_assumptions(contacts[k],
-                           structure.bodies(),
-                           solved.state.u,
-                           solved.load_factor,
-                           built.rows().among_contact(k, solved.state.active)));
+      add(assumption_warnings(contacts[k],
+                              structure.bodies(),
+                              solved.state.u,
+                              solved.load_factor,
+                              built.rows().local_rows_of(k,
+                                                         solved.state.active)));
     add(warnings_of_rollers(solved));
     add(warnings_of_ends(solved));
     add(warnings_of_isostatic_supports(solved));
@@ -142,7 +142,7 @@ namespace lamella
         "put load factors between");
     add(warnings_of_defects(sampled.defects));
     if (built.strength() != nullptr)
-      if (const std::string doubt = doubt_of_worst(
+      if (const std::string doubt = worst_reserve_warning(
             sampled.plies, scene.supports, scene.loads, structure.bodies());
           !doubt.empty())
         warnings.push_back(doubt);
@@ -182,7 +182,7 @@ namespace lamella
     for (unsigned int c = 0; c < built.interfaces().size(); ++c)
       {
         const ContactInterface &contact = built.interfaces()[c];
-        const auto active = built.rows().among_contact(c, solved.state.active);
+        const auto active = built.rows().local_rows_of(c, solved.state.active);
         if (contact.obstacle == nullptr ||
             contact.obstacle->shape != Obstacle::Shape::cylinder)
           continue;
@@ -201,13 +201,14 @@ namespace lamella
         const ContactArc arc = contact_arc(contact, active);
         // Small rotations do not move the force.
         if (arc.is_line() &&
-            are_coarse_on(arc.spacing *
-                            std::min(1., solved.checks.max_rotation),
-                          contact.obstacle->radius))
+            are_too_coarse_for(arc.spacing *
+                                 std::min(1., solved.checks.max_rotation),
+                               contact.obstacle->radius))
           warnings.push_back(describe_coarse_points(
             contact,
             arc.spacing,
-            can_be_line(scene.contacts[c], scene.bodies[contact.first_body]) &&
+            allows_line_contact(scene.contacts[c],
+                                scene.bodies[contact.first_body]) &&
               !scene.contacts[c].is_automatic));
       }
     return warnings;
@@ -225,7 +226,7 @@ namespace lamella
         const ContactInterface &other = built.interfaces()[c];
         if (other.first_body == own.first_body &&
             other.second_name == own.second_name &&
-            !built.rows().among_contact(c, solved.state.active).empty())
+            !built.rows().local_rows_of(c, solved.state.active).empty())
           return true;
       }
     return false;
@@ -253,7 +254,7 @@ namespace lamella
         if (!penetration ||
             penetration->depth <
               std::max(worth_failing * solved.checks.max_displacement,
-                       arithmetic::as_written * body.size()))
+                       arithmetic::decimal_tolerance * body.size()))
           continue;
         throw_undetected_penetration(contact, *penetration, number);
       }
@@ -386,11 +387,12 @@ namespace lamella
     const double size    = structure.size();
     double       largest = 0.;
     for (const LoadResultant &load : structure.load_resultants())
-      largest = std::max(largest,
-                         load.force.norm() * size >
-                             arithmetic::as_written * load.moment.norm() ?
-                           load.force.norm() * size :
-                           load.moment.norm());
+      largest =
+        std::max(largest,
+                 load.force.norm() * size >
+                     arithmetic::decimal_tolerance * load.moment.norm() ?
+                   load.force.norm() * size :
+                   load.moment.norm());
     largest *= std::abs(solved.load_factor.of_scene());
     for (const Resultant &reaction : solved.checks.reactions)
       largest = std::max(largest, reaction.force.norm() * size);
@@ -400,8 +402,10 @@ namespace lamella
     const double of_nodes =
       size *
       std::max(structure.load(solved.load_factor, solved.state.u).linfty_norm(),
-               arithmetic::as_written * structure.heat_load().l2_norm());
-    return largest > arithmetic::as_written * of_nodes ? largest : of_nodes;
+               arithmetic::decimal_tolerance *
+                 structure.thermal_load().l2_norm());
+    return largest > arithmetic::decimal_tolerance * of_nodes ? largest :
+                                                                of_nodes;
   }
 
 
@@ -413,13 +417,13 @@ namespace lamella
     constexpr double         worth_saying = 1e-3;
     const Checks            &checks       = solved.checks;
     std::vector<std::string> warnings;
-    // What balances on the undeformed body (check_balance_of_held()) need not
+    // What balances on the undeformed body (check_isostatic_balance()) need not
     // where it has gone.
     double largest = 0.;
     if (checks.is_large)
       largest = std::max(
         structure.load(solved.load_factor, solved.state.u).linfty_norm(),
-        arithmetic::as_written * structure.heat_load().l2_norm());
+        arithmetic::decimal_tolerance * structure.thermal_load().l2_norm());
     for (const Resultant &reaction : checks.reactions)
       largest = std::max(largest, reaction.force.norm());
     for (const KktResidual &contact : checks.contacts)

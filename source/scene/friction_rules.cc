@@ -17,7 +17,7 @@ namespace lamella
            {&scene.goals.quantities, &scene.trade.quantities})
         for (const NamedQuantity &quantity : *quantities)
           for (const ContactPair &contact : scene.contacts)
-            if (quantity.of == NamedQuantity::Of::contact &&
+            if (quantity.of == NamedQuantity::ObjectKind::contact &&
                 quantity.column == "dissipated" &&
                 contact.name == quantity.name && contact.friction == 0.)
               Entry(quantity.path, quantity.label())

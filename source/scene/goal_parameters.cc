@@ -141,7 +141,7 @@ namespace lamella
         return {share_of_one(entry, number), false};
       if (!(number > 0.))
         entry.refuse("must be more than 0");
-      if (!goals.whole_probes.empty())
+      if (!goals.probes_as_goals.empty())
         entry.refuse("displacements and stresses of probes have no unit in "
                      "common",
                      "Name Quantities, or give per cent.");
@@ -209,7 +209,8 @@ namespace lamella
     if (goals.quantities.empty())
       goals.quantities = of_trade;
     if (goals.quantities.empty())
-      goals.quantities = quantities_with_references(names, goals.whole_probes);
+      goals.quantities =
+        quantities_with_references(names, goals.probes_as_goals);
     goals.tolerances = parse_tolerances(in["Tolerance"], n_named, goals, units);
 
     goals.bars           = in["Error bars"].choice<ErrorBars>();
@@ -227,7 +228,7 @@ namespace lamella
         if (goals.bars == ErrorBars::never)
           in["Error bars"].refuse("a Tolerance cannot be reached without them",
                                   "Leave it at auto.");
-        if (goals.quantities.empty() && goals.whole_probes.empty())
+        if (goals.quantities.empty() && goals.probes_as_goals.empty())
           in["Tolerance"].refuse("there is nothing to be accurate in, since "
                                  "the scene has neither probes nor References "
                                  "of supports and contacts",

@@ -39,7 +39,7 @@ namespace lamella
 
 
     std::string
-    doubt_of_angles(const SectionMesh &section)
+    angle_warning(const SectionMesh &section)
     {
       // Limit for radians, about pi, and a tolerance for numbers of three or
       // more digits.
@@ -68,7 +68,7 @@ namespace lamella
 
 
     std::string
-    doubt_of_compliance(const SectionMesh &section, const Units &units)
+    soft_material_warning(const SectionMesh &section, const Units &units)
     {
       // Lower limit of plies, metals, glass and wood [Pa]; density of foams
       // [kg / m^3] and Poisson's ratio of rubbers, which may be softer.
@@ -87,7 +87,7 @@ namespace lamella
         (material.density &&
          *material.density < light * units.pascal * units.pascal);
       if (E >= soft * units.pascal || is_soft ||
-          !doubts_of_material("", material, units).empty())
+          !material_warnings("", material, units).empty())
         return "";
       return "its stiffest material, " + stiffest.material + ", has " + name +
              " = " + to_text(E) + " " + units.stress +
@@ -101,7 +101,7 @@ namespace lamella
 
 
     std::string
-    doubt_of_size(const SectionMesh &section, const Units &units)
+    size_warning(const SectionMesh &section, const Units &units)
     {
       // Limits in micrometers.
       constexpr double thinnest = 1., thickest = 1e7;
@@ -126,7 +126,7 @@ namespace lamella
       std::vector<std::pair<std::string, double>> all;
       const auto add = [&all](const WallLayup &layup) {
         for (const WallPly &ply : layup)
-          all.emplace_back(ply.fabric.material, ply.thickness);
+          all.emplace_back(ply.oriented_material.material, ply.thickness);
       };
       if (const auto *laminate = std::get_if<Laminate>(&shape))
         for (unsigned int k = 0; k < laminate->materials.size(); ++k)
@@ -142,7 +142,7 @@ namespace lamella
 
 
     std::string
-    doubt_of_plies(const SectionShape &shape, const Scene &scene)
+    ply_thickness_warning(const SectionShape &shape, const Scene &scene)
     {
       // Carbon fibers are 5 micrometers thick, and plies are thinner than 0.1 m
       // [micrometers]. Fiber plies are stiffer than timber [Pa], and than
@@ -169,50 +169,54 @@ namespace lamella
 
 
     std::vector<std::string>
-    doubts_of_sections(const Scene &scene, const SectionMeshes &meshes)
+    section_warnings(const Scene &scene, const SectionMeshes &meshes)
     {
-      std::vector<std::string> doubts;
+      std::vector<std::string> plausibility_warnings;
       for (const auto &[name, mesh] : meshes)
         {
-          std::vector<std::string> of_section{doubt_of_angles(*mesh)};
+          std::vector<std::string> of_section{angle_warning(*mesh)};
           if (!scene.units.stress.empty())
             {
-              of_section.push_back(doubt_of_compliance(*mesh, scene.units));
-              const std::string size = doubt_of_size(*mesh, scene.units);
+              of_section.push_back(soft_material_warning(*mesh, scene.units));
+              const std::string size = size_warning(*mesh, scene.units);
               // One of the two warnings suffices.
               of_section.push_back(
-                size.empty() ? doubt_of_plies(scene.sections.at(name), scene) :
-                               size);
+                size.empty() ?
+                  ply_thickness_warning(scene.sections.at(name), scene) :
+                  size);
             }
           for (const std::string &doubt : of_section)
             if (!doubt.empty())
-              doubts.push_back("section " + name + ": " + doubt);
+              plausibility_warnings.push_back("section " + name + ": " + doubt);
         }
-      return doubts;
+      return plausibility_warnings;
     }
   } // namespace
 
 
 
   std::vector<std::string>
-  doubts_of_magnitude(const Scene &scene, const SectionMeshes &meshes)
+  magnitude_warnings(const Scene &scene, const SectionMeshes &meshes)
   {
     // Gravity of the Earth: 9.78 to 9.83 m/s^2.
     constexpr double         least = 9.7, most = 9.9, thousand = 1000.;
-    std::vector<std::string> doubts = doubts_of_sections(scene, meshes);
-    const double             g      = scene.gravity.norm();
-    const bool               is_mm  = scene.units.length == "mm";
-    const double             there  = is_mm ? g : g / thousand;
+    std::vector<std::string> plausibility_warnings =
+      section_warnings(scene, meshes);
+    const double g     = scene.gravity.norm();
+    const bool   is_mm = scene.units.length == "mm";
+    const double there = is_mm ? g : g / thousand;
     if (!scene.units.length.empty() && there > least && there < most)
-      doubts.push_back("Gravity is " + to_text(g) + " " + scene.units.length +
-                       "/s^2, and that of the Earth is " +
-                       (is_mm ? "9810 mm/s^2" : "9.81 m/s^2"));
+      plausibility_warnings.push_back("Gravity is " + to_text(g) + " " +
+                                      scene.units.length +
+                                      "/s^2, and that of the Earth is " +
+                                      (is_mm ? "9810 mm/s^2" : "9.81 m/s^2"));
     for (const Support &support : scene.supports)
       if (support.rotation && support.rotation->norm() > 2. * pi)
-        doubts.push_back("support " + support.name + ": its Rotation, " +
-                         to_text(support.rotation->norm()) +
-                         ", is in rad and more than a turn; a degree is "
-                         "0.0174533");
-    return doubts;
+        plausibility_warnings.push_back(
+          "support " + support.name + ": its Rotation, " +
+          to_text(support.rotation->norm()) +
+          ", is in rad and more than a turn; a degree is "
+          "0.0174533");
+    return plausibility_warnings;
   }
 } // namespace lamella

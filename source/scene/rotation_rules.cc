@@ -63,10 +63,10 @@ namespace lamella
     /// nearest line is needed. Automatic axes are fine enough there for small
     /// rotations.
     bool
-    touches_on_a_line(const BodyDescription &body, const Obstacle &roller)
+    needs_line_contact(const BodyDescription &body, const Obstacle &roller)
     {
       const AxisMesh &axis = body.axis;
-      if (axis.fineness > 0.)
+      if (axis.refinement_factor > 0.)
         return body.has_finite_rotations;
       const double at   = body.placement.to_body(roller.point)[1];
       double       from = 0., length = 0.;
@@ -78,7 +78,7 @@ namespace lamella
             length = (to - from) / axis.elements[piece];
           from = to;
         }
-      return are_coarse_on(length / axis.degree, roller.radius);
+      return are_too_coarse_for(length / axis.degree, roller.radius);
     }
 
 
@@ -131,8 +131,8 @@ namespace lamella
             body.name + "' would have to be",
           "Take auto.");
       if (contact.discretization != Discretization::automatic ||
-          !can_be_line(contact, body) ||
-          !touches_on_a_line(body, *contact.obstacle))
+          !allows_line_contact(contact, body) ||
+          !needs_line_contact(body, *contact.obstacle))
         return;
       contact.discretization = Discretization::line_to_roller;
     }
@@ -215,7 +215,7 @@ namespace lamella
 
 
   bool
-  can_be_line(const ContactPair &contact, const BodyDescription &body)
+  allows_line_contact(const ContactPair &contact, const BodyDescription &body)
   {
     return has_roller(contact, body) && !has_area_penalty(contact);
   }
@@ -227,10 +227,10 @@ namespace lamella
   {
     // Theories whose sections rotate, or whose functions describe a rotated
     // section.
-    constexpr unsigned int least_order = 2;
+    constexpr unsigned int min_order = 2;
     return theory.has_rotating_sections() || theory.is_layerwise() ||
            ((theory.is_solid() || theory.is_taylor()) &&
-            theory.order >= least_order);
+            theory.order >= min_order);
   }
 
 
@@ -281,7 +281,7 @@ namespace lamella
 
 
   void
-  take_rotations(Scene &scene)
+  apply_rotations(Scene &scene)
   {
     if (scene.solve.rotations == Rotations::large)
       {

@@ -149,7 +149,7 @@ namespace lamella
                                    "Rename one of the two.");
       for (const char *list : {"Materials", "Sections", "Bodies"})
         if (names[list].empty())
-          in[list].is_missing("a scene needs at least one name there.");
+          in[list].refuse_missing("a scene needs at least one name there.");
       return names;
     }
 
@@ -296,7 +296,7 @@ namespace lamella
       check_equilibrium(scene, in["Gravity"]);
       check_friction(scene, in);
       check_histories(scene, in);
-      take_rotations(scene);
+      apply_rotations(scene);
       return scene;
     }
   } // namespace
@@ -327,9 +327,9 @@ namespace lamella
     /// Returns whether @p text sets the Theory @p path to `auto`. Throws
     /// InputError for `auto` without a Tolerance.
     bool
-    wants_any_theory(const SceneText   &text,
-                     const std::string &path,
-                     const bool         has_tolerance)
+    is_theory_automatic(const SceneText   &text,
+                        const std::string &path,
+                        const bool         has_tolerance)
     {
       if (trimmed(text.says(path).value_or("")) != "auto")
         return false;
@@ -349,21 +349,21 @@ namespace lamella
     /// Returns whether it sets the scene's Theory; adds the bodies whose axis
     /// it sets to @p axes.
     bool
-    assume_start(SceneText             &text,
-                 const NameLists       &names,
-                 std::set<std::string> &axes)
+    set_tolerance_defaults(SceneText             &text,
+                           const NameLists       &names,
+                           std::set<std::string> &axes)
     {
       const bool has_tolerance =
         !trimmed(text.says("Goals/Tolerance").value_or("")).empty();
-      const bool        any = wants_any_theory(text, "Theory", has_tolerance);
-      const bool        is_assumed = any || !text.says("Theory");
+      const bool any = is_theory_automatic(text, "Theory", has_tolerance);
+      const bool is_assumed   = any || !text.says("Theory");
       const std::string start = names.at("Contacts").empty() ? "SV" : "SV-6";
       if (any)
         text.replace("Theory", start);
       for (const std::string &body : names.at("Bodies"))
         {
           const std::string kinematics = "Body " + body + "/Kinematics/";
-          if (wants_any_theory(text, kinematics + "Theory", has_tolerance))
+          if (is_theory_automatic(text, kinematics + "Theory", has_tolerance))
             text.replace(kinematics + "Theory", start);
           const std::string elements = kinematics + "Axis elements";
           if (has_tolerance && !text.says(kinematics + "Axis breaks") &&
@@ -375,7 +375,7 @@ namespace lamella
         }
       if (!has_tolerance)
         return false;
-      text.assume("Theory", start);
+      text.set_default("Theory", start);
       return is_assumed;
     }
   } // namespace
@@ -386,7 +386,7 @@ namespace lamella
   check_entries(const SceneText &given)
   {
     SceneText whole = given;
-    write_out_stacks(whole);
+    expand_stacks(whole);
     const auto [text, names] = listed(whole);
     ParameterHandler prm;
     declare_all(prm, names);
@@ -402,18 +402,19 @@ namespace lamella
     try
       {
         NameLists names;
-        write_out_stacks(text);
+        expand_stacks(text);
         std::tie(text, names) = listed(text);
         std::set<std::string> assumed;
-        const bool       theory_is_assumed = assume_start(text, names, assumed);
+        const bool            theory_is_default =
+          set_tolerance_defaults(text, names, assumed);
         ParameterHandler prm;
         declare_all(prm, names);
         text.check_declared(prm);
         text.fill(prm);
 
         Scene scene                   = resolve(prm, names, text);
-        scene.goals.theory_is_assumed = theory_is_assumed;
-        scene.goals.axes_are_assumed  = assumed;
+        scene.goals.theory_is_default = theory_is_default;
+        scene.goals.axes_are_default  = assumed;
         scene.resolved                = SceneText::printed(prm);
         return scene;
       }

@@ -24,7 +24,7 @@ namespace lamella
 
 
   std::string
-  place_in(const std::string &file, const unsigned int line)
+  line_prefix(const std::string &file, const unsigned int line)
   {
     return file + ":" + std::to_string(line) + ": ";
   }
@@ -76,7 +76,7 @@ namespace lamella
           throw InputError(
             "the line has a byte that no text in UTF-8 has there. Save the "
             "file as UTF-8 (or ASCII), or write the line anew.")
-            .at(place_in(
+            .at(line_prefix(
               file, 1 + std::count(result.begin(), result.begin() + i, '\n')));
         i += n;
       }
@@ -220,7 +220,7 @@ namespace lamella
       {
         if (!names.empty())
           throw InputError("subsection " + names.back() + " has no 'end'.")
-            .at(place_in(file, lines.back()));
+            .at(line_prefix(file, lines.back()));
       }
     };
   } // namespace
@@ -240,7 +240,7 @@ namespace lamella
     while (std::getline(lines, line))
       {
         const unsigned int first       = ++number;
-        const std::string  here        = place_in(file, first);
+        const std::string  here        = line_prefix(file, first);
         const bool         has_comment = complete(line, lines, number, here);
         const std::string  word = line.substr(0, line.find_first_of(" \t"));
         const std::string  rest = collapsed(line.substr(word.size()));

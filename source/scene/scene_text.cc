@@ -114,7 +114,7 @@ namespace lamella
             throw InputError(kind + " " + a->path +
                              " was given already in line " +
                              std::to_string(a->line) + ". Keep one of the two.")
-              .at(place_in(file, b->line));
+              .at(line_prefix(file, b->line));
     }
 
 
@@ -189,7 +189,7 @@ namespace lamella
 
 
   void
-  SceneText::assume(const std::string &path, const std::string &value)
+  SceneText::set_default(const std::string &path, const std::string &value)
   {
     if (!says(path))
       put({path, value, 0});
@@ -311,7 +311,7 @@ namespace lamella
       });
     if (!overridden)
       return;
-    const auto is_left_out = [&](const Item &item) {
+    const auto is_excluded = [&](const Item &item) {
       const std::string first = item.path.substr(0, item.path.find('/'));
       return first.compare(0, kind.size() + 1, kind + " ") == 0 &&
              item.line != 0 &&
@@ -324,12 +324,12 @@ namespace lamella
                                  entries.end(),
                                  [&](const Item &entry) {
                                    return !parent(entry.path).empty() &&
-                                          is_left_out(entry);
+                                          is_excluded(entry);
                                  }),
                   entries.end());
     subsections.erase(std::remove_if(subsections.begin(),
                                      subsections.end(),
-                                     is_left_out),
+                                     is_excluded),
                       subsections.end());
   }
 
@@ -409,7 +409,7 @@ namespace lamella
   std::string
   SceneText::place(const Item &entry) const
   {
-    return entry.line == 0 ? "--set: " : place_in(file, entry.line);
+    return entry.line == 0 ? "--set: " : line_prefix(file, entry.line);
   }
 
 
@@ -424,7 +424,7 @@ namespace lamella
 
     for (const Item &item : subsections)
       if (!top_level_only && find(declared_subsections, item.path) == nullptr)
-        fail_on_subsection(item, declared_subsections);
+        throw_unknown_subsection(item, declared_subsections);
     for (const Item &item : entries)
       if ((!top_level_only || parent(item.path).empty()) &&
           find(declared, item.path) == nullptr)
@@ -451,8 +451,8 @@ namespace lamella
 
 
   void
-  SceneText::fail_on_subsection(const Item              &item,
-                                const std::vector<Item> &declared) const
+  SceneText::throw_unknown_subsection(const Item              &item,
+                                      const std::vector<Item> &declared) const
   {
     // The nearest of the same kind: `Body uper` is no `Probe`.
     const std::string        name = last_part(item.path);

@@ -28,9 +28,9 @@ namespace lamella
 
     /// Returns DoFs and a lower bound of the non-zeros of the stiffness.
     std::pair<double, double>
-    size_of(const BodyDescription &body,
-            const Laminate        &laminate,
-            const unsigned int     divisions)
+    displacement_scale(const BodyDescription &body,
+                       const Laminate        &laminate,
+                       const unsigned int     divisions)
     {
       const double times = 1u << divisions,
                    nx    = times * sum(laminate.cells_across),
@@ -60,7 +60,7 @@ namespace lamella
             !(body.theory.is_layerwise() || body.theory.is_solid()))
           continue;
         const auto [dofs, entries] =
-          size_of(body, *laminate, scene.divisions_of(body.section));
+          displacement_scale(body, *laminate, scene.divisions_of(body.section));
         const double bytes     = bytes_per_entry * entries,
                      available = available_memory(scene.solve.memory_limit);
         if (dofs > small && bytes > available)

@@ -93,9 +93,7 @@ namespace lamella
 
 
     void
-    write_out_body(SceneText         &text,
-                   const std::string &name,
-                   const unsigned int n)
+    expand_body(SceneText &text, const std::string &name, const unsigned int n)
     {
       const std::string body   = "Body " + name + "/";
       const auto        triple = [&](const std::string &what) {
@@ -140,9 +138,9 @@ namespace lamella
 
     /// Replaces regions of stacks in the entry @p path by those of all copies.
     void
-    write_out_regions(SceneText         &text,
-                      const std::string &path,
-                      const Stacks      &stacks)
+    expand_regions(SceneText         &text,
+                   const std::string &path,
+                   const Stacks      &stacks)
     {
       const Entry given = entry(text, path);
       if (given.is_empty())
@@ -169,9 +167,9 @@ namespace lamella
 
 
     void
-    write_out_contact(SceneText         &text,
-                      const std::string &name,
-                      const Stacks      &stacks)
+    expand_contact(SceneText         &text,
+                   const std::string &name,
+                   const Stacks      &stacks)
     {
       const std::string path = "Contact " + name + "/";
       const auto first  = parts_of_region(entry(text, path + "First").text()),
@@ -208,7 +206,7 @@ namespace lamella
 
 
   void
-  write_out_stacks(SceneText &text)
+  expand_stacks(SceneText &text)
   {
     Stacks stacks;
     for (const std::string &body : entry(text, "Bodies").items())
@@ -231,10 +229,10 @@ namespace lamella
     for (const auto &[list, kind] :
          {std::make_pair("Supports", "Support"), {"Loads", "Load"}})
       for (const std::string &name : entry(text, list).items())
-        write_out_regions(text, std::string(kind) + " " + name + "/On", stacks);
+        expand_regions(text, std::string(kind) + " " + name + "/On", stacks);
     for (const std::string &name : entry(text, "Contacts").items())
-      write_out_contact(text, name, stacks);
+      expand_contact(text, name, stacks);
     for (const auto &[body, n] : stacks)
-      write_out_body(text, body, n);
+      expand_body(text, body, n);
   }
 } // namespace lamella

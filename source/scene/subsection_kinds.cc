@@ -30,7 +30,7 @@ namespace lamella
       // The half-cylinders of the Hertz paper have no unit.
       if (in["Library"].text() != "hertz-200")
         for (const std::string &doubt :
-             doubts_of_material(name, scene.materials[name], scene.units))
+             material_warnings(name, scene.materials[name], scene.units))
           scene.warnings.push_back(doubt);
     }
 
@@ -50,9 +50,9 @@ namespace lamella
         reading.prm.set("File", std::filesystem::absolute(file->path).string());
       reading.scene.sections[name] = shape;
       reading.scene.divisions[name] =
-        in["Cells divided"].whole(0, SectionParameters::most_divisions);
+        in["Cells divided"].whole(0, SectionParameters::max_divisions);
       reading.scene.corner_layers[name] =
-        in["Corner layers"].whole(0, SectionParameters::most_corner_layers);
+        in["Corner layers"].whole(0, SectionParameters::max_corner_layers);
     }
 
 
@@ -126,7 +126,7 @@ namespace lamella
 
     /// Adds the supports of `Isostatic support` of bodies.
     void
-    add_holds(Scene &scene)
+    add_isostatic_supports(Scene &scene)
     {
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
         {
@@ -162,7 +162,7 @@ namespace lamella
         in["Factors"].refuse("a Temperature acts in full in each load step",
                              "Leave Factors out.");
       reading.scene.loads.push_back(load);
-      if (name == name_of_weight && reading.scene.gravity.norm() > 0.)
+      if (name == weight_load_name && reading.scene.gravity.norm() > 0.)
         in.refuse("Gravity is what the weight of the bodies is called among "
                   "the loads",
                   "Rename the load.");
@@ -303,7 +303,11 @@ namespace lamella
        BodyParameters::declare,
        resolve_body,
        add_notes_on_choices},
-      {"Supports", "Support", declare_support, resolve_support, add_holds},
+      {"Supports",
+       "Support",
+       declare_support,
+       resolve_support,
+       add_isostatic_supports},
       {"Loads", "Load", LoadParameters::declare, resolve_load},
       {"Obstacles", "Obstacle", ObstacleParameters::declare, resolve_obstacle},
       {"Contacts", "Contact", declare_contact, resolve_contact},

@@ -45,7 +45,7 @@ namespace lamella
 
     /// Returns "5 % too stiff" or "3.5 times too stiff", for instance.
     std::string
-    how_stiff(const double ratio)
+    describe_stiffness(const double ratio)
     {
       const std::string percent =
         to_text(100. * std::abs(ratio - 1.), 1) + " %";
@@ -71,7 +71,8 @@ namespace lamella
         shear_error(body, laminate->plies(scene.materials), laminate->width);
       if (std::abs(ratio - 1.) > worth_saying)
         notes.push_back("body " + body.name + ": by the section's constants " +
-                        body.theory.name() + " is " + how_stiff(ratio) +
+                        body.theory.name() + " is " +
+                        describe_stiffness(ratio) +
                         " in bending at this length (12 E I / (k G A L^2)), "
                         "since it does not follow the shear of these plies. "
                         "Use LE-N");
@@ -104,7 +105,8 @@ namespace lamella
     /// Returns the relative increase of the axial stiffness without lateral
     /// contraction: C_yy over E_y, both summed over the area, less one.
     double
-    held_contraction(const SectionMesh &section, const SectionProperties &p)
+    contraction_stiffening(const SectionMesh       &section,
+                           const SectionProperties &p)
     {
       double held = 0., contracting = 0.;
       for (unsigned int i = 0; i < section.plies.size(); ++i)
@@ -171,7 +173,7 @@ namespace lamella
           if (clamps(support, number, end))
             longest = std::max(longest, end_elements(body.axis)[end]);
       const double error =
-        cost * held_contraction(mesh, p) * longest / body.axis.length;
+        cost * contraction_stiffening(mesh, p) * longest / body.axis.length;
       if (longest > coarse * width && error > worth)
         notes.push_back(
           "body " + body.name +
@@ -195,7 +197,7 @@ namespace lamella
         const BodyDescription &body = scene.bodies[b];
         const auto            &mesh = meshes.at(body.section);
         // Other theories have plane sections, or contract freely.
-        if (body.theory.contracts_by_itself() && !body.theory.is_solid())
+        if (body.theory.describes_contraction() && !body.theory.is_solid())
           add_clamp_note(b, scene, *mesh, notes);
         if (!body.theory.is_single_layer())
           continue;
@@ -282,7 +284,7 @@ namespace lamella
         {
           const Laminate *laminate =
             std::get_if<Laminate>(&scene.sections.at(body.section));
-          if (laminate == nullptr || body.theory.contracts_by_itself())
+          if (laminate == nullptr || body.theory.describes_contraction())
             continue;
           const LaminateStiffness stiffness =
             laminate_stiffness(laminate->plies(scene.materials),

@@ -306,9 +306,9 @@ namespace lamella
     if (trade.quantities.empty())
       {
         trade.quantities =
-          quantities_with_references(names.quantities, trade.whole_probes);
+          quantities_with_references(names.quantities, trade.probes_as_goals);
         if (trade.reference == "given")
-          trade.whole_probes.clear();
+          trade.probes_as_goals.clear();
       }
     if (trade.reference == "given")
       check_given(reference, trade.quantities);

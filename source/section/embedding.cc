@@ -29,7 +29,7 @@ namespace lamella
   {
     if (a.n_cells() != b.n_cells())
       return false;
-    constexpr double rounding = arithmetic::same_place;
+    constexpr double rounding = arithmetic::same_position;
     const double     size     = a.extents().second;
     const Point<2>   middle(0.5, 0.5);
     for (unsigned int cell = 0; cell < a.n_cells(); ++cell)

@@ -12,7 +12,7 @@ namespace lamella
   using namespace dealii;
 
   std::array<Tensor<1, 3>, 2>
-  derivatives_of_field(const SectionPoint &point, const unsigned int a)
+  field_derivatives(const SectionPoint &point, const unsigned int a)
   {
     // D_s Phi and the twist hold all derivatives within the section.
     const Voigt &e     = point.in_plane[a];
@@ -31,7 +31,7 @@ namespace lamella
     Gradient H;
     for (unsigned int a = 0; a < point.fields->size(); ++a)
       {
-        const auto   along = derivatives_of_field(point, a);
+        const auto   along = field_derivatives(point, a);
         const double value = q[FieldPart::value](a, k);
         H[0] += value * along[0];
         H[1] += q[FieldPart::derivative](a, k) * point.value[a];
@@ -104,7 +104,7 @@ namespace lamella
 
 
   Voigt
-  PolarDecomposition::turned_stress(const Voigt &second) const
+  PolarDecomposition::corotated_stress(const Voigt &second) const
   {
     const Tensor<2, 3> S(tensor_of(second, 1.)),
       sigma = U * S * U / determinant(U);

@@ -21,7 +21,7 @@ namespace lamella
       for (unsigned int p = 0; p < points.size(); ++p)
         for (unsigned int a = 0; a < n; ++a)
           {
-            const auto along = derivatives_of_field(points[p], a);
+            const auto along = field_derivatives(points[p], a);
             for (unsigned int c = 0; c < 3; ++c)
               {
                 G(9 * p + c, a)         = along[0][c];

@@ -101,7 +101,8 @@ namespace lamella
 
 
   void
-  HierarchicalSurplus::keep_beyond(const unsigned int q, Vector &c) const
+  HierarchicalSurplus::remove_lower_degree(const unsigned int q,
+                                           Vector            &c) const
   {
     Vector surplus(c.size());
     for (unsigned int i = 0; i < c.size(); ++i)

@@ -102,7 +102,7 @@ namespace lamella
         all.push_back(node[d]);
       std::sort(all.begin(), all.end());
       const double tolerance =
-        arithmetic::same_place * (all.back() - all.front());
+        arithmetic::same_position * (all.back() - all.front());
       std::vector<double> values;
       for (const double value : all)
         if (values.empty() || value - values.back() > tolerance)

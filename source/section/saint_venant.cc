@@ -37,7 +37,7 @@ namespace lamella
     /// S_00 with the held fields' rows and columns those of the unit matrix,
     /// times a number of the size of the others.
     Matrix
-    without_held(const Matrix &S_00)
+    with_fixed_fields(const Matrix &S_00)
     {
       Matrix K(S_00.get_sparsity_pattern());
       K.copy_from(S_00);
@@ -91,7 +91,7 @@ namespace lamella
     : section(section)
   {
     Assert(section.n_fields() > r_y, ExcMessage("There is no torsion field."));
-    solver = factorize(without_held(section.S(0, 0)), "the section");
+    solver = factorize(with_fixed_fields(section.S(0, 0)), "the section");
     find_states();
     find_compliance();
   }
@@ -110,7 +110,7 @@ namespace lamella
 
 
   Vector
-  SaintVenant::held_response(Vector load) const
+  SaintVenant::constrained_response(Vector load) const
   {
     for (const unsigned int field : held)
       load[field] = 0.;
@@ -123,7 +123,7 @@ namespace lamella
   Vector
   SaintVenant::solve(const Vector &v, const Vector &w) const
   {
-    return held_response(right_hand_side(v, w));
+    return constrained_response(right_hand_side(v, w));
   }
 
 
@@ -150,7 +150,7 @@ namespace lamella
     Vector v = load;
     for (unsigned int j = 0; j < balancing.size(); ++j)
       v.add(-share[j], tractions[j]);
-    return held_response(std::move(v));
+    return constrained_response(std::move(v));
   }
 
 
@@ -292,8 +292,8 @@ namespace lamella
       }
     if (warping_ones.empty())
       return FieldColumns(section.n_fields(), 0);
-    fields   = these_of(fields, warping_ones);
-    energies = these_of(energies, warping_ones);
+    fields   = selected_columns(fields, warping_ones);
+    energies = selected_columns(energies, warping_ones);
     return orthonormal(fields, energies, alike);
   }
 

@@ -238,7 +238,7 @@ namespace lamella
 
 
   void
-  Section::for_each_point(const UseOfPoint &use) const
+  Section::for_each_point(const PointCallback &use) const
   {
     if (!spans_the_section())
       {
@@ -277,7 +277,7 @@ namespace lamella
       for (const Point<2> &unit : quadrature.get_points())
         {
           points.push_back(evaluate_fields(cell, unit));
-          if (laws.vary())
+          if (laws.has_varying_laws())
             point_laws.push_back(law(cell, points.back().position));
         }
   }
@@ -298,7 +298,7 @@ namespace lamella
         {
           points.push_back(evaluate_fields(cell, quadrature.point(q)));
           weights.push_back(quadrature.weight(q) * points.back().jacobian);
-          if (laws.vary())
+          if (laws.has_varying_laws())
             point_laws.push_back(law(cell, points.back().position));
         }
 
@@ -329,7 +329,8 @@ namespace lamella
       return std::make_pair(x - position, Tensor<2, 2>(jacobian));
     };
     const Point<2> unit =
-      inverse_image(Point<2>(0.5, 0.5), false, missing, stay_near<2>).unit;
+      inverse_image(Point<2>(0.5, 0.5), false, missing, clip_to_neighborhood<2>)
+        .unit;
     const Point<2> inside = GeometryInfo<2>::project_to_unit_cell(unit);
     return {inside, x.distance(expansion->map(cell, inside).position)};
   }
@@ -422,7 +423,7 @@ namespace lamella
       element = std::make_unique<LagrangeElement>(
         std::move(mesh),
         of_section.order,
-        LagrangeElement::usual_column_aspect,
+        LagrangeElement::default_column_aspect,
         of_section.hierarchical ? LagrangeElement::Basis::hierarchical :
                                   LagrangeElement::Basis::nodal);
     else

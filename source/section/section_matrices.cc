@@ -233,7 +233,7 @@ namespace lamella
       for (unsigned int ply = 0; ply < laws.n_plies(); ++ply)
         {
           const unsigned int first = parts.size();
-          if (!laws.varies(ply))
+          if (!laws.has_varying_law(ply))
             parts.push_back({ply, 0, laws.constant(ply).stiffness()});
           else
             for (const ElasticTensor &C : laws.stiffness_harmonics(ply))
@@ -345,7 +345,7 @@ namespace lamella
           const unsigned int          ply = ply_of_cell[cell];
           const std::vector<Point<2>> x =
             evaluate_functions(element, cell, quadrature, D);
-          if (laws.varies(ply))
+          if (laws.has_varying_law(ply))
             for (unsigned int q = 0; q < quadrature.size(); ++q)
               at_point[q] = laws.harmonics(ply, x[q]);
           for (unsigned int p = 0; p < parts.size(); ++p)

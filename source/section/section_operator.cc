@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/section/point_answer.h>
-#include <lamella/section/product_answer.h>
+#include <lamella/section/pointwise_section_operator.h>
+#include <lamella/section/product_section_operator.h>
 
 #include <algorithm>
 

@@ -112,21 +112,21 @@ namespace lamella
   SectionSpace::measured() const
   {
     std::vector<double> squares(n_fields(), 0.);
-    const auto          look_at = [&squares](const unsigned int  alpha,
-                                    const Tensor<1, 3> &value) {
+    const auto          evaluate_cell = [&squares](const unsigned int  alpha,
+                                          const Tensor<1, 3> &value) {
       squares[alpha] = std::max(squares[alpha], value.norm_square());
     };
     for (const SectionPoint &point : base->integration_points())
       {
         const std::vector<unsigned int> &fields = *point.fields;
         for (unsigned int a = 0; a < fields.size(); ++a)
-          look_at(fields[a], point.value[a]);
+          evaluate_cell(fields[a], point.value[a]);
         for (unsigned int j = 0; j < n_modes(); ++j)
           {
             Tensor<1, 3> value;
             for (unsigned int a = 0; a < fields.size(); ++a)
               value += mode(j)[fields[a]] * point.value[a];
-            look_at(first_mode() + j, value);
+            evaluate_cell(first_mode() + j, value);
           }
       }
     for (double &square : squares)

@@ -140,7 +140,7 @@ namespace lamella
       for (unsigned int k = 0; k < point.fields->size(); ++k)
         {
           const unsigned int alpha = (*point.fields)[k];
-          const auto         d     = derivatives_of_field(point, k);
+          const auto         d     = field_derivatives(point, k);
           result.H[0] += a[alpha] * d[0];
           result.H[1] += b[alpha] * point.value[k];
           result.H[2] += a[alpha] * d[1];
@@ -185,7 +185,7 @@ namespace lamella
       for (unsigned int k = 0; k < point.fields->size(); ++k)
         {
           const unsigned int alpha = (*point.fields)[k];
-          const auto         d     = derivatives_of_field(point, k);
+          const auto         d     = field_derivatives(point, k);
           const Tensor<1, 3> turned =
             cross_product_3d(curvature, point.value[k]);
           work[alpha] +=
@@ -220,7 +220,7 @@ namespace lamella
                                curvature);
         // The relaxation in the section, and that of the axis with what the
         // section does then (the state of extension).
-        const Vector  v         = states.held_response(state.work);
+        const Vector  v         = states.constrained_response(state.work);
         double        saved     = state.work * v;
         const Vector &stretched = states.values()[extension];
         const Vector &stretch   = states.derivatives()[extension];

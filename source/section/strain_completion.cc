@@ -55,8 +55,9 @@ namespace lamella
                                  const Point<2>    &x) const
   {
     const unsigned int ply = ply_of_cell[cell];
-    return laws.varies(ply) ? free_contraction(laws.at(ply, x).stiffness()) :
-                              completion[ply];
+    return laws.has_varying_law(ply) ?
+             free_contraction(laws.at(ply, x).stiffness()) :
+             completion[ply];
   }
 
 

@@ -301,7 +301,7 @@ namespace lamella
         }
 
     std::vector<EdgePoint> points;
-    for (const unsigned int i : most_independent(rows))
+    for (const unsigned int i : select_independent_rows(rows))
       points.push_back(candidates[i]);
     return points;
   }

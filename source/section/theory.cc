@@ -73,7 +73,7 @@ namespace lamella
 
 
   Theory
-  Theory::from_solutions(const unsigned int waves) const
+  Theory::to_saint_venant(const unsigned int waves) const
   {
     Theory theory        = *this;
     theory.kind          = Kind::SV;
@@ -103,7 +103,7 @@ namespace lamella
 
 
   Theory
-  Theory::of_solutions(const unsigned int waves, const unsigned int degree)
+  Theory::make_saint_venant(const unsigned int waves, const unsigned int degree)
   {
     Theory theory        = theory_of(Kind::SV, waves);
     theory.section_order = degree;
@@ -179,7 +179,7 @@ namespace lamella
                       "Theories ends and the next begins, ascending [length].");
     prm.declare_entry("Section order",
                       "auto",
-                      patterns::WordOr("auto", patterns::Whole(1, 8)),
+                      patterns::WordOrPattern("auto", patterns::Whole(1, 8)),
                       "Of SV and SV-N: the degree of the layer-wise functions "
                       "that their fields are made of. It costs section "
                       "solutions, no DoFs. auto: 3, or the highest N of LE-N "

@@ -173,7 +173,7 @@ namespace lamella
     /// does not vanish, and how many these are. (The slopes are among them:
     /// they let the section turn about its shear center.)
     std::pair<std::vector<unsigned int>, unsigned int>
-    strained_fields(const unsigned int n)
+    fields_with_strain(const unsigned int n)
     {
       std::vector<unsigned int> place(n, numbers::invalid_unsigned_int);
       unsigned int              n_free = 0;
@@ -189,15 +189,15 @@ namespace lamella
   std::optional<double>
   torsional_stiffness(const Section &section)
   {
-    constexpr unsigned int most_fields = 2500;
+    constexpr unsigned int max_fields_share = 2500;
 
     const unsigned int n = section.n_fields();
-    if (section.theory().is_classical() || n > most_fields)
+    if (section.theory().is_classical() || n > max_fields_share)
       return {};
     // S_00 w = -S_01 r_y without the fields whose section strain vanishes.
     const double           h   = section.element().reference_length();
     constexpr unsigned int r_y = RigidField::rotation_y;
-    const auto [place, n_free] = strained_fields(n);
+    const auto [place, n_free] = fields_with_strain(n);
     LAPACKFullMatrix<double> K(n_free, n_free);
     Vector                   w(n_free);
     for (unsigned int a = 0; a < n; ++a)

@@ -39,7 +39,7 @@ namespace lamella
           on_derivatives[alpha] += point.along[k] * stress;
         }
     });
-    relaxation = states.held_response(on_values);
+    relaxation = states.constrained_response(on_values);
     square -= on_values * relaxation;
     Vector of_relaxation(section.n_fields());
     section.S(1, 0).vmult(of_relaxation, relaxation);

@@ -150,11 +150,11 @@ namespace lamella
 
 
 
-  Warping::Freed
-  Warping::freed(const std::vector<Vector> &snapshots,
-                 const FieldColumns        &warpings) const
+  Warping::WarpingFields
+  Warping::remove_rigid_parts_of(const std::vector<Vector> &snapshots,
+                                 const FieldColumns        &warpings) const
   {
-    Freed result;
+    WarpingFields result;
     result.fields.reinit(section.n_fields(), snapshots.size());
     for (unsigned int j = 0; j < snapshots.size(); ++j)
       {
@@ -184,7 +184,7 @@ namespace lamella
                      const FieldColumns        &warpings) const
   {
     return snapshots.empty() ? std::vector<double>() :
-                               freed(snapshots, warpings).norms;
+                               remove_rigid_parts_of(snapshots, warpings).norms;
   }
 
 
@@ -198,7 +198,7 @@ namespace lamella
     const unsigned int n = section.n_fields();
     if (snapshots.empty())
       return FieldColumns(n, 0);
-    Freed                     free = freed(snapshots, warpings);
+    WarpingFields             free = remove_rigid_parts_of(snapshots, warpings);
     std::vector<unsigned int> fresh;
     for (unsigned int j = 0; j < snapshots.size(); ++j)
       {
@@ -211,8 +211,8 @@ namespace lamella
       }
     if (fresh.empty())
       return FieldColumns(n, 0);
-    FieldColumns fields  = these_of(free.fields, fresh),
-                 metrics = these_of(free.metrics, fresh);
+    FieldColumns fields  = selected_columns(free.fields, fresh),
+                 metrics = selected_columns(free.metrics, fresh);
     make_free_of(known, metric(known), fields, metrics);
     return orthonormal(fields, metrics, tolerance);
   }
@@ -227,7 +227,7 @@ namespace lamella
   {
     if (snapshots.empty())
       return FieldColumns(section.n_fields(), 0);
-    Freed free = freed(snapshots, warpings);
+    WarpingFields free = remove_rigid_parts_of(snapshots, warpings);
     make_free_of(known, metric(known), free.fields, free.metrics);
     return orthonormal(free.fields, free.metrics, tolerance);
   }
@@ -275,8 +275,8 @@ namespace lamella
 
 
   FieldColumns
-  these_of(const FieldColumns              &columns,
-           const std::vector<unsigned int> &numbers)
+  selected_columns(const FieldColumns              &columns,
+                   const std::vector<unsigned int> &numbers)
   {
     FieldColumns result(columns.m(), numbers.size());
     for (unsigned int j = 0; j < numbers.size(); ++j)

@@ -160,7 +160,7 @@ namespace lamella
         // Fractions from both ends differ by rounding.
         const auto key =
           std::make_pair(edge_of(begin, end),
-                         std::lround(fraction / arithmetic::same_place));
+                         std::lround(fraction / arithmetic::same_position));
         const auto [place, is_new] = known.insert({key, points.size()});
         if (is_new)
           points.push_back(points[begin] +
@@ -210,7 +210,7 @@ namespace lamella
     for (const unsigned int vertex : boundary)
       {
         const Ply &first = section.plies[*plies[vertex].begin()];
-        if (angles[vertex] > rules.least_angle ||
+        if (angles[vertex] > rules.min_reentrant_angle ||
             std::any_of(plies[vertex].begin(),
                         plies[vertex].end(),
                         [&](const unsigned int ply) {
@@ -362,12 +362,12 @@ namespace lamella
     for (const auto &face : mesh.active_face_iterators())
       if (face->at_boundary())
         divider.add_boundary(face);
-    if (divider.n_cells() > most_section_cells)
+    if (divider.n_cells() > max_section_cells)
       throw InputError(what + "/Corner layers",
                        std::to_string(layers),
                        "would make " + std::to_string(divider.n_cells()) +
                          " cells of the section, more than " +
-                         to_text(most_section_cells),
+                         to_text(max_section_cells),
                        "Make fewer layers, or use a higher order.");
     auto result        = std::make_shared<SectionMesh>();
     result->plies      = section.plies;

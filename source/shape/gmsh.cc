@@ -75,7 +75,7 @@ namespace lamella
           {extent, std::abs(node.position[0]), std::abs(node.position[1])});
       if (lowest == file.nodes.end() ||
           highest->position[2] - lowest->position[2] <=
-            arithmetic::as_written * extent)
+            arithmetic::decimal_tolerance * extent)
         return;
       // Of the two the one that is off, if it is one.
       const double first = file.nodes[0].position[2];
@@ -172,7 +172,7 @@ namespace lamella
         entry.refuse("the mesh has no named physical surface",
                      "In Gmsh, 'Physical Surface(\"" + material +
                        "\") = {1};' says of what it is made.");
-      for (const auto &[part, fabric] : file.parts)
+      for (const auto &[part, oriented_material] : file.parts)
         if (std::find(surfaces.begin(), surfaces.end(), part) == surfaces.end())
           throw InputError(file.what + "/Parts",
                            "",
@@ -199,11 +199,12 @@ namespace lamella
       for (const auto &[key, group] : mesh.names)
         if (key.first == 2)
           {
-            const std::string &name = group.name;
-            const auto         part = file.parts.find(name);
-            const Fabric       fabric =
-              part == file.parts.end() ? Fabric{name, 0.} : part->second;
-            if (materials.count(fabric.material) == 0)
+            const std::string     &name = group.name;
+            const auto             part = file.parts.find(name);
+            const OrientedMaterial oriented_material =
+              part == file.parts.end() ? OrientedMaterial{name, 0.} :
+                                         part->second;
+            if (materials.count(oriented_material.material) == 0)
               refuse_line(entry,
                           group.line,
                           "the physical surface '" + name +
@@ -212,11 +213,11 @@ namespace lamella
                           "Rename it, or say in Parts what it is made of: '" +
                             name + ": " + known[0] + "'.");
             ply_of_tag[key.second] = section.plies.size();
-            section.plies.push_back({fabric.material,
-                                     fabric.angle,
+            section.plies.push_back({oriented_material.material,
+                                     oriented_material.angle,
                                      0.,
                                      0.,
-                                     materials.at(fabric.material)});
+                                     materials.at(oriented_material.material)});
           }
       return ply_of_tag;
     }
@@ -440,7 +441,7 @@ namespace lamella
     const auto names   = make_boundaries(read, entry, *section);
     GmshMesh   parts   = make_mesh(read, plies, names, entry);
     check_cells_are_convex(parts, entry);
-    sift_lines(parts, entry);
+    keep_boundary_lines(parts, entry);
     check_angles(parts, entry);
     GridTools::consistently_order_cells(parts.cells);
     Triangulation<2> &mesh = section->mesh;

@@ -199,7 +199,7 @@ namespace lamella
 
 
   void
-  sift_lines(GmshMesh &mesh, const Entry &entry)
+  keep_boundary_lines(GmshMesh &mesh, const Entry &entry)
   {
     const auto                   count = count_cells_at_sides(mesh, entry);
     std::map<Side, unsigned int> seen;

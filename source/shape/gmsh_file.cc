@@ -108,7 +108,7 @@ namespace lamella
       GmshParts parts;
       GmshFile  file;
       /// Number of a node -> its place.
-      std::unordered_map<std::int64_t, unsigned int> place_of_node;
+      std::unordered_map<std::int64_t, unsigned int> cell_of_node;
       std::unordered_set<std::int64_t>               numbers_of_elements;
       /// (dimension, tag) of what is drawn -> tag of its physical group.
       std::map<std::pair<int, std::int64_t>, int> group_of_entity;
@@ -136,12 +136,12 @@ namespace lamella
         return;
       GmshPart  &part  = parts.part("PhysicalNames");
       GmshLines &lines = part.lines;
-      part.go_on("the count of names");
+      part.next_line("the count of names");
       lines.expect(1, "the count of names");
       const auto n = part.announced(0, "names");
       for (std::int64_t i = 0; i < n; ++i)
         {
-          part.go_on("name " + std::to_string(i + 1));
+          part.next_line("name " + std::to_string(i + 1));
           const auto open = lines.current.find('"');
           if (lines.words.size() < 3 || open == std::string_view::npos ||
               lines.words[2][0] != '"' || lines.current.back() != '"' ||
@@ -178,7 +178,7 @@ namespace lamella
       if (!parts.in_blocks() || !parts.has("Entities"))
         return;
       GmshPart &part = parts.part("Entities");
-      part.go_on("four counts");
+      part.next_line("four counts");
       part.lines.expect(4, "counts of points, curves, surfaces, volumes");
       std::array<std::int64_t, 4> n{};
       for (int d = 0; d < 4; ++d)
@@ -186,7 +186,7 @@ namespace lamella
       for (int d = 0; d < 4; ++d)
         for (std::int64_t i = 0; i < n[d]; ++i)
           {
-            part.go_on(entity_name(d) + " " + std::to_string(i + 1));
+            part.next_line(entity_name(d) + " " + std::to_string(i + 1));
             read_entity(part.lines, d);
           }
       part.expect_end();
@@ -244,7 +244,7 @@ namespace lamella
                  n        = part.announced(1, things);
       for (std::int64_t block = 0; block < n_blocks; ++block)
         {
-          part.go_on("block " + std::to_string(block + 1));
+          part.next_line("block " + std::to_string(block + 1));
           (this->*add_block)(part);
         }
       if (found.size() != static_cast<std::size_t>(n))
@@ -262,7 +262,7 @@ namespace lamella
                          const std::size_t  first_word)
     {
       const auto [it, is_new] =
-        place_of_node.insert({number, file.nodes.size()});
+        cell_of_node.insert({number, file.nodes.size()});
       if (!is_new)
         at.fault("a second node " + std::to_string(number) +
                  "; the first is in line " +
@@ -280,7 +280,7 @@ namespace lamella
     MeshReader::read_nodes()
     {
       GmshPart &part = parts.part("Nodes");
-      part.go_on("the count of nodes");
+      part.next_line("the count of nodes");
       if (parts.in_blocks())
         {
           read_blocks(part,
@@ -293,7 +293,7 @@ namespace lamella
       const auto n = part.announced(0, "nodes");
       for (std::int64_t i = 0; i < n; ++i)
         {
-          part.go_on("node " + std::to_string(i + 1));
+          part.next_line("node " + std::to_string(i + 1));
           part.lines.expect(4, "a node's number, x, y, z");
           add_node(part.lines, part.lines.integer(0, "a node's number", 1), 1);
         }
@@ -316,13 +316,13 @@ namespace lamella
       std::vector<std::int64_t> numbers;
       for (std::int64_t i = 0; i < count; ++i)
         {
-          part.go_on("a node's number");
+          part.next_line("a node's number");
           lines.expect(1, "a node's number");
           numbers.push_back(lines.integer(0, "a node's number", 1));
         }
       for (const std::int64_t number : numbers)
         {
-          part.go_on("a node");
+          part.next_line("a node");
           lines.expect(3 + parameters, "x, y, z, and parameters if announced");
           add_node(lines, number, 0);
         }
@@ -342,8 +342,8 @@ namespace lamella
         {
           const std::int64_t node =
             at.integer(first_word + i, "a node's number", 1);
-          const auto found = place_of_node.find(node);
-          if (found == place_of_node.end())
+          const auto found = cell_of_node.find(node);
+          if (found == cell_of_node.end())
             at.fault(element + " has node " + std::to_string(node) +
                      ", which $Nodes has not");
           const auto end = nodes.begin() + i;
@@ -393,7 +393,7 @@ namespace lamella
     {
       GmshPart  &part  = parts.part("Elements");
       GmshLines &lines = part.lines;
-      part.go_on("the count of elements");
+      part.next_line("the count of elements");
       if (parts.in_blocks())
         {
           read_blocks(part,
@@ -406,7 +406,7 @@ namespace lamella
       const auto n = part.announced(0, "elements");
       for (std::int64_t i = 0; i < n; ++i)
         {
-          part.go_on("element " + std::to_string(i + 1));
+          part.next_line("element " + std::to_string(i + 1));
           const int  type = lines.integer(1, "a type of element", 1, tags_end);
           const auto tags =
             lines.integer(2, "a count of tags", 0, lines.words.size());
@@ -447,7 +447,7 @@ namespace lamella
                     std::to_string(tag));
       for (std::int64_t i = 0; i < count; ++i)
         {
-          part.go_on("an element");
+          part.next_line("an element");
           add_element(lines,
                       type,
                       group == group_of_entity.end() ? 0 : group->second,

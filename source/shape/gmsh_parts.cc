@@ -143,7 +143,7 @@ namespace lamella
 
 
   void
-  GmshPart::go_on(const std::string &due)
+  GmshPart::next_line(const std::string &due)
   {
     if (!lines.next())
       lines.fault("the section ends after this line, where " + due + " is due");

@@ -300,11 +300,11 @@ namespace lamella
   make_section_mesh(const HalfDisc &disc, const Materials &materials)
   {
     auto section   = std::make_shared<SectionMesh>();
-    section->plies = {{disc.fabric.material,
-                       disc.fabric.angle,
+    section->plies = {{disc.oriented_material.material,
+                       disc.oriented_material.angle,
                        0.,
                        disc.radius,
-                       materials.at(disc.fabric.material)}};
+                       materials.at(disc.oriented_material.material)}};
 
     auto [vertices, cells] = graded_cells(disc);
     GridTools::consistently_order_cells(cells);

@@ -76,7 +76,7 @@ namespace lamella
     const Whole &
     cells()
     {
-      static const Whole pattern(1, ShapeReader::most_in_line);
+      static const Whole pattern(1, ShapeReader::max_cells_in_line);
       return pattern;
     }
 
@@ -187,7 +187,7 @@ namespace lamella
          "Half disc: cells in each ring around that point, a multiple of 4."},
         {"Refinements",
          "1",
-         Whole(0, ShapeReader::most_refinements),
+         Whole(0, ShapeReader::max_ellipse_refinements),
          "E",
          "Ellipse: how often 12 cells are cut into four each, 0 to 6."}};
     }
@@ -201,13 +201,13 @@ namespace lamella
       return {
         {"Cells divided",
          "0",
-         Whole(0, SectionParameters::most_divisions),
+         Whole(0, SectionParameters::max_divisions),
          "LDEBWTF",
          "How often all cells of the section are divided in four, also those of "
          "a file, 0 to 4."},
         {"Corner layers",
          "0",
-         Whole(0, SectionParameters::most_corner_layers),
+         Whole(0, SectionParameters::max_corner_layers),
          "LBWF",
          "How many layers of cells, each 0.15 of the next, lie at corners where "
          "stresses have no limit: re-entrant ones, and where plies that differ "
@@ -460,9 +460,9 @@ namespace lamella
     check_entries(kind, in);
     const SectionShape result = read(kind, folder, {in, materials});
     const double       cells  = estimated_cells(result);
-    if (cells > most_section_cells)
+    if (cells > max_section_cells)
       in.refuse("the section would have about " + to_text(cells) +
-                  " cells, more than " + to_text(most_section_cells),
+                  " cells, more than " + to_text(max_section_cells),
                 "Use fewer cells, and a higher order instead.");
     return result;
   }

@@ -14,7 +14,7 @@ namespace lamella
   {
     const std::vector<double> values = in[entry].numbers();
     if (values.empty())
-      in[entry].is_missing("give a positive length.");
+      in[entry].refuse_missing("give a positive length.");
     return values;
   }
 
@@ -23,24 +23,25 @@ namespace lamella
   std::vector<unsigned int>
   ShapeReader::counts(const std::string &entry) const
   {
-    const std::vector<unsigned int> values = in[entry].wholes(1, most_in_line);
+    const std::vector<unsigned int> values =
+      in[entry].whole_numbers(1, max_cells_in_line);
     if (values.empty())
-      in[entry].is_missing("give a whole number.");
+      in[entry].refuse_missing("give a whole number.");
     return values;
   }
 
 
 
-  Fabric
-  ShapeReader::fabric() const
+  OrientedMaterial
+  ShapeReader::oriented_material() const
   {
-    const Entry entry = in["Material"];
-    Fabric      result;
+    const Entry      entry = in["Material"];
+    OrientedMaterial result;
     result.angle = in["Fiber angle"].number();
     if (entry.is_empty() && materials.size() == 1)
       result.material = materials[0];
     else if (entry.is_empty())
-      entry.is_missing("name one of " + joined(materials) + ".");
+      entry.refuse_missing("name one of " + joined(materials) + ".");
     else
       result.material = material(entry, entry.text());
     return result;
@@ -51,7 +52,7 @@ namespace lamella
   unsigned int
   ShapeReader::count(const std::string &entry) const
   {
-    return in[entry].whole(1, most_in_line);
+    return in[entry].whole(1, max_cells_in_line);
   }
 
 
@@ -92,20 +93,21 @@ namespace lamella
     result.angles        = parse_layup(in["Layup"]);
     const unsigned int n = result.angles.size();
     result.cells_per_ply =
-      one_a_ply(counts("Cells per ply"), n, in["Cells per ply"]);
+      one_per_ply(counts("Cells per ply"), n, in["Cells per ply"]);
     read_pieces(result, *this);
     result.thicknesses =
-      one_a_ply(lengths("Ply thickness"), n, in["Ply thickness"]);
+      one_per_ply(lengths("Ply thickness"), n, in["Ply thickness"]);
 
     const Entry              entry = in["Ply materials"];
     std::vector<std::string> names = entry.items();
     if (names.empty() && materials.size() == 1)
       names = materials;
     if (names.empty())
-      entry.is_missing("name one of " + joined(materials) + ", or one a ply.");
+      entry.refuse_missing("name one of " + joined(materials) +
+                           ", or one a ply.");
     for (const std::string &name : names)
       material(entry, name);
-    result.materials = one_a_ply(names, n, entry);
+    result.materials = one_per_ply(names, n, entry);
     return result;
   }
 
@@ -131,7 +133,7 @@ namespace lamella
     result.sectors = count("Sectors");
     if (result.sectors % 4 != 0)
       in["Sectors"].refuse("must be a multiple of 4, as 8 or 12");
-    result.fabric = fabric();
+    result.oriented_material = oriented_material();
     return result;
   }
 
@@ -143,8 +145,8 @@ namespace lamella
     Ellipse result;
     result.width       = in["Width"].positive();
     result.height      = in["Height"].positive();
-    result.refinements = in["Refinements"].whole(0, most_refinements);
-    result.fabric      = fabric();
+    result.refinements = in["Refinements"].whole(0, max_ellipse_refinements);
+    result.oriented_material = oriented_material();
     return result;
   }
 
@@ -153,11 +155,11 @@ namespace lamella
   namespace
   {
     /// What the physical surfaces of a mesh are made of, between '|'.
-    std::map<std::string, Fabric>
+    std::map<std::string, OrientedMaterial>
     read_parts(const ShapeReader &reader)
     {
-      const Entry                   entry = reader.in["Parts"];
-      std::map<std::string, Fabric> parts;
+      const Entry                             entry = reader.in["Parts"];
+      std::map<std::string, OrientedMaterial> parts;
       for (const std::string &text : entry.items('|'))
         {
           const auto         colon = text.find(':');
@@ -171,9 +173,10 @@ namespace lamella
                            "' is not PART: MATERIAL ANGLE, as in web: carbon "
                            "45",
                          "Between parts stands '|'.");
-          const Fabric fabric{reader.material(entry, material),
-                              angle.empty() ? 0. : entry.number(angle)};
-          if (!parts.emplace(name, fabric).second)
+          const OrientedMaterial oriented_material{
+            reader.material(entry, material),
+            angle.empty() ? 0. : entry.number(angle)};
+          if (!parts.emplace(name, oriented_material).second)
             entry.refuse("'" + name + "' stands there twice");
         }
       return parts;
@@ -222,7 +225,7 @@ namespace lamella
   {
     const Entry name = in["File"];
     if (name.is_empty())
-      name.is_missing("name a mesh by Gmsh, as in beam.msh.");
+      name.refuse_missing("name a mesh by Gmsh, as in beam.msh.");
     SectionFile result;
     result.path   = (std::filesystem::path(folder) / name.text()).string();
     result.what   = in.path();

@@ -84,10 +84,15 @@ namespace lamella
   {
     /// The one ply of a homogeneous section between @p bottom and @p top.
     Ply
-    only_ply(const Fabric &fabric, const double top, const Materials &materials)
+    single_ply(const OrientedMaterial &oriented_material,
+               const double            top,
+               const Materials        &materials)
     {
-      return {
-        fabric.material, fabric.angle, 0., top, materials.at(fabric.material)};
+      return {oriented_material.material,
+              oriented_material.angle,
+              0.,
+              top,
+              materials.at(oriented_material.material)};
     }
 
 
@@ -138,7 +143,8 @@ namespace lamella
   make_section_mesh(const Ellipse &ellipse, const Materials &materials)
   {
     auto section   = std::make_shared<SectionMesh>();
-    section->plies = {only_ply(ellipse.fabric, ellipse.height, materials)};
+    section->plies = {
+      single_ply(ellipse.oriented_material, ellipse.height, materials)};
 
     Triangulation<2> disc;
     GridGenerator::hyper_ball_balanced(disc);
@@ -170,12 +176,12 @@ namespace lamella
           const std::string &what)
   {
     const double cells = std::pow(4., times) * section.mesh.n_active_cells();
-    if (cells > most_section_cells)
+    if (cells > max_section_cells)
       throw InputError(what + "/Cells divided",
                        std::to_string(times),
                        "would make " + to_text(cells) +
                          " cells of the section, more than " +
-                         to_text(most_section_cells),
+                         to_text(max_section_cells),
                        "Divide them less often, or use a higher order.");
     Triangulation<2> fine;
     fine.copy_triangulation(section.mesh);

@@ -139,7 +139,8 @@ namespace lamella
     {
       section.boundaries = {
         {0, "left"}, {1, "right"}, {2, "bottom"}, {3, "top"}, {4, "inner"}};
-      const double tolerance = arithmetic::same_place_along * (width + height);
+      const double tolerance =
+        arithmetic::same_position_along * (width + height);
       for (const auto &face : section.mesh.active_face_iterators())
         if (face->at_boundary())
           {
@@ -211,20 +212,20 @@ namespace lamella
       std::vector<Ply>          plies;
       std::vector<unsigned int> first(walls.size(), 0);
       if (section.layups.empty())
-        plies.push_back({section.fabric.material,
-                         section.fabric.angle,
+        plies.push_back({section.oriented_material.material,
+                         section.oriented_material.angle,
                          0.,
                          section.height,
-                         materials.at(section.fabric.material)});
+                         materials.at(section.oriented_material.material)});
       for (unsigned int w = 0; w < section.layups.size(); ++w)
         {
           first[w] = plies.size();
           for (const WallPly &ply : section.layups[w])
-            plies.push_back({ply.fabric.material,
-                             ply.fabric.angle,
+            plies.push_back({ply.oriented_material.material,
+                             ply.oriented_material.angle,
                              section.height,
                              0.,
-                             materials.at(ply.fabric.material),
+                             materials.at(ply.oriented_material.material),
                              {walls[w].normal, {}, walls[w].name}});
         }
       return {plies, first};
@@ -266,7 +267,7 @@ namespace lamella
 
 
   std::pair<unsigned int, unsigned int>
-  count_of_walls(const ShapeKind form)
+  wall_counts(const ShapeKind form)
   {
     const WallLayout &layout = layout_of(form);
     return {layout.webs.size(), layout.flanges.size()};
@@ -275,7 +276,7 @@ namespace lamella
 
 
   std::vector<std::string>
-  names_of_walls(const ShapeKind form)
+  wall_names(const ShapeKind form)
   {
     std::vector<std::string> names;
     for (const Wall &wall : layout_of(form).walls)

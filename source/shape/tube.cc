@@ -152,11 +152,11 @@ namespace lamella
     for (const WallPly &ply : tube.layup)
       {
         depth -= ply.thickness;
-        section->plies.push_back({ply.fabric.material,
-                                  ply.fabric.angle,
+        section->plies.push_back({ply.oriented_material.material,
+                                  ply.oriented_material.angle,
                                   depth,
                                   tube.height - depth,
-                                  materials.at(ply.fabric.material),
+                                  materials.at(ply.oriented_material.material),
                                   {Point<2>(0., 1.), normal_at, "tube"}});
       }
     return section;

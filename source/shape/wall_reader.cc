@@ -33,7 +33,7 @@ namespace lamella
     /// The pieces of @p entry for @p n walls, between '|': one for all or one a
     /// wall. Empty ones if it is empty.
     std::vector<std::string>
-    one_a_wall(const Entry &entry, const std::vector<std::string> &walls)
+    one_per_wall(const Entry &entry, const std::vector<std::string> &walls)
     {
       const std::vector<std::string> items = entry.items('|');
       if (items.size() > 1 && items.size() != walls.size())
@@ -70,10 +70,10 @@ namespace lamella
           if (!(values.back() > 0.))
             entry.refuse("a ply's thickness must be positive");
         }
-      values           = one_a_ply(values, n, entry);
+      values           = one_per_ply(values, n, entry);
       const double sum = std::accumulate(values.begin(), values.end(), 0.);
       // Decimal fractions of a wall, as 0.333, are meant to add up.
-      if (!(std::abs(sum - wall) <= arithmetic::as_written * wall))
+      if (!(std::abs(sum - wall) <= arithmetic::decimal_tolerance * wall))
         entry.refuse("the " + std::to_string(n) + " plies of " + named +
                        " add up to " + to_text(sum) +
                        ", and not to its thickness " + to_text(wall),
@@ -98,9 +98,9 @@ namespace lamella
                   m = in["Wall ply materials"];
       if (entry.is_empty())
         return {};
-      const std::vector<std::string> codes     = one_a_wall(entry, walls),
-                                     of_plies  = one_a_wall(t, walls),
-                                     materials = one_a_wall(m, walls);
+      const std::vector<std::string> codes     = one_per_wall(entry, walls),
+                                     of_plies  = one_per_wall(t, walls),
+                                     materials = one_per_wall(m, walls);
       std::vector<WallLayup> layups;
       for (unsigned int w = 0; w < walls.size(); ++w)
         {
@@ -112,11 +112,11 @@ namespace lamella
             t, of_plies[w], angles.size(), thicknesses[w], named);
           std::vector<std::string> names =
             materials[w].empty() ?
-              std::vector<std::string>{reader.fabric().material} :
+              std::vector<std::string>{reader.oriented_material().material} :
               split(materials[w], ',');
           for (const std::string &name : names)
             reader.material(m, name);
-          names = one_a_ply(names, angles.size(), m);
+          names = one_per_ply(names, angles.size(), m);
           layups.emplace_back();
           for (unsigned int p = 0; p < angles.size(); ++p)
             layups.back().push_back({{names[p], angles[p]}, thickness[p]});
@@ -175,7 +175,7 @@ namespace lamella
           result.flanges = {walls[2], walls[3]};
           return {web_entry, flange_entry};
         }
-      const auto [n_webs, n_flanges] = count_of_walls(result.form);
+      const auto [n_webs, n_flanges] = wall_counts(result.form);
       if (!in["Web thickness"].is_empty())
         web_entry = "Web thickness";
       if (!in["Flange thickness"].is_empty())
@@ -202,7 +202,7 @@ namespace lamella
     Tube result;
     result.width        = in["Width"].positive();
     result.height       = in["Height"].positive();
-    result.cells_around = in["Cells around"].whole(8, most_in_line);
+    result.cells_around = in["Cells around"].whole(8, max_cells_in_line);
     if (result.cells_around % 4 != 0)
       in["Cells around"].refuse("must be a multiple of 4, as 16 or 24");
     const std::vector<double> thickness = lengths("Wall thickness");
@@ -225,9 +225,9 @@ namespace lamella
     if (has_layup)
       check_layup_entries(*this, true);
     result.cells_per_ply = counts("Cells per ply").at(0);
-    result.layup         = has_layup ?
-                             read_layups(*this, {"tube"}, thickness).at(0) :
-                             WallLayup{{{fabric().material, 0.}, thickness[0]}};
+    result.layup =
+      has_layup ? read_layups(*this, {"tube"}, thickness).at(0) :
+                  WallLayup{{{oriented_material().material, 0.}, thickness[0]}};
     return result;
   }
 
@@ -243,7 +243,7 @@ namespace lamella
     result.cells_per_wall   = count("Cells per wall");
     result.cells_along_wall = count("Cells along wall");
     if (in["Wall ply materials"].is_empty())
-      result.fabric = fabric();
+      result.oriented_material = oriented_material();
 
     const auto [web_entry, flange_entry] = read_thicknesses(*this, result);
     check_walls_fit(result.webs, result.width, "width", in[web_entry]);
@@ -251,7 +251,7 @@ namespace lamella
     check_layup_entries(*this, !in["Wall layup"].is_empty());
     std::vector<double> walls = result.webs;
     walls.insert(walls.end(), result.flanges.begin(), result.flanges.end());
-    result.layups        = read_layups(*this, names_of_walls(form), walls);
+    result.layups        = read_layups(*this, wall_names(form), walls);
     result.cells_per_ply = counts("Cells per ply").at(0);
     return result;
   }

@@ -17,7 +17,7 @@ namespace lamella
     const GapConstraints all(contacts);
     for (const unsigned int number : state.active)
       {
-        const auto [c, k]  = all.in_contact(number);
+        const auto [c, k]  = all.contact_of_row(number);
         GapConstraint &row = softened[c].rows[k];
         if (state.force[number] <= 0. || row.parts.size() != 1)
           continue;
@@ -32,9 +32,9 @@ namespace lamella
 
 
   void
-  ActiveConstraintShift::take_springs_off(const BlockVector &u,
-                                          const LoadFactor  &factor,
-                                          State             &state) const
+  ActiveConstraintShift::remove_shift(const BlockVector &u,
+                                      const LoadFactor  &factor,
+                                      State             &state) const
   {
     const GapConstraints all = rows();
     for (const auto &[row, spring] : shift)
@@ -44,9 +44,9 @@ namespace lamella
 
 
   void
-  ActiveConstraintShift::put_springs_on(const BlockVector &u,
-                                        const LoadFactor  &factor,
-                                        State             &state) const
+  ActiveConstraintShift::apply_shift(const BlockVector &u,
+                                     const LoadFactor  &factor,
+                                     State             &state) const
   {
     const GapConstraints all = rows();
     for (const auto &[row, spring] : shift)

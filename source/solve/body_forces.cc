@@ -17,7 +17,7 @@ namespace lamella
 
 
   Wrench
-  BodyForces::at_origin(const Wrench &about_center) const
+  BodyForces::about_origin(const Wrench &about_center) const
   {
     return {about_center.force,
             about_center.moment +

@@ -104,8 +104,9 @@ namespace lamella
       // Each support is a force of its own: two opposite reactions must not
       // hide in a sum of zero.
       const Point<3>      center = on_body.body.center();
-      std::vector<Wrench> of_support(reactions.size()), felt(reactions.size());
-      double              work = 0.;
+      std::vector<Wrench> of_support(reactions.size()),
+        resultant_of_work(reactions.size());
+      double work = 0.;
       for (const auto &[row, force] :
            tangent.reduction(b).multipliers(unbalanced))
         {
@@ -114,9 +115,9 @@ namespace lamella
           of_support[p.support].force += whole.force;
           of_support[p.support].moment += whole.moment;
           const double multiplier = force;
-          felt[p.support].moment +=
+          resultant_of_work[p.support].moment +=
             on_body
-              .felt([&p = p, multiplier](const Vector &motion) {
+              .resultant_of_work([&p = p, multiplier](const Vector &motion) {
                 return multiplier * p.row.row(motion);
               })
               .moment;
@@ -129,7 +130,7 @@ namespace lamella
           reactions[s].moment +=
             of_support[s].moment +
             cross_product_3d(center - reactions[s].about, force);
-          on_body.add({force, felt[s].moment});
+          on_body.add({force, resultant_of_work[s].moment});
         }
       return work;
     }
@@ -153,9 +154,10 @@ namespace lamella
 
     /// What the load vector @p f does to a body as a whole.
     Wrench
-    load_on(const BodyForces &body, const Vector &f)
+    load_vector_on(const BodyForces &body, const Vector &f)
     {
-      return body.felt([&](const Vector &motion) { return f * motion; });
+      return body.resultant_of_work(
+        [&](const Vector &motion) { return f * motion; });
     }
 
 
@@ -175,7 +177,7 @@ namespace lamella
           const Spring &spring = structure.springs(b)[k];
           const double  length =
             spring.row(u) - (state.rest.empty() ? 0. : state.rest[b][k]);
-          on_body.add(on_body.felt([&](const Vector &motion) {
+          on_body.add(on_body.resultant_of_work([&](const Vector &motion) {
             return -spring.stiffness * length * spring.row(motion);
           }));
           energy += 0.5 * spring.stiffness * length * length;
@@ -196,7 +198,7 @@ namespace lamella
                     const Vector &u,
                     const double  nothing)
     {
-      const double rounding = std::max(rounding_of_places(u), nothing);
+      const double rounding = std::max(displacement_rounding(u), nothing);
       return 0.5 * largest_stiffness * rounding * rounding;
     }
 
@@ -232,9 +234,10 @@ namespace lamella
     /// The energy of @p checks: of bodies that turn the work of heat is off it,
     /// and what it does to bodies that are held makes it none below zero.
     double
-    kept_energy(const Structure &structure, const Checks &checks)
+    mechanical_energy(const Structure &structure, const Checks &checks)
     {
-      return checks.energy + (checks.is_large ? structure.heat_energy() : 0.);
+      return checks.energy +
+             (checks.is_large ? structure.thermal_energy() : 0.);
     }
 
 
@@ -242,7 +245,7 @@ namespace lamella
     /// Keeps the larger of @p largest and @p error; what is not a number must
     /// not be lost in a maximum.
     void
-    keep_larger(double &largest, const double error)
+    update_maximum(double &largest, const double error)
     {
       if (error > largest || !std::isfinite(error))
         largest = error;
@@ -282,32 +285,34 @@ namespace lamella
     {
       // Reactions below that share of what heat would do to a body that is
       // held, or of loads that balance each other, are rounding.
-      constexpr double of_heat   = arithmetic::integrated;
-      const Structure &structure = tangent.of();
-      const Vector    &u         = state.u.block(b);
-      const Vector    &heat_load = structure.heat_load().block(b);
-      on_body.add(load_on(on_body, load));
-      on_body.at_least(of_heat *
-                       std::max(heat_load.linfty_norm(), load.linfty_norm()));
+      constexpr double thermal_factor = arithmetic::integrated;
+      const Structure &structure      = tangent.of();
+      const Vector    &u              = state.u.block(b);
+      const Vector    &thermal_load   = structure.thermal_load().block(b);
+      on_body.add(load_vector_on(on_body, load));
+      on_body.at_least(thermal_factor * std::max(thermal_load.linfty_norm(),
+                                                 load.linfty_norm()));
       checks.stabilization_energy += add_springs(structure, b, state, on_body);
       const Deformation deformation = on_body.body.deformation(u);
       add_deformation(deformation, checks);
       const double noise =
         rounding_energy(tangent.largest_stiffness(b), u, state.rounding(b));
       const double energy =
-        deformation.energy + structure.heat_energy(b) - heat_load * u;
+        deformation.energy + structure.thermal_energy(b) - thermal_load * u;
       checks.energies.push_back(
-        energy > std::max(noise, of_heat * structure.heat_energy(b)) ? energy :
-                                                                       0.);
+        energy > std::max(noise, thermal_factor * structure.thermal_energy(b)) ?
+          energy :
+          0.);
       // Of bodies that turn the work of heat is taken off.
       const double kept =
-        deformation.energy +
-        (on_body.body.has_finite_rotations() ? structure.heat_energy(b) : 0.);
+        deformation.energy + (on_body.body.has_finite_rotations() ?
+                                structure.thermal_energy(b) :
+                                0.);
       if (kept > noise)
         {
           const auto [forces, moments] = on_body.unbalanced();
-          keep_larger(checks.force_balance, forces);
-          keep_larger(checks.moment_balance, moments);
+          update_maximum(checks.force_balance, forces);
+          update_maximum(checks.moment_balance, moments);
         }
       return noise;
     }
@@ -356,14 +361,14 @@ namespace lamella
     /// unbalanced are the forces on degrees of freedom that loads, contacts and
     /// strains leave to the supports.
     void
-    add_forces_from_outside(const TangentOperator               &tangent,
-                            const std::vector<Point<3>>         &places,
-                            const std::vector<ContactInterface> &contacts,
-                            const BlockVector                   &unbalanced,
-                            const State                         &state,
-                            const LoadFactor                    &factor,
-                            std::vector<BodyForces>             &on_body,
-                            Checks                              &checks)
+    add_external_forces(const TangentOperator               &tangent,
+                        const std::vector<Point<3>>         &places,
+                        const std::vector<ContactInterface> &contacts,
+                        const BlockVector                   &unbalanced,
+                        const State                         &state,
+                        const LoadFactor                    &factor,
+                        std::vector<BodyForces>             &on_body,
+                        Checks                              &checks)
     {
       const GapConstraints rows(contacts);
       for (unsigned int c = 0; c < contacts.size(); ++c)
@@ -391,7 +396,7 @@ namespace lamella
 
 
   double
-  rounding_of_places(const Vector &u)
+  displacement_rounding(const Vector &u)
   {
     constexpr double digits = 1e3 * std::numeric_limits<double>::epsilon();
     return digits * u.linfty_norm();
@@ -423,9 +428,9 @@ namespace lamella
     const BlockVector load = structure.load(factor, state.u);
     BlockVector       internal = load;
     internal -= r;
-    internal += structure.heat_load();
+    internal += structure.thermal_load();
     r += contact_load;
-    add_forces_from_outside(
+    add_external_forces(
       tangent, places, contacts, r, state, factor, on_body, checks);
     checks.external_work += 0.5 * (load * state.u);
     double rounding = 0.;
@@ -433,11 +438,13 @@ namespace lamella
       rounding +=
         check_body(tangent, b, state, load.block(b), on_body[b], checks);
     tangent.condense(r);
-    if (kept_energy(structure, checks) > rounding && r.l2_norm() != 0.)
+    if (mechanical_energy(structure, checks) > rounding && r.l2_norm() != 0.)
       checks.residual = r.linfty_norm() / internal.linfty_norm();
-    const double of_heat = structure.heat_load() * state.u;
-    check_energy(0.5 * (contact_load * state.u + of_heat), rounding, checks);
-    checks.energy += structure.heat_energy() - of_heat;
+    const double thermal_factor = structure.thermal_load() * state.u;
+    check_energy(0.5 * (contact_load * state.u + thermal_factor),
+                 rounding,
+                 checks);
+    checks.energy += structure.thermal_energy() - thermal_factor;
     return checks;
   }
 } // namespace lamella

@@ -51,7 +51,7 @@ namespace lamella
 
       /// Those whose lambda or s has the wrong sign.
       std::vector<unsigned int>
-      wrong_rows() const;
+      violating_rows() const;
 
       /// s = M x + q.
       void
@@ -147,7 +147,7 @@ namespace lamella
 
 
     std::vector<unsigned int>
-    Search::wrong_rows() const
+    Search::violating_rows() const
     {
       double sum = 1.;
       for (const double l : lambda)
@@ -169,7 +169,7 @@ namespace lamella
       for (std::size_t round = 0; round < max_rounds; ++round)
         {
           solve_active();
-          std::vector<unsigned int> wrong = wrong_rows();
+          std::vector<unsigned int> wrong = violating_rows();
           if (wrong.empty())
             return true;
           if (wrong.size() < fewest)

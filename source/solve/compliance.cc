@@ -21,7 +21,7 @@ namespace lamella
   {
     std::vector<unsigned int> fresh;
     for (const unsigned int r : wanted)
-      if (!knows(r))
+      if (!is_included(r))
         {
           place[r] = entries.size();
           entries.emplace_back(entries.size() + 1, 0.);

@@ -35,7 +35,7 @@ namespace lamella
       if (!(found.error <= sound))
         throw NumericsError(
           "The contact did not settle with friction: the law is missed by " +
-          to_text(found.error, 2) + " of its size" + remedy_with_friction);
+          to_text(found.error, 2) + " of its size" + friction_remedy);
     }
 
 
@@ -87,7 +87,7 @@ namespace lamella
 
 
   std::vector<double>
-  CondensedStrategy::system_of(const ActiveConstraints &closed)
+  CondensedStrategy::contact_system(const ActiveConstraints &closed)
   {
     const std::vector<unsigned int> &numbers = closed.numbers;
     const std::size_t                n       = numbers.size();
@@ -117,8 +117,8 @@ namespace lamella
 
 
   void
-  CondensedStrategy::solve_closed(const ActiveConstraints &closed,
-                                  std::vector<double>     &lambda)
+  CondensedStrategy::solve_on_active_set(const ActiveConstraints &closed,
+                                         std::vector<double>     &lambda)
   {
     const std::size_t n = closed.numbers.size();
     if (!closed.sliding.empty())
@@ -127,7 +127,7 @@ namespace lamella
         // which rubs otherwise: what rounding adds there must not be amplified.
         constexpr double          dependent = 10. * smallest_compliance;
         std::vector<double>       sizes;
-        const std::vector<double> system = system_of(closed);
+        const std::vector<double> system = contact_system(closed);
         for (const unsigned int number : closed.numbers)
           sizes.push_back(compliance.diagonal(number) +
                           compliance_of_law(number));
@@ -140,7 +140,7 @@ namespace lamella
       d.push_back(compliance_of_law(number));
     if (!factor || factorized_for != closed.numbers || factorized_with != d)
       {
-        factor.emplace(system_of(closed), n, "The compliance of contact");
+        factor.emplace(contact_system(closed), n, "The compliance of contact");
         factorized_for  = closed.numbers;
         factorized_with = d;
       }
@@ -165,7 +165,7 @@ namespace lamella
     std::vector<double> lambda(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i)
       lambda[i] = r_lambda[i] - rows.constraint(numbers[i]).jump(du);
-    solve_closed(closed, lambda);
+    solve_on_active_set(closed, lambda);
     std::copy(lambda.begin(), lambda.end(), dlambda.begin());
     std::vector<unsigned int> of = numbers;
     for (const auto &[row, along] : closed.sliding)
@@ -184,9 +184,9 @@ namespace lamella
 
 
   void
-  CondensedStrategy::solve_part(const ContactProblem            &problem,
-                                const std::vector<unsigned int> &part,
-                                ContactSolution                 &solution)
+  CondensedStrategy::solve_working_set(const ContactProblem            &problem,
+                                       const std::vector<unsigned int> &part,
+                                       ContactSolution &solution)
   {
     if (!problem.slip.empty())
       return solve_with_friction(problem, part, solution);
@@ -359,10 +359,10 @@ namespace lamella
 
 
   void
-  CondensedStrategy::drop_idle(const ContactProblem      &problem,
-                               const ContactSolution     &solution,
-                               std::vector<unsigned int> &part,
-                               std::set<unsigned int>    &left)
+  CondensedStrategy::remove_idle_rows(const ContactProblem      &problem,
+                                      const ContactSolution     &solution,
+                                      std::vector<unsigned int> &part,
+                                      std::set<unsigned int>    &left)
   {
     if (!are_idle(part.size(), solution.active.size()))
       return;
@@ -377,7 +377,7 @@ namespace lamella
 
 
   std::vector<unsigned int>
-  CondensedStrategy::first_part(const ContactProblem &problem) const
+  CondensedStrategy::initial_working_set(const ContactProblem &problem) const
   {
     std::set<unsigned int> part(problem.start.begin(), problem.start.end());
     for (unsigned int r = 0; r < rows.size(); ++r)
@@ -388,7 +388,7 @@ namespace lamella
       return {};
     std::vector<unsigned int> known;
     for (unsigned int r = 0; r < rows.size(); ++r)
-      if (compliance.knows(r))
+      if (compliance.is_included(r))
         known.push_back(r);
     if (!are_idle(known.size(), part.size()))
       part.insert(known.begin(), known.end());
@@ -407,7 +407,7 @@ namespace lamella
     solution.active = problem.start;
     solution.shear  = problem.shear;
 
-    std::vector<unsigned int> part = first_part(problem);
+    std::vector<unsigned int> part = initial_working_set(problem);
     Violations joining = rows_below(-problem.closed, part, problem.gap);
     if (part.empty() && joining.empty())
       return solution;
@@ -421,7 +421,7 @@ namespace lamella
           for (std::vector<unsigned int> *set : {&part, &solution.active})
             set->insert(std::upper_bound(set->begin(), set->end(), r), r);
         compliance.include(with_slips(part));
-        solve_part(problem, part, solution);
+        solve_working_set(problem, part, solution);
 
         std::vector<double> g = problem.gap;
         for (unsigned int r = 0; r < rows.size(); ++r)
@@ -438,7 +438,7 @@ namespace lamella
             std::min(joining.size(), std::max(first_rows, part.size())));
         if (joining.empty())
           break;
-        drop_idle(problem, solution, part, left);
+        remove_idle_rows(problem, solution, part, left);
       }
     return solution;
   }
@@ -448,7 +448,7 @@ namespace lamella
   StrategyHistory
   CondensedStrategy::memory() const
   {
-    return {numerical_compliance.stiffening, compliance.batches()};
+    return {numerical_compliance.stiffening, compliance.row_groups()};
   }
 
 

@@ -30,7 +30,7 @@ namespace lamella
     determinant(const Tensor<1, 3> &x)
     {
       const double t = tangential_norm(x);
-      return std::max((x[0] - t) * (x[0] + t), arithmetic::above_zero);
+      return std::max((x[0] - t) * (x[0] + t), arithmetic::smallest_divisor);
     }
 
 

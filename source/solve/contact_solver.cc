@@ -17,7 +17,8 @@ namespace lamella
   namespace
   {
     std::vector<unsigned int>
-    united(std::vector<unsigned int> a, const std::vector<unsigned int> &b)
+    sorted_union(std::vector<unsigned int>        a,
+                 const std::vector<unsigned int> &b)
     {
       a.insert(a.end(), b.begin(), b.end());
       return a;
@@ -62,9 +63,9 @@ namespace lamella
                                const State      &previous)
   {
     State state = free;
-    if (rows.rub())
+    if (rows.has_friction())
       {
-        state.friction = FrictionState::at_rest(rows);
+        state.friction = FrictionState::unloaded(rows);
         if (!previous.friction.empty())
           state.friction.before = previous.friction.before;
       }
@@ -80,27 +81,28 @@ namespace lamella
         if (state.iterations == 0)
           return state;
         if (found.is_unstable)
-          fail_as_unstable();
+          throw_unstable();
         state.u += found.du;
-        take_forces(rows, found, state);
+        store_forces(rows, found, state);
         const State settled       = state;
         state.contact_corrections = refine(state, factor, 1);
 
         const ContactViolations missed = find_violations(state, factor);
         const bool              slow   = missed.gap > parameters.slow * before;
-        if (missed.is_right_set() ?
+        if (missed.is_active_set_correct() ?
               satisfies_contact_law(state, factor, missed.gap, slow) :
-              (found.active == last && correct_set(state, factor)) ||
+              (found.active == last && correct_active_set(state, factor)) ||
                 multipliers_are_reliable(state, settled, factor))
           return state;
         check_iterations(state.iterations,
-                         united(united(missed.opening, missed.closing),
-                                missed.rubbing));
+                         sorted_union(sorted_union(missed.opening,
+                                                   missed.closing),
+                                      missed.friction_violations));
         if (slow)
           strategy->increase_penalty();
         before  = missed.gap;
         last    = found.active;
-        problem = problem_about(state, factor);
+        problem = problem_at(state, factor);
       }
   }
 
@@ -114,7 +116,7 @@ namespace lamella
     // Rows that would be open without any contact start open: in unloading they
     // pull, and pull others in. With friction they may be jammed, and keep
     // their forces as a start.
-    ContactProblem problem = problem_about(free, factor);
+    ContactProblem problem = problem_at(free, factor);
     problem.start.clear();
     for (const unsigned int r : previous.active)
       if (problem.gap[r] < 0.)
@@ -130,8 +132,7 @@ namespace lamella
 
 
   ContactProblem
-  ContactSolver::problem_about(const State      &state,
-                               const LoadFactor &factor) const
+  ContactSolver::problem_at(const State &state, const LoadFactor &factor) const
   {
     ContactProblem problem;
     problem.gap      = gaps(state.u, factor);
@@ -147,12 +148,12 @@ namespace lamella
 
 
   void
-  ContactSolver::add_misses_of_friction(const State       &state,
-                                        const LoadFactor  &factor,
-                                        const unsigned int r,
-                                        const double       closed,
-                                        const double       small,
-                                        ContactViolations &found) const
+  ContactSolver::add_friction_violations(const State       &state,
+                                         const LoadFactor  &factor,
+                                         const unsigned int r,
+                                         const double       closed,
+                                         const double       small,
+                                         ContactViolations &found) const
   {
     const Tensor<1, 2> v     = slip_in_step(rows[r], r, state, factor),
                        shear = along_tangents(rows[r], state.friction.shear[r]),
@@ -164,7 +165,7 @@ namespace lamella
       sticks ? shear.norm() > rows[r].friction * state.force[r] + small :
                (v + v.norm() * e).norm() > closed;
     if (is_wrong)
-      found.rubbing.push_back(r);
+      found.friction_violations.push_back(r);
   }
 
 
@@ -179,7 +180,7 @@ namespace lamella
     for (const double lambda : state.force)
       largest = std::max(largest, std::abs(lambda));
     const double slid =
-      std::max(closed, length_of(parameters.good_enough, state, factor));
+      std::max(closed, length_of(parameters.weak_law_tolerance, state, factor));
     ContactViolations found;
     for (const unsigned int r : state.active)
       {
@@ -190,8 +191,12 @@ namespace lamella
             std::max(found.gap,
                      std::abs(g[r] + law_compliance(rows[r]) * state.force[r]));
         if (!rows[r].slips.empty())
-          add_misses_of_friction(
-            state, factor, r, slid, parameters.good_enough * largest, found);
+          add_friction_violations(state,
+                                  factor,
+                                  r,
+                                  slid,
+                                  parameters.weak_law_tolerance * largest,
+                                  found);
       }
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (g[r] < -closed &&
@@ -224,7 +229,7 @@ namespace lamella
   {
     return error <= length_of(parameters.law_tolerance, state, factor) ||
            (was_slow &&
-            error <= length_of(parameters.good_enough, state, factor));
+            error <= length_of(parameters.weak_law_tolerance, state, factor));
   }
 
 
@@ -234,21 +239,23 @@ namespace lamella
                                           const State      &settled,
                                           const LoadFactor &factor)
   {
-    if (!strategy->forces_stand_alone() || !state.friction.empty())
+    if (!strategy->forces_are_accurate() || !state.friction.empty())
       return false;
-    const double good_enough = length_of(parameters.good_enough, state, factor);
-    state                    = settled;
+    const double weak_law_tolerance =
+      length_of(parameters.weak_law_tolerance, state, factor);
+    state = settled;
     state.active.clear();
-    state.contact_corrections    = refine(state, factor, 1);
-    state.active                 = settled.active;
-    const ContactViolations left = violations(state, factor, good_enough);
-    return left.closing.empty() && left.gap <= good_enough;
+    state.contact_corrections = refine(state, factor, 1);
+    state.active              = settled.active;
+    const ContactViolations left =
+      violations(state, factor, weak_law_tolerance);
+    return left.closing.empty() && left.gap <= weak_law_tolerance;
   }
 
 
 
   bool
-  ContactSolver::correct_set(State &state, const LoadFactor &factor)
+  ContactSolver::correct_active_set(State &state, const LoadFactor &factor)
   {
     if (!state.friction.empty())
       return false;
@@ -257,9 +264,10 @@ namespace lamella
          ++round)
       {
         const ContactViolations found = find_violations(at, factor);
-        if (found.is_right_set())
+        if (found.is_active_set_correct())
           {
-            if (found.gap > length_of(parameters.good_enough, at, factor))
+            if (found.gap >
+                length_of(parameters.weak_law_tolerance, at, factor))
               return false;
             state = std::move(at);
             return true;
@@ -272,7 +280,7 @@ namespace lamella
                             found.opening.begin(),
                             found.opening.end(),
                             std::back_inserter(active_goals));
-        at.active = united(std::move(active_goals), found.closing);
+        at.active = sorted_union(std::move(active_goals), found.closing);
         std::sort(at.active.begin(), at.active.end());
         ++at.iterations;
         at.contact_corrections = refine(at, factor, 1);
@@ -292,8 +300,8 @@ namespace lamella
     double before = std::numeric_limits<double>::max();
     for (unsigned int round = 1;; ++round)
       {
-        const SpringRest rest   = structure.spring_lengths(state.u);
-        double           change = 0., force = 0.;
+        const SpringOffsets rest   = structure.spring_lengths(state.u);
+        double              change = 0., force = 0.;
         for (unsigned int b = 0; b < rest.size(); ++b)
           for (unsigned int k = 0; k < rest[b].size(); ++k)
             {
@@ -304,14 +312,15 @@ namespace lamella
                 std::max(force, structure.springs(b)[k].stiffness * moved);
             }
         double forces = std::max(structure.load(factor).linfty_norm(),
-                                 structure.heat_load().linfty_norm());
+                                 structure.thermal_load().linfty_norm());
         for (const double lambda : state.force)
           forces = std::max(forces, std::abs(lambda));
-        if (change <= parameters.springs_at_rest * size_of(state, factor) ||
-            force <= parameters.springs_without_force * forces)
+        if (change <= parameters.spring_offset_tolerance *
+                        displacement_scale(state, factor) ||
+            force <= parameters.spring_force_tolerance * forces)
           return state;
         if (round > parameters.max_releases)
-          fail_on_springs(state, change / before);
+          throw_spring_failure(state, change / before);
         before = change;
         progress("round " + std::to_string(round) +
                  " of releasing the stabilizing springs:");
@@ -324,9 +333,9 @@ namespace lamella
 
 
   void
-  ContactSolver::fail_running_away(const std::string &body,
-                                   const std::string &motion,
-                                   const double       rate) const
+  ContactSolver::throw_unconstrained_motion(const std::string &body,
+                                            const std::string &motion,
+                                            const double       rate) const
   {
     const bool rubs =
       std::any_of(rows.begin(), rows.end(), [](const auto &row) {
@@ -339,7 +348,7 @@ namespace lamella
       " times as far as the one before), against nothing but its stabilizing "
       "springs. Add a support, " +
       (rubs ? "take more Friction, " : "") +
-      (rubs && !strategy->forces_stand_alone() ?
+      (rubs && !strategy->forces_are_accurate() ?
          "take the condensed strategy (where friction alone holds a body this "
          "one may find no rest), " :
          "") +
@@ -350,14 +359,15 @@ namespace lamella
 
 
   void
-  ContactSolver::fail_on_springs(const State &state, const double rate) const
+  ContactSolver::throw_spring_failure(const State &state,
+                                      const double rate) const
   {
     constexpr double wanted_rate = 0.1;
 
     // Whose spring is still under the largest force.
-    const SpringRest lengths = structure.spring_lengths(state.u);
-    unsigned int     body = 0, spring = 0;
-    double           largest = -1.;
+    const SpringOffsets lengths = structure.spring_lengths(state.u);
+    unsigned int        body = 0, spring = 0;
+    double              largest = -1.;
     for (unsigned int b = 0; b < lengths.size(); ++b)
       for (unsigned int k = 0; k < lengths[b].size(); ++k)
         {
@@ -373,7 +383,7 @@ namespace lamella
     const Spring     &worst = structure.springs(body)[spring];
     const std::string name  = structure.bodies()[body]->name();
     if (!(rate < 0.999))
-      fail_running_away(name, worst.motion, rate);
+      throw_unconstrained_motion(name, worst.motion, rate);
     throw NumericsError("The stabilizing springs of body '" + name +
                         "' are too stiff beside the contacts that hold it (" +
                         worst.motion + "): their share falls by the factor " +
@@ -388,7 +398,8 @@ namespace lamella
 
 
   double
-  ContactSolver::size_of(const State &state, const LoadFactor &factor) const
+  ContactSolver::displacement_scale(const State      &state,
+                                    const LoadFactor &factor) const
   {
     // Gaps are differences of displacements and of the way of obstacles.
     double size = state.u.linfty_norm();
@@ -407,13 +418,14 @@ namespace lamella
                            const State      &state,
                            const LoadFactor &factor) const
   {
-    return std::max(share * size_of(state, factor), state.rounding());
+    return std::max(share * displacement_scale(state, factor),
+                    state.rounding());
   }
 
 
 
   State
-  ContactSolver::solve_free(const LoadFactor &factor, const SpringRest &rest)
+  ContactSolver::solve_free(const LoadFactor &factor, const SpringOffsets &rest)
   {
     State state;
     state.rest = rest;
@@ -431,7 +443,7 @@ namespace lamella
 
 
   ActiveConstraints
-  ContactSolver::held_rows(const State &state) const
+  ContactSolver::sticking_equations(const State &state) const
   {
     ActiveConstraints held(state.active);
     for (const unsigned int r : state.active)
@@ -475,7 +487,7 @@ namespace lamella
                   state.friction.empty() ? Tensor<1, 3>() :
                                            state.friction.shear[r],
                   r_u);
-    const ActiveConstraints closed = closed_rows(rows, state);
+    const ActiveConstraints closed = active_equations(rows, state);
     BlockVector             du;
     Vector                  dlambda;
     strategy->solve(

@@ -112,7 +112,7 @@ namespace lamella
                   const Tensor<1, 3> &force) const;
 
       CoulombSolution
-      by_cones(const PointVectors &start) const;
+      solve_by_cones(const PointVectors &start) const;
       CoulombSolution
       by_compliance(const PointVectors &start,
                     const double        first,
@@ -411,8 +411,8 @@ namespace lamella
           if (best.error < rules.tolerance)
             {
               const bool betters = before > rules.tolerance || 10. * e < before;
-              if (best.error < rules.digits || polished == rules.polish ||
-                  !betters)
+              if (best.error < rules.digits ||
+                  polished == rules.extra_iterations || !betters)
                 break;
               ++polished;
               lambda = best.force;
@@ -489,13 +489,13 @@ namespace lamella
 
 
     CoulombSolution
-    CoulombSearch::by_cones(const PointVectors &start) const
+    CoulombSearch::solve_by_cones(const PointVectors &start) const
     {
       // Cones of unit width: normal forces are multiplied by mu.
       PointCompliance     cones = W;
       std::vector<double> widths(W.n_rows(), 1.);
       for (unsigned int i = 0; i < W.n_points(); ++i)
-        widths[W.first[i]] = 1. / std::max(mu[i], rules.least_friction);
+        widths[W.first[i]] = 1. / std::max(mu[i], rules.min_friction);
       for (unsigned int j = 0; j < W.n_rows(); ++j)
         for (unsigned int i = 0; i < W.n_rows(); ++i)
           cones(i, j) *= widths[i] * widths[j];
@@ -565,7 +565,8 @@ namespace lamella
       };
       PointVectors lambda = start;
       double       soft   = first;
-      for (unsigned int k = 0; k < rules.max_softened && soft <= 10. * first;
+      for (unsigned int k = 0;
+           k < rules.max_regularized_rounds && soft <= 10. * first;
            ++k)
         {
           const CoulombSearch other = softened(soft, lambda);
@@ -574,7 +575,7 @@ namespace lamella
           if (found.error > rules.solved)
             {
               const CoulombSolution again =
-                other.newton(other.swept(lambda, rules.soft_sweeps),
+                other.newton(other.swept(lambda, rules.regularized_sweeps),
                              rules.iterations,
                              rules.damped_from);
               best.iterations += found.iterations;
@@ -584,7 +585,7 @@ namespace lamella
           best.iterations += found.iterations;
           if (found.error > rules.solved)
             {
-              soft *= rules.rises;
+              soft *= rules.increase_factor;
               continue;
             }
           lambda = found.force;
@@ -625,7 +626,7 @@ namespace lamella
                 newton(start, rules.first_iterations, rules.iterations)) ||
           is_it("sweeps", from(start)) ||
           is_it("sweeps from nothing", from(none)) ||
-          is_it("cones", by_cones(best.force)) ||
+          is_it("cones", solve_by_cones(best.force)) ||
           is_it(
             "softness",
             by_compliance(best.force, rules.first_compliance, rules.falls)) ||
@@ -633,7 +634,9 @@ namespace lamella
                 by_compliance(none, rules.second_compliance, rules.falls)))
         return best;
       is_it("softness that falls slowly",
-            by_compliance(none, rules.second_compliance, rules.falls_slowly));
+            by_compliance(none,
+                          rules.second_compliance,
+                          rules.slow_decrease_factor));
       return best;
     }
   } // namespace
@@ -703,9 +706,10 @@ namespace lamella
     best.states     = exact.trial(exact.scaled(best.force)).states;
     if (best.stability < 0)
       {
-        const CoulombSearch firm(softened(problem, rules.firm, best.force),
-                                 rules);
-        best.stability = firm.sign_at(firm.scaled(best.force));
+        const CoulombSearch stability_regularization(
+          softened(problem, rules.stability_regularization, best.force), rules);
+        best.stability = stability_regularization.sign_at(
+          stability_regularization.scaled(best.force));
       }
     return best;
   }

@@ -32,13 +32,13 @@ namespace lamella
         at                = std::move(next);
         scale             = scales(problem, at);
         now               = trial(problem, at, scale);
-        const Round round = wrong_rows(at, now, scale);
+        const Round round = violating_rows(at, now, scale);
         monitor(round);
         if (round.changed.empty())
           break;
       }
     if (matrix.sign_of_determinant() < 0)
-      fail_as_unstable();
+      throw_unstable();
     return solution(problem, std::move(at), now);
   }
 
@@ -300,9 +300,9 @@ namespace lamella
 
 
   Round
-  FrictionNewton::wrong_rows(const Iterate &at,
-                             const Trial   &trial,
-                             const Scales  &scale) const
+  FrictionNewton::violating_rows(const Iterate &at,
+                                 const Trial   &trial,
+                                 const Scales  &scale) const
   {
     Round round;
     for (unsigned int r = 0; r < rows.size(); ++r)

@@ -10,7 +10,7 @@ namespace lamella
   using namespace dealii;
 
   FrictionState
-  FrictionState::at_rest(const GapConstraints &rows)
+  FrictionState::unloaded(const GapConstraints &rows)
   {
     const std::vector<Tensor<1, 3>> none(rows.size());
     const std::vector<double>       nothing(rows.size(), 0.);
@@ -23,12 +23,12 @@ namespace lamella
 
 
   void
-  fail_as_unstable()
+  throw_unstable()
   {
     throw NumericsError(
       std::string("With friction the contact found an answer that is "
                   "unstable: bodies that press with their ends jam") +
-      remedy_with_friction);
+      friction_remedy);
   }
 
 

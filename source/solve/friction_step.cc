@@ -58,9 +58,9 @@ namespace lamella
 
 
   void
-  take_forces(const GapConstraints  &rows,
-              const ContactSolution &found,
-              State                 &state)
+  store_forces(const GapConstraints  &rows,
+               const ContactSolution &found,
+               State                 &state)
   {
     state.force  = found.force;
     state.active = found.active;
@@ -78,7 +78,7 @@ namespace lamella
 
 
   ActiveConstraints
-  closed_rows(const GapConstraints &rows, const State &state)
+  active_equations(const GapConstraints &rows, const State &state)
   {
     ActiveConstraints closed(state.active);
     for (const unsigned int r : state.active)
@@ -172,7 +172,7 @@ namespace lamella
     if (state.friction.empty())
       return;
     FrictionState       &now   = state.friction;
-    const FrictionState  start = FrictionState::at_rest(rows);
+    const FrictionState  start = FrictionState::unloaded(rows);
     const FrictionState &then =
       before.friction.empty() ? start : before.friction;
     now.path_gap = then.path_gap;
@@ -205,7 +205,7 @@ namespace lamella
   {
     std::set<unsigned int> pressed;
     for (const unsigned int r : state.active)
-      pressed.insert(rows.in_contact(r).first);
+      pressed.insert(rows.contact_of_row(r).first);
     for (unsigned int r = 0; r < state.friction.shear.size(); ++r)
       {
         // Where what touches wanders points that it leaves have rubbed, too;
@@ -213,7 +213,7 @@ namespace lamella
         const double mean  = mean_force(before, state, r);
         const bool   slips = state.friction.direction[r].norm() > 0. ||
                            (state.force[r] == 0. && mean > 0. &&
-                            pressed.count(rows.in_contact(r).first) > 0);
+                            pressed.count(rows.contact_of_row(r).first) > 0);
         add_loss(rows[r],
                  r,
                  mean,

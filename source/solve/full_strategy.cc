@@ -13,7 +13,8 @@ namespace lamella
   namespace
   {
     bool
-    is_among(const std::vector<unsigned int> &ascending, const unsigned int row)
+    contains_row(const std::vector<unsigned int> &ascending,
+                 const unsigned int               row)
     {
       return std::binary_search(ascending.begin(), ascending.end(), row);
     }
@@ -101,7 +102,7 @@ namespace lamella
     constexpr double accurate = arithmetic::rounding_of_solutions;
 
     Iterate at = begin(problem);
-    at.active  = next_set(at, overlaps(problem, at), problem.closed);
+    at.active  = next_active_set(at, overlaps(problem, at), problem.closed);
     std::set<std::vector<unsigned int>> visited;
     while (!at.active.empty() || !visited.empty())
       {
@@ -111,14 +112,14 @@ namespace lamella
           std::max(problem.closed,
                    std::min(accurate * at.du.linfty_norm(), change));
         const std::vector<double> overlap = overlaps(problem, at);
-        const Round               round   = wrong_rows(at, overlap, closed);
+        const Round               round   = violating_rows(at, overlap, closed);
         monitor(round);
         if (round.changed.empty())
           break;
         if (visited.insert(at.active).second)
-          at.active = next_set(at, overlap, closed);
+          at.active = next_active_set(at, overlap, closed);
         else
-          at = lowest_point(problem, before, at);
+          at = energy_minimum(problem, before, at);
       }
     return {std::move(at.du), std::move(at.force), std::move(at.active)};
   }
@@ -146,7 +147,7 @@ namespace lamella
     r_u -= at.K_du;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
-        if (!is_among(at.active, r))
+        if (!contains_row(at.active, r))
           at.force[r] = 0.;
         if (at.force[r] != problem.force[r])
           rows[r].add_to(r_u, at.force[r] - problem.force[r]);
@@ -189,19 +190,19 @@ namespace lamella
   {
     // Its own unknown tells the sign of the force to rounding; the gap of a
     // hard row, of which the law makes the same force, does not.
-    return is_among(at.active, row) && at.force[row] >= 0.;
+    return contains_row(at.active, row) && at.force[row] >= 0.;
   }
 
 
 
   Round
-  FullStrategy::wrong_rows(const Iterate             &at,
-                           const std::vector<double> &overlap,
-                           const double               closed)
+  FullStrategy::violating_rows(const Iterate             &at,
+                               const std::vector<double> &overlap,
+                               const double               closed)
   {
     Round round{at.active.size(), {}, 0.};
     for (unsigned int r = 0; r < overlap.size(); ++r)
-      if (is_among(at.active, r) ? !stays(at, r) : overlap[r] > closed)
+      if (contains_row(at.active, r) ? !stays(at, r) : overlap[r] > closed)
         {
           round.changed.push_back(r);
           round.violation = std::max(round.violation, std::abs(overlap[r]));
@@ -212,9 +213,9 @@ namespace lamella
 
 
   std::vector<unsigned int>
-  FullStrategy::next_set(const Iterate             &at,
-                         const std::vector<double> &overlap,
-                         const double               closed)
+  FullStrategy::next_active_set(const Iterate             &at,
+                                const std::vector<double> &overlap,
+                                const double               closed)
   {
     // The worst penetrations first settles soonest where few rows of many stay
     // active.
@@ -224,7 +225,7 @@ namespace lamella
     for (unsigned int r = 0; r < overlap.size(); ++r)
       if (stays(at, r))
         next.push_back(r);
-      else if (overlap[r] > closed && !is_among(at.active, r))
+      else if (overlap[r] > closed && !contains_row(at.active, r))
         closing.emplace_back(overlap[r], r);
     std::sort(closing.rbegin(), closing.rend());
     closing.resize(std::min(closing.size(), std::max(few, at.active.size())));
@@ -237,10 +238,10 @@ namespace lamella
 
 
   FullStrategy::Iterate
-  FullStrategy::part_of_the_way(const ContactProblem &problem,
-                                const Iterate        &from,
-                                const Iterate        &to,
-                                const double          t) const
+  FullStrategy::interpolate_iterate(const ContactProblem &problem,
+                                    const Iterate        &from,
+                                    const Iterate        &to,
+                                    const double          t) const
   {
     Iterate at = from;
     at.du.sadd(1. - t, t, to.du);
@@ -259,9 +260,9 @@ namespace lamella
 
 
   FullStrategy::Iterate
-  FullStrategy::lowest_point(const ContactProblem &problem,
-                             const Iterate        &from,
-                             const Iterate        &to) const
+  FullStrategy::energy_minimum(const ContactProblem &problem,
+                               const Iterate        &from,
+                               const Iterate        &to) const
   {
     constexpr unsigned int enough    = 40;
     constexpr double       good_rest = 1e-2;
@@ -271,7 +272,7 @@ namespace lamella
     // What is out of balance does this work on the way, per unit of it: less
     // and less, and zero where the way leads no further down.
     const auto work = [&](const double t) {
-      const Iterate at  = part_of_the_way(problem, from, to, t);
+      const Iterate at  = interpolate_iterate(problem, from, to, t);
       double        sum = -(at.K_du * way);
       for (unsigned int r = 0; r < rows.size(); ++r)
         if (at.force[r] != problem.force[r])
@@ -289,6 +290,6 @@ namespace lamella
         (w > 0. ? low : high) = t;
         t                     = 0.5 * (low + high);
       }
-    return part_of_the_way(problem, from, to, t);
+    return interpolate_iterate(problem, from, to, t);
   }
 } // namespace lamella

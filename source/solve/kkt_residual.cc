@@ -64,10 +64,10 @@ namespace lamella
           if (lambda != 0.)
             {
               ++kkt.active;
-              kkt.averaged_away = std::max(kkt.averaged_away,
-                                           contact.rows[k].initial_gap -
-                                             gap_of(contact.points[k]));
-              smallest          = std::min(smallest, lambda);
+              kkt.unresolved_curvature = std::max(kkt.unresolved_curvature,
+                                                  contact.rows[k].initial_gap -
+                                                    gap_of(contact.points[k]));
+              smallest                 = std::min(smallest, lambda);
             }
         }
       if (kkt.active == 0)
@@ -111,7 +111,7 @@ namespace lamella
       std::vector<Wrench> of_rows(contact.rows.size());
       for (unsigned int k = 0; k < of_rows.size(); ++k)
         if (forces.normal[k] != 0.)
-          of_rows[k] = on_body.felt([&](const Vector &motion) {
+          of_rows[k] = on_body.resultant_of_work([&](const Vector &motion) {
             const GapConstraint &row = contact.rows[k];
             double work = forces.normal[k] * row.parts[side].row(motion);
             for (const SlipConstraint &slip : row.slips)
@@ -164,7 +164,7 @@ namespace lamella
                         const std::vector<BodyForces> &on_body)
     {
       const auto missing = [&](const unsigned int b) {
-        return on_body[b].body.missing_motions().size();
+        return on_body[b].body.omitted_rigid_motions().size();
       };
       return contact.second_body.has_value() &&
              missing(*contact.second_body) <= missing(contact.first_body);
@@ -202,7 +202,7 @@ namespace lamella
       kkt.of_rows = std::move(from_second ? on_second : on_first);
       for (Wrench &wrench : kkt.of_rows)
         {
-          wrench = seen_by.at_origin(wrench);
+          wrench = seen_by.about_origin(wrench);
           if (!from_second)
             wrench = {-wrench.force, -wrench.moment};
         }

@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/large_step.h>
 #include <lamella/solve/phase.h>
-#include <lamella/solve/soundness.h>
+#include <lamella/solve/solution_check.h>
 
 #include <algorithm>
 
@@ -40,7 +40,7 @@ namespace lamella
     solved.load_factor = to;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
-      const Equilibrium  start = start_at(before, from, to);
+      const Equilibrium  start = make_start(before, from, to);
       // Rows are those of no state until it ends.
       reached         = BlockVector();
       Equilibrium end = newton.advance(start, to);
@@ -67,7 +67,7 @@ namespace lamella
 
 
   void
-  LargeStep::go_on_from(const State &last, const LoadFactor &factor)
+  LargeStep::resume_from(const State &last, const LoadFactor &factor)
   {
     newton.restore(last, factor);
     reached = last.u;
@@ -76,12 +76,12 @@ namespace lamella
 
 
   Equilibrium
-  LargeStep::start_at(const State      &before,
-                      const LoadFactor &from,
-                      const LoadFactor &to)
+  LargeStep::make_start(const State      &before,
+                        const LoadFactor &from,
+                        const LoadFactor &to)
   {
     if (before.u.n_blocks() == 0)
-      return newton.at_rest(to);
+      return newton.unloaded(to);
     if (reached.n_blocks() == 0 || !(before.u == reached))
       newton.restore(before, from);
     Equilibrium start;

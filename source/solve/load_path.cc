@@ -3,11 +3,11 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/beyond_linear.h>
 #include <lamella/solve/friction_step.h>
 #include <lamella/solve/load_path.h>
+#include <lamella/solve/nonlinearity_estimate.h>
 #include <lamella/solve/phase.h>
-#include <lamella/solve/soundness.h>
+#include <lamella/solve/solution_check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -196,14 +196,14 @@ namespace lamella
       for (unsigned int k = 0; k < contacts.size(); ++k)
         {
           contact_objects[k]->require_found(
-            state.u, factor, rows.among_contact(k, state.active));
+            state.u, factor, rows.local_rows_of(k, state.active));
           if (!state.friction.empty())
             check_small_slip(contacts[k],
                              rows.of_contact(k, state.force),
                              rows.of_contact(k, state.friction.before));
         }
     }
-    if (!parameters.is_judged || !last)
+    if (!parameters.computes_estimates || !last)
       return checks;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::beyond));
@@ -234,7 +234,7 @@ namespace lamella
     AssertIndexRange(n_done - 1, factors.size());
     done = n_done;
     last = std::move(state);
-    step->go_on_from(last, factors[done - 1]);
+    step->resume_from(last, factors[done - 1]);
     last_force = largest_force(step->check(last, factors[done - 1], false));
     store(factors[done - 1].of_scene(), done - 1, last);
   }
@@ -242,10 +242,10 @@ namespace lamella
 
 
   SolvedStep
-  LoadPath::in_parts(const State       &before,
-                     const LoadFactor  &from,
-                     const LoadFactor  &to,
-                     const unsigned int n) const
+  LoadPath::solve_substeps(const State       &before,
+                           const LoadFactor  &from,
+                           const LoadFactor  &to,
+                           const unsigned int n) const
   {
     const auto part = [&](const unsigned int k) {
       return k == 0 ? from : k == n ? to : to.after(from, 1. * k / n);
@@ -268,20 +268,20 @@ namespace lamella
 
 
   SolvedStep
-  LoadPath::as_wanted(const State      &before,
-                      const LoadFactor &from,
-                      const LoadFactor &to) const
+  LoadPath::solve_requested_substeps(const State      &before,
+                                     const LoadFactor &from,
+                                     const LoadFactor &to) const
   {
     if (substeps.number > 0)
-      return in_parts(before, from, to, substeps.number);
-    SolvedStep coarser = in_parts(before, from, to, 1);
+      return solve_substeps(before, from, to, substeps.number);
+    SolvedStep coarser = solve_substeps(before, from, to, 1);
     for (unsigned int n = 2;; n *= 2)
       {
-        SolvedStep solved = in_parts(before, from, to, n);
+        SolvedStep solved = solve_substeps(before, from, to, n);
         solved.change     = change_of(solved, coarser, before, last_force);
-        if (watches)
+        if (change_measure)
           solved.change =
-            std::max(*solved.change, watches(solved, coarser, before));
+            std::max(*solved.change, change_measure(solved, coarser, before));
         if (n == Substeps::most || *solved.change <= substeps.tolerance)
           return solved;
         coarser = std::move(solved);
@@ -296,8 +296,8 @@ namespace lamella
     const LoadFactor &to  = factors[done],
                      from = done == 0 ? to.without_loads() : factors[done - 1];
     SolvedStep solved     = substeps.each.empty() ?
-                              as_wanted(last, from, to) :
-                              in_parts(last, from, to, substeps.each[done]);
+                              solve_requested_substeps(last, from, to) :
+                              solve_substeps(last, from, to, substeps.each[done]);
     last_force            = largest_force(solved.checks);
     last                  = solved.state;
     store(to.of_scene(), done, last);
@@ -307,12 +307,12 @@ namespace lamella
 
 
 
-  LoadPath::Stored
+  LoadPath::StoredState
   LoadPath::nearest(const double factor) const
   {
-    Stored found;
-    double distance = std::numeric_limits<double>::infinity();
-    for (const Stored &one : stored)
+    StoredState found;
+    double      distance = std::numeric_limits<double>::infinity();
+    for (const StoredState &one : stored)
       if (std::abs(one.factor - factor) <= distance)
         {
           found    = one;
@@ -323,36 +323,37 @@ namespace lamella
 
 
 
-  LoadPath::Stored
-  LoadPath::end_of(const unsigned int leg)
+  LoadPath::StoredState
+  LoadPath::end_of(const unsigned int load_step)
   {
     const auto found =
-      std::find_if(stored.begin(), stored.end(), [&](const Stored &one) {
-        return one.leg == leg && one.factor == factors[leg].of_scene();
+      std::find_if(stored.begin(), stored.end(), [&](const StoredState &one) {
+        return one.load_step == load_step &&
+               one.factor == factors[load_step].of_scene();
       });
     if (found != stored.end())
       return *found;
     LoadPath again(step, factors, substeps);
-    again.watch(watches);
-    while (again.done <= leg)
+    again.watch(change_measure);
+    while (again.done <= load_step)
       again.advance();
-    const Stored end{factors[leg].of_scene(), leg, again.last};
-    store(end.factor, leg, end.state);
+    const StoredState end{factors[load_step].of_scene(), load_step, again.last};
+    store(end.factor, load_step, end.state);
     return end;
   }
 
 
 
-  LoadPath::Stored
-  LoadPath::passed(const double factor, const unsigned int leg)
+  LoadPath::StoredState
+  LoadPath::nearest_passed(const double factor, const unsigned int load_step)
   {
-    Stored       found = leg == 0 ? Stored() : end_of(leg - 1);
+    StoredState  found = load_step == 0 ? StoredState() : end_of(load_step - 1);
     const double start = found.factor;
-    for (const Stored &one : stored)
+    for (const StoredState &one : stored)
       {
         // Of the way to here, where one and found are.
         const double share = (one.factor - start) / (factor - start);
-        if (one.leg == leg && share > 0. && share < 1. &&
+        if (one.load_step == load_step && share > 0. && share < 1. &&
             share > (found.factor - start) / (factor - start))
           found = one;
       }
@@ -362,12 +363,14 @@ namespace lamella
 
 
   SolvedStep
-  LoadPath::branch(const double factor, const unsigned int leg)
+  LoadPath::branch(const double factor, const unsigned int load_step)
   {
-    const Stored from =
-      last.friction.empty() ? nearest(factor) : passed(factor, leg);
-    SolvedStep solved = as_wanted(from.state, from.factor, factor);
-    store(factor, leg, solved.state);
+    const StoredState from = last.friction.empty() ?
+                               nearest(factor) :
+                               nearest_passed(factor, load_step);
+    SolvedStep        solved =
+      solve_requested_substeps(from.state, from.factor, factor);
+    store(factor, load_step, solved.state);
     return solved;
   }
 
@@ -375,13 +378,13 @@ namespace lamella
 
   void
   LoadPath::store(const double       factor,
-                  const unsigned int leg,
+                  const unsigned int load_step,
                   const State       &state)
   {
-    const auto is_here = [&](const Stored &known) {
-      return known.factor == factor && known.leg == leg;
+    const auto is_here = [&](const StoredState &known) {
+      return known.factor == factor && known.load_step == load_step;
     };
     if (branches && std::none_of(stored.begin(), stored.end(), is_here))
-      stored.push_back({factor, leg, state});
+      stored.push_back({factor, load_step, state});
   }
 } // namespace lamella

@@ -61,7 +61,7 @@ namespace lamella
 
 
   std::string
-  MemoryBudget::require_matrices(const Structure &structure) const
+  MemoryBudget::check_matrix_memory(const Structure &structure) const
   {
     double entries = 0.;
     for (const auto &body : structure.bodies())
@@ -77,7 +77,8 @@ namespace lamella
 
 
   std::string
-  MemoryBudget::require_factor(const Body &body, const FactorSize &size) const
+  MemoryBudget::check_factor_memory(const Body       &body,
+                                    const FactorSize &size) const
   {
     const std::string what =
       "factor of " + to_text(size.non_zeros, 3) + " non-zeros (" +

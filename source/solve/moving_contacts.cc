@@ -32,7 +32,7 @@ namespace lamella
   {
     const GapConstraints rows(contacts);
     const auto           keep = [&](const unsigned int row) -> Pressed           &{
-      const auto [c, k] = rows.in_contact(row);
+      const auto [c, k] = rows.contact_of_row(row);
       Pressed &kept     = places[key(c, contacts[c].points[k])];
       kept.force        = state.force[row];
       return kept;
@@ -55,18 +55,18 @@ namespace lamella
 
 
   void
-  MultiplierTransfer::give(const std::vector<ContactInterface> &contacts,
-                           State                               &state) const
+  MultiplierTransfer::transfer_to(const std::vector<ContactInterface> &contacts,
+                                  State &state) const
   {
     const GapConstraints rows(contacts);
     state.force.assign(rows.size(), 0.);
     state.active.clear();
     FrictionState &of = state.friction;
     if (!of.empty())
-      of = FrictionState::at_rest(rows);
+      of = FrictionState::unloaded(rows);
     for (unsigned int row = 0; row < rows.size(); ++row)
       {
-        const auto [c, k] = rows.in_contact(row);
+        const auto [c, k] = rows.contact_of_row(row);
         const auto known  = places.find(key(c, contacts[c].points[k]));
         if (known == places.end())
           continue;
@@ -83,13 +83,13 @@ namespace lamella
         of.dissipated[row] = kept.dissipated;
       }
     if (!of.empty())
-      keep_dissipated(contacts, of);
+      preserve_dissipation(contacts, of);
   }
 
 
 
   void
-  MultiplierTransfer::keep_dissipated(
+  MultiplierTransfer::preserve_dissipation(
     const std::vector<ContactInterface> &contacts,
     FrictionState                       &of) const
   {
@@ -128,7 +128,7 @@ namespace lamella
 
 
   bool
-  MovingContacts::ends_have_rows(const unsigned int c) const
+  MovingContacts::ends_have_constraints(const unsigned int c) const
   {
     const auto slave = [](const ContactInterface &contact) {
       return contact.points_on_second ? contact.second_body :
@@ -147,7 +147,8 @@ namespace lamella
 
 
   bool
-  MovingContacts::is_pressed(const unsigned int c, const State &state) const
+  MovingContacts::has_contact_force(const unsigned int c,
+                                    const State       &state) const
   {
     const auto bodies = [](const ContactInterface &contact) {
       return std::minmax(contact.first_body, *contact.second_body);
@@ -155,7 +156,8 @@ namespace lamella
     return std::any_of(state.active.begin(),
                        state.active.end(),
                        [&](const unsigned int row) {
-                         const auto &by = all[numbered.in_contact(row).first];
+                         const auto &by =
+                           all[numbered.contact_of_row(row).first];
                          return by.second_body && bodies(by) == bodies(all[c]);
                        });
   }
@@ -217,10 +219,10 @@ namespace lamella
       contact->move(state.u, factor);
     std::vector<unsigned int> facing;
     for (const unsigned int row : state.active)
-      if (const unsigned int c = numbered.in_contact(row).first;
+      if (const unsigned int c = numbered.contact_of_row(row).first;
           !numbered[row].parts.empty())
         facing.push_back(row);
-      else if (ends_have_rows(c))
+      else if (ends_have_constraints(c))
         {
           state.force[row] = 0.;
           release.insert(c);
@@ -262,7 +264,7 @@ namespace lamella
         contact_objects[c]->begin_step(state.u, factor);
         if (contact_objects[c]->is_line() &&
             contact_objects[c]->wraps_around(
-              state.u, factor, numbered.among_contact(c, state.active)))
+              state.u, factor, numbered.local_rows_of(c, state.active)))
           lost = "Contact " + all[c].name +
                  ", line to roller, becomes more than a line: the body bends "
                  "around '" +
@@ -335,14 +337,14 @@ namespace lamella
     bool                     any = false;
     for (unsigned int c = 0; c < all.size(); ++c)
       {
-        const auto active = numbered.among_contact(c, state.active);
+        const auto active = numbered.local_rows_of(c, state.active);
         const bool switches =
           contact_objects[c]->is_line() &&
           contact_objects[c]->wraps_around(state.u, factor, active) &&
           contact_objects[c]->switch_to_points();
         if (!switches && contact_objects[c]
                              ->pairing_is_valid(state.u, factor, active)
-                             .unseen == 0)
+                             .missing_constraints == 0)
           continue;
         any = true;
         pair(c, state, factor);
@@ -350,7 +352,7 @@ namespace lamella
     if (any)
       {
         numbered = GapConstraints(all);
-        transfer.give(all, state);
+        transfer.transfer_to(all, state);
       }
     return any;
   }
@@ -369,7 +371,7 @@ namespace lamella
              ": its body went through '" + all[c].second_name +
                "' in one step.");
     for (const unsigned int c : release)
-      if (!is_pressed(c, state))
+      if (!has_contact_force(c, state))
         throw NumericsError(lost);
   }
 

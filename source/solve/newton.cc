@@ -25,18 +25,18 @@ namespace lamella
                        const BlockVector     &u,
                        const unsigned int     b)
     {
-      return here.largest_stiffness(b) * rounding_of_places(u.block(b));
+      return here.largest_stiffness(b) * displacement_rounding(u.block(b));
     }
   } // namespace
 
 
 
   Newton::Newton(const Structure        &structure,
-                 const SolverKind        asked,
+                 const SolverKind        requested,
                  const NewtonParameters &parameters)
     : Newton(structure,
              MovingContacts(no_interfaces, no_contacts),
-             asked,
+             requested,
              parameters)
   {}
 
@@ -44,30 +44,30 @@ namespace lamella
 
   Newton::Newton(const Structure        &structure,
                  const MovingContacts   &contacts,
-                 const SolverKind        asked,
+                 const SolverKind        requested,
                  const NewtonParameters &parameters)
     : progress([](const std::string &) {})
     , structure(structure)
     , contacts(contacts)
-    , asked(asked)
+    , requested(requested)
     , parameters(parameters)
   {
     for (const auto &body : structure.bodies())
-      sizes.push_back(body->constraints_rotate() ? body->dof_sizes() :
+      sizes.push_back(body->constraints_rotate() ? body->dof_scales() :
                                                    std::vector<double>());
   }
 
 
 
   Equilibrium
-  Newton::at_rest(const LoadFactor &factor) const
+  Newton::unloaded(const LoadFactor &factor) const
   {
     Equilibrium at;
     at.state.u = structure.zero();
     at.state.force.assign(contacts.rows().size(), 0.);
-    if (contacts.rows().rub())
-      at.state.friction = FrictionState::at_rest(contacts.rows());
-    at.factor = factor.at_rest();
+    if (contacts.rows().has_friction())
+      at.state.friction = FrictionState::unloaded(contacts.rows());
+    at.factor = factor.unloaded();
     return at;
   }
 
@@ -111,7 +111,8 @@ namespace lamella
     // Of nothing there is no share.
     const double share = norm / std::max(internal.l2_norm(), load.l2_norm());
     at.residual =
-      norm <= parameters.nothing * began && !(share <= parameters.balanced) &&
+      norm <= parameters.nothing * began &&
+          !(share <= parameters.force_tolerance) &&
           // What springs alone hold one body with is no rounding of another.
           (!structure.has_springs() || is_rounding(here, left, at.state.u)) ?
         0. :
@@ -124,7 +125,7 @@ namespace lamella
                 ", " + std::to_string(at.state.active.size()) +
                   " rows active, gaps off by " + to_text(at.law_error, 2)));
     // Written so that what is not a number is beyond all bounds.
-    return norm <= parameters.diverged * began;
+    return norm <= parameters.divergence_ratio * began;
   }
 
 
@@ -154,9 +155,9 @@ namespace lamella
     // Forces that are nothing tell nothing of how far it is.
     if (unbalanced.now == 0.)
       return change <= parameters.still * structure.size();
-    return unbalanced.now <= parameters.balanced ||
+    return unbalanced.now <= parameters.force_tolerance ||
            (unbalanced.now < parameters.floor &&
-            unbalanced.stands(parameters.stalls) &&
+            unbalanced.stands(parameters.stall_ratio) &&
             (!structure.has_springs() ||
              change < parameters.converged_change * structure.size())) ||
            (unbalanced.now < parameters.near &&
@@ -179,7 +180,7 @@ namespace lamella
 
 
   bool
-  Newton::is_still(const BlockVector &way) const
+  Newton::is_negligible(const BlockVector &way) const
   {
     return length_of(way) <= parameters.still * structure.size();
   }
@@ -193,7 +194,7 @@ namespace lamella
     return missed.now <= std::max(parameters.law * size,
                                   parameters.touching * structure.size()) ||
            (missed.now < parameters.floor * size &&
-            missed.stands(parameters.stalls));
+            missed.stands(parameters.stall_ratio));
   }
 
 
@@ -226,12 +227,12 @@ namespace lamella
 
 
 
-  Newton::Beginning
-  Newton::beginning(const LoadFactor &to, const Equilibrium &at) const
+  Newton::StepStart
+  Newton::step_start(const LoadFactor &to, const Equilibrium &at) const
   {
-    Beginning             result;
+    StepStart             result;
     const TangentOperator here(structure, at.state.u);
-    result.moved = here.way_to_supports(at.factor, to);
+    result.moved = here.support_increment(at.factor, to);
     result.r     = unbalanced(at.state, to);
     if (result.moved.l2_norm() > 0.)
       result.r -= here.apply(result.moved);
@@ -277,7 +278,7 @@ namespace lamella
     State            &state  = at.state;
     const BlockVector before = state.u;
     contacts.begin_step(state, at.factor);
-    auto [moved, r, began] = beginning(to, at);
+    auto [moved, r, began] = step_start(to, at);
     Correction      last;
     ResidualHistory forces, gaps;
     unsigned int    pairings = 0;
@@ -289,7 +290,7 @@ namespace lamella
         last = correct(r,
                        moved,
                        predicted ? last.du : BlockVector(),
-                       k == 0 ? to.as_warm_as(at.factor) : to,
+                       k == 0 ? to.with_thermal_factor_of(at.factor) : to,
                        state);
 
         contacts.move(state, to);
@@ -298,21 +299,21 @@ namespace lamella
         if (!measure(here, r, to, began, at))
           return false;
         // Rows that turn miss their places by what they have turned.
-        moved = here.way_to_supports(to, to);
+        moved = here.support_increment(to, to);
         forces.add(at.residual);
         gaps.add(at.law_error);
         const double change   = length_of(last.du);
         const bool   balances = is_equilibrium(forces, change);
-        if (is_still(moved) &&
+        if (is_negligible(moved) &&
             satisfies_contact_law(gaps, length_of(state.u)) &&
-            (balances || (is_still(last.du) &&
+            (balances || (is_negligible(last.du) &&
                           is_rounding(here, condensed(here, r), state.u))))
           {
             if (contacts.none() || !contacts.find_loads(state, to))
               {
                 contacts.check_kept(before, at.factor, state, to);
                 check_stability(before, last, state, to);
-                end_friction(transfer, to, state);
+                update_friction(transfer, to, state);
                 at.factor   = to;
                 at.rounding = balances && at.residual > 0. ? 0. : change;
                 return true;
@@ -332,12 +333,12 @@ namespace lamella
 
 
   void
-  Newton::end_friction(const MultiplierTransfer &began,
-                       const LoadFactor         &to,
-                       State                    &state) const
+  Newton::update_friction(const MultiplierTransfer &began,
+                          const LoadFactor         &to,
+                          State                    &state) const
   {
     State then = state;
-    began.give(contacts.interfaces(), then);
+    began.transfer_to(contacts.interfaces(), then);
     end_moved_step(contacts.rows(), then, to, state);
   }
 
@@ -352,7 +353,7 @@ namespace lamella
       const unsigned int iterations = at.state.iterations;
       at                            = before;
       at.state.iterations           = iterations;
-      transfer.give(contacts.interfaces(), at.state);
+      transfer.transfer_to(contacts.interfaces(), at.state);
     };
     for (const bool predicted : {true, false})
       {
@@ -377,7 +378,8 @@ namespace lamella
 
 
   void
-  Newton::fail_beyond(const LoadFactor &reached, const LoadFactor &to) const
+  Newton::throw_not_converged(const LoadFactor &reached,
+                              const LoadFactor &to) const
   {
     const std::string where = "beyond load factor " +
                               to_text(reached.of_scene(), 6) +
@@ -422,8 +424,8 @@ namespace lamella
             continue;
           }
         way /= 2.;
-        if (++at.cuts > parameters.max_cuts)
-          fail_beyond(at.factor, to);
+        if (++at.cuts > parameters.max_bisections)
+          throw_not_converged(at.factor, to);
         progress("no convergence: a step of " + to_text(way, 4) +
                  " of the way is tried");
       }

@@ -69,7 +69,7 @@ namespace lamella
                    " rows active, " + std::to_string(round.changed.size()) +
                    " change");
       });
-    take_forces(rows, found, state);
+    store_forces(rows, found, state);
     return found;
   }
 
@@ -101,17 +101,17 @@ namespace lamella
 
 
   BlockVector
-  Newton::follow_rows(ContactStrategy   &strategy,
-                      const BlockVector &u,
-                      const BlockVector &du,
-                      const double       regularization_factor,
-                      const LoadFactor  &to,
-                      State             &state) const
+  Newton::correct_row_rotation(ContactStrategy   &strategy,
+                               const BlockVector &u,
+                               const BlockVector &du,
+                               const double       regularization_factor,
+                               const LoadFactor  &to,
+                               State             &state) const
   {
     if (state.active.empty())
       return du;
     // Those that slip push along with their normal force.
-    const ActiveConstraints closed = closed_rows(contacts.rows(), state);
+    const ActiveConstraints closed = active_equations(contacts.rows(), state);
     const Vector            held(closed.numbers.size());
     Vector                  forces;
     const auto              answer = [&](const BlockVector &w) {
@@ -122,7 +122,10 @@ namespace lamella
       return x;
     };
     const double          enough = parameters.follows * du.l2_norm();
-    dealii::SolverControl control(parameters.max_follows, enough, false, false);
+    dealii::SolverControl control(parameters.max_rotation_corrections,
+                                  enough,
+                                  false,
+                                  false);
     BlockVector           x = answer(du);
     if (x.l2_norm() > enough)
       try
@@ -142,7 +145,7 @@ namespace lamella
     x += du;
     // What no row holds without springs stays with them, until rows do.
     if (structure.has_springs() &&
-        length_of(x) > parameters.released * length_of(du))
+        length_of(x) > parameters.max_spring_influence * length_of(du))
       return du;
     // To first order; the next iteration says which rows are active.
     add_forces(contacts.rows(), closed, forces, state);
@@ -165,12 +168,12 @@ namespace lamella
                           const LoadFactor  &to) const
   {
     if (last.is_unstable)
-      fail_as_unstable();
+      throw_unstable();
     if (structure.has_springs() && check_supports(state, to))
       return;
     BlockVector way = state.u;
     way -= before;
-    if (!last.leans &&
+    if (!last.uses_constraint_shift &&
         length_of(last.du) <= parameters.converged_step * length_of(way))
       return;
     Regularization none;
@@ -200,20 +203,20 @@ namespace lamella
         const auto strategy = make_strategy(Strategy::condensed, about, rows);
         // Gaps are those of the tangent planes, whose states are sums.
         if (shift)
-          shift->take_springs_off(sum_of(before, moved), to, state);
+          shift->remove_shift(sum_of(before, moved), to, state);
         state.u += du;
         const ContactSolution transfer =
           solve_contact(*strategy, rows, to, state);
         du += transfer.du;
         unstable = transfer.is_unstable;
         if (shift)
-          shift->put_springs_on(sum_of(before, du), to, state);
-        du = follow_rows(*strategy,
-                         before,
-                         du,
-                         regularization.regularization_factor,
-                         to,
-                         state);
+          shift->apply_shift(sum_of(before, du), to, state);
+        du = correct_row_rotation(*strategy,
+                                  before,
+                                  du,
+                                  regularization.regularization_factor,
+                                  to,
+                                  state);
       }
     shorten(du);
     state.u = structure.retract(before, du);

@@ -68,7 +68,7 @@ namespace lamella
   {
     // A row that leans has a spring for its gap, and its slip would hang on
     // what that bears.
-    const bool         may_lean = !contacts.rows().rub();
+    const bool         may_lean = !contacts.rows().has_friction();
     std::exception_ptr failure;
     for (const AidTrial &trial : trials(may_lean, structure.has_springs()))
       try
@@ -91,7 +91,7 @@ namespace lamella
             more =
               springs_of(structure, regularization.regularization_factor - 1.);
           return TangentOperator(
-            structure, state.u, asked, monitor, correction, to, more);
+            structure, state.u, requested, monitor, correction, to, more);
         }
       catch (const IllConditioned &)
         {
@@ -187,7 +187,7 @@ namespace lamella
           return found;
         }
       const auto strategy = make_strategy(Strategy::condensed, about, rows);
-      const ActiveConstraints closed = closed_rows(rows, state);
+      const ActiveConstraints closed = active_equations(rows, state);
       const Vector            held(closed.numbers.size());
       Vector                  forces;
       for (const BlockVector &load : loads)
@@ -205,7 +205,7 @@ namespace lamella
   Newton::check_supports(const State &state, const LoadFactor &to) const
   {
     const double pressing = size_of_forces(structure, state, to);
-    if (contacts.rows().rub() || pressing == 0.)
+    if (contacts.rows().has_friction() || pressing == 0.)
       return false;
     // What is carried along has rounding for stresses.
     const BlockVector internal = structure.internal_forces(state.u, state.rest);

@@ -14,7 +14,7 @@ namespace lamella
   namespace
   {
     // What nobody waits for.
-    constexpr unsigned int most_iterations = 1000000;
+    constexpr unsigned int max_iterations_per_solve = 1000000;
 
 
 
@@ -149,7 +149,7 @@ namespace lamella
     for (const double factor : in["Load factors"].numbers())
       parameters.load_factors.emplace_back(factor);
     if (parameters.load_factors.empty())
-      in["Load factors"].is_missing("give one number a load step.");
+      in["Load factors"].refuse_missing("give one number a load step.");
     parameters.substeps     = parse_substeps(in["Substeps"]);
     parameters.rotations    = in["Rotations"].choice<Rotations>();
     parameters.stress_axes  = in["Stress axes"].choice<StressAxes>();
@@ -163,7 +163,7 @@ namespace lamella
       solver.refuse("Contact strategy = full factorizes with mumps",
                     "Choose auto, or the condensed strategy.");
     parameters.loop.max_iterations =
-      in["Maximum iterations"].whole(1, most_iterations);
+      in["Maximum iterations"].whole(1, max_iterations_per_solve);
     parameters.newton.max_iterations = parameters.loop.max_iterations;
     parameters.rotation_limit        = in["Rotation limit"].positive();
     parameters.beyond_linear = in["Beyond linear range"].choice<OutOfRange>();

@@ -20,7 +20,7 @@ namespace lamella
                                const GapConstraints  &rows)
     : structure(tangent_operator.of())
     , rows(rows)
-    , symmetry(rows.rub() ? Symmetry::none : Symmetry::definite)
+    , symmetry(rows.has_friction() ? Symmetry::none : Symmetry::definite)
   {
     assemble_stiffness(tangent_operator);
   }
@@ -153,7 +153,7 @@ namespace lamella
 
     /// Those of @p owned, and those that are flagged.
     IndexSet
-    united(const IndexSet &owned, const std::vector<bool> &written)
+    sorted_union(const IndexSet &owned, const std::vector<bool> &written)
     {
       Dofs others;
       for (DofIndex i = 0; i < written.size(); ++i)
@@ -184,7 +184,7 @@ namespace lamella
                    [&](const Dofs &rows, auto &&, auto &&) {
                      add_free(constraints, rows, written);
                    });
-    DynamicSparsityPattern pattern(n, n, united(owned, written));
+    DynamicSparsityPattern pattern(n, n, sorted_union(owned, written));
     for_each_block(tangent_operator,
                    false,
                    [&](const Dofs &rows, const Dofs &columns, auto &&) {
@@ -253,7 +253,7 @@ namespace lamella
         }
     DynamicSparsityPattern pattern(structure.n_dofs(),
                                    structure.n_dofs(),
-                                   united(owned, written));
+                                   sorted_union(owned, written));
     for_each_own_row(stiffness,
                      [&](const DofIndex      row,
                          const Dofs         &columns,
@@ -340,7 +340,7 @@ namespace lamella
     factor->factorize(std::move(all.values));
     factorized_for = terms;
     is_factorized  = true;
-    measure_hardness(terms);
+    update_penalty_ratio(terms);
   }
 
 
@@ -381,7 +381,7 @@ namespace lamella
   // ---- what the arithmetic holds
 
   void
-  PenaltyMatrix::measure_hardness(const std::vector<PenaltyTerm> &terms)
+  PenaltyMatrix::update_penalty_ratio(const std::vector<PenaltyTerm> &terms)
   {
     for (const PenaltyTerm &term : terms)
       {
@@ -392,10 +392,10 @@ namespace lamella
           global_row(structure, rows.constraint(term.of)).reduced(constraints);
         for (const auto &[dof, weight] : free.entries())
           soft += weight * weight / diagonal[dof];
-        if (soft * term.weight > hardest)
+        if (soft * term.weight > largest_penalty_ratio)
           {
-            hardest         = soft * term.weight;
-            hardest_penalty = term.weight;
+            largest_penalty_ratio    = soft * term.weight;
+            penalty_of_largest_ratio = term.weight;
           }
       }
   }
@@ -407,16 +407,19 @@ namespace lamella
   {
     // Rounding leaves an error of about N t eps / k (Nour-Omid and Wriggers,
     // 1987), least together with the penalty's own k / eps at k / sqrt(N t).
-    const double t = std::numeric_limits<double>::epsilon(),
-                 n = structure.n_dofs(), rounding = n * t * hardest;
+    const double t        = std::numeric_limits<double>::epsilon(),
+                 n        = structure.n_dofs(),
+                 rounding = n * t * largest_penalty_ratio;
     if (rounding < 1e-4)
       return {};
-    return {"the penalty " + to_text(hardest_penalty, 3) + " is " +
-            to_text(hardest, 2) +
+    return {"the penalty " + to_text(penalty_of_largest_ratio, 3) + " is " +
+            to_text(largest_penalty_ratio, 2) +
             " times the stiffness of the DoFs it acts on; in K + K^p of " +
             std::to_string(structure.n_dofs()) +
             " DoFs double precision holds about " +
-            to_text(hardest_penalty / hardest / std::sqrt(n * t), 2) +
+            to_text(penalty_of_largest_ratio / largest_penalty_ratio /
+                      std::sqrt(n * t),
+                    2) +
             " best, and what was found may be off by " + to_text(rounding, 1) +
             ": take a softer Penalty or the condensed strategy"};
   }

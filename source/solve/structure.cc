@@ -65,7 +65,7 @@ namespace lamella
     , follower_loads(all_bodies.size())
     , initial_load(zero())
   {
-    check_held(stabilizations);
+    check_rigid_motions(stabilizations);
     const std::vector<PrescribedFunctional> of_scene = of_history(rows, 0);
     const std::vector<std::string>          names    = names_of(supports);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
@@ -86,9 +86,9 @@ namespace lamella
     for (const Load &load : loads)
       take(load);
     if (gravity.norm() > 0.)
-      take_weight(gravity);
-    apply_heat(loads, all_bodies);
-    take_heat();
+      assemble_weight(gravity);
+    apply_temperatures(loads, all_bodies);
+    assemble_thermal_load();
   }
 
 
@@ -122,12 +122,12 @@ namespace lamella
 
 
   void
-  Structure::take_heat()
+  Structure::assemble_thermal_load()
   {
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
         initial_energies.push_back(
-          all_bodies[b]->add_heat(initial_load.block(b)));
+          all_bodies[b]->add_thermal_load(initial_load.block(b)));
         if (!all_bodies[b]->has_finite_rotations() ||
             !all_bodies[b]->is_heated())
           continue;
@@ -140,19 +140,19 @@ namespace lamella
 
 
   void
-  Structure::take_weight(const dealii::Tensor<1, 3> &gravity)
+  Structure::assemble_weight(const dealii::Tensor<1, 3> &gravity)
   {
     // On top of other loads; of bodies whose rows turn what these have stays.
-    BlockVector &dead   = histories[0].load;
-    BlockVector  before = dead;
-    resultants.push_back(add_weight(gravity, all_bodies, dead));
+    BlockVector &dead_load = histories[0].load;
+    BlockVector  before    = dead_load;
+    resultants.push_back(add_weight(gravity, all_bodies, dead_load));
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       if (all_bodies[b]->constraints_rotate())
         {
           follower_loads[b].emplace_back(follower_weight(gravity,
                                                          *all_bodies[b]),
                                          0);
-          dead.block(b) = before.block(b);
+          dead_load.block(b) = before.block(b);
         }
   }
 
@@ -200,7 +200,8 @@ namespace lamella
 
 
   void
-  Structure::check_held(const std::vector<Stabilization> &stabilizations) const
+  Structure::check_rigid_motions(
+    const std::vector<Stabilization> &stabilizations) const
   {
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
@@ -290,12 +291,12 @@ namespace lamella
 
 
   bool
-  Structure::has_skew_loads() const
+  Structure::has_unsymmetric_loads() const
   {
     return std::any_of(
       follower_loads.begin(), follower_loads.end(), [](const auto &loads) {
         return std::any_of(loads.begin(), loads.end(), [](const auto &load) {
-          return load.first->is_skew();
+          return load.first->is_unsymmetric();
         });
       });
   }
@@ -376,10 +377,10 @@ namespace lamella
 
 
 
-  SpringRest
+  SpringOffsets
   Structure::spring_lengths(const BlockVector &u) const
   {
-    SpringRest lengths(all_springs.size());
+    SpringOffsets lengths(all_springs.size());
     for (unsigned int b = 0; b < all_springs.size(); ++b)
       for (const Spring &spring : all_springs[b])
         lengths[b].push_back(spring.row(u.block(b)));
@@ -411,7 +412,8 @@ namespace lamella
 
 
   BlockVector
-  Structure::internal_forces(const BlockVector &u, const SpringRest &rest) const
+  Structure::internal_forces(const BlockVector   &u,
+                             const SpringOffsets &rest) const
   {
     BlockVector r = zero();
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
@@ -432,9 +434,9 @@ namespace lamella
 
 
   BlockVector
-  Structure::residual(const BlockVector &u,
-                      const LoadFactor  &factor,
-                      const SpringRest  &rest) const
+  Structure::residual(const BlockVector   &u,
+                      const LoadFactor    &factor,
+                      const SpringOffsets &rest) const
   {
     BlockVector r = internal_forces(u, rest);
     r.sadd(-1., 1., load(factor, u));

@@ -54,7 +54,7 @@ namespace lamella
             std::tie(moved_rows[k], measured[k]) =
               row_at(moved_rows[k], *bodies[b], state.block(b));
             held[k] = moved_rows[k];
-            // What they are to measure, way_to_supports() says.
+            // What they are to measure, support_increment() says.
             held[k].value = 0.;
           }
         moved_reductions.back() =
@@ -77,8 +77,8 @@ namespace lamella
 
 
   BlockVector
-  TangentOperator::way_to_supports(const LoadFactor &from,
-                                   const LoadFactor &to) const
+  TangentOperator::support_increment(const LoadFactor &from,
+                                     const LoadFactor &to) const
   {
     BlockVector u = structure.particular(to);
     u -= structure.particular(from);
@@ -119,10 +119,10 @@ namespace lamella
     /// What turning them with the section does to the displacement that the
     /// @p warpings of @p u are at @p location, |(R - 1) Phi a|.
     double
-    turned_warping(const Body     &body,
-                   const Location &location,
-                   const Vector   &u,
-                   const Vector   &warpings)
+    rotated_warping_error(const Body     &body,
+                          const Location &location,
+                          const Vector   &u,
+                          const Vector   &warpings)
     {
       Tensor<1, 3>                        turned;
       const std::vector<LinearFunctional> rows = body.rows_at({location}, u)[0];
@@ -134,16 +134,16 @@ namespace lamella
 
 
 
-    /// missed_most() of body number @p b, whose state is @p u, in a structure
-    /// of the size @p size.
-    TangentOperator::Missed
-    missed_of(const Body                              &body,
-              const unsigned int                       b,
-              const Vector                            &u,
-              const std::vector<PrescribedFunctional> &rows,
-              const std::vector<bool>                 &is_followed,
-              const LoadFactor                        &at,
-              const double                             size)
+    /// largest_support_error() of body number @p b, whose state is @p u, in a
+    /// structure of the size @p size.
+    TangentOperator::SupportError
+    support_error_of(const Body                              &body,
+                     const unsigned int                       b,
+                     const Vector                            &u,
+                     const std::vector<PrescribedFunctional> &rows,
+                     const std::vector<bool>                 &is_followed,
+                     const LoadFactor                        &at,
+                     const double                             size)
     {
       // Rows that depend on others are combinations of these.
       constexpr double combined     = 10.;
@@ -153,9 +153,9 @@ namespace lamella
       for (unsigned int k = 0; k < rows.size(); ++k)
         if (rows[k].row.body == b && rows[k].location)
           {
-            second_order =
-              std::max(second_order,
-                       turned_warping(body, *rows[k].location, u, warpings));
+            second_order = std::max(
+              second_order,
+              rotated_warping_error(body, *rows[k].location, u, warpings));
             const auto [row, is] = row_at(rows[k], body, u);
             const double by = std::abs(is - row.value_at(at.of(row.history)));
             if (!is_followed[k] && by > off)
@@ -166,16 +166,16 @@ namespace lamella
           }
       return {place,
               off /
-                (combined * (second_order + arithmetic::same_place * size))};
+                (combined * (second_order + arithmetic::same_position * size))};
     }
   } // namespace
 
 
 
-  TangentOperator::Missed
-  TangentOperator::missed_most(const LoadFactor &at) const
+  TangentOperator::SupportError
+  TangentOperator::largest_support_error(const LoadFactor &at) const
   {
-    Missed                                   worst;
+    SupportError                             worst;
     const std::vector<PrescribedFunctional> &rows = structure.prescribed();
     for (unsigned int b = 0; b < moved_reductions.size(); ++b)
       {
@@ -186,7 +186,7 @@ namespace lamella
         for (const auto &[k, force] :
              structure.reduction(b).multipliers(Vector(body.n_dofs())))
           is_followed[k] = true;
-        const Missed here = missed_of(
+        const SupportError here = support_error_of(
           body, b, state.block(b), rows, is_followed, at, structure.size());
         if (here.share > worst.share)
           worst = here;
@@ -205,9 +205,9 @@ namespace lamella
       SolverMonitor result;
       if (monitor.assembled)
         result.assembled = [&] { monitor.assembled(body); };
-      if (monitor.sized)
-        result.sized = [&](const FactorSize &size) {
-          monitor.sized(body, size);
+      if (monitor.factor_sized)
+        result.factor_sized = [&](const FactorSize &size) {
+          monitor.factor_sized(body, size);
         };
       return result;
     }
@@ -218,7 +218,7 @@ namespace lamella
   TangentOperator::TangentOperator(
     const Structure                            &structure,
     const BlockVector                          &u,
-    const SolverKind                            asked,
+    const SolverKind                            requested,
     const BodyMonitor                          &monitor,
     const BlockVector                          &correction,
     const LoadFactor                           &factor,
@@ -237,7 +237,7 @@ namespace lamella
         try
           {
             solvers.push_back(make_solver(b,
-                                          asked,
+                                          requested,
                                           correction.n_blocks() > 0 ?
                                             correction.block(b) :
                                             none,
@@ -257,7 +257,7 @@ namespace lamella
 
   std::unique_ptr<LinearSolver>
   TangentOperator::make_solver(const unsigned int             body,
-                               const SolverKind               asked,
+                               const SolverKind               requested,
                                const Vector                  &correction,
                                const std::vector<SpringTerm> &springs,
                                const SolverMonitor           &monitor) const
@@ -267,14 +267,14 @@ namespace lamella
     const Constraints &constraints = reduction(body).constraints();
     if (!structure.has_follower_loads(body))
       return one.make_tangent_solver(
-        u, correction, constraints, springs, asked, monitor);
+        u, correction, constraints, springs, requested, monitor);
     StiffnessTerms terms       = one.tangent_terms(u, correction, springs);
     const auto     of_stresses = terms.for_each_block;
     terms.for_each_block       = [&](const bool with_values, const auto &use) {
       of_stresses(with_values, use);
       structure.for_each_block_of_loads(body, factor, u, with_values, use);
     };
-    return one.solver_of(terms, constraints, asked, monitor);
+    return one.solver_of(terms, constraints, requested, monitor);
   }
 
 
@@ -316,7 +316,7 @@ namespace lamella
 
 
   BlockVector
-  TangentOperator::skew_part(const BlockVector &w) const
+  TangentOperator::unsymmetric_part(const BlockVector &w) const
   {
     BlockVector f = structure.zero();
     structure.add_derivative_of_loads(factor, state, w, f);
@@ -335,7 +335,7 @@ namespace lamella
   TangentOperator::solve(BlockVector r) const
   {
     r = solve_symmetric(std::move(r));
-    if (!structure.has_skew_loads())
+    if (!structure.has_unsymmetric_loads())
       return r;
     struct
     {
@@ -343,7 +343,7 @@ namespace lamella
       void
       vmult(BlockVector &to, const BlockVector &from) const
       {
-        to = K.solve_symmetric(K.skew_part(from));
+        to = K.solve_symmetric(K.unsymmetric_part(from));
         to += from;
       }
     } whole{*this};
@@ -409,12 +409,12 @@ namespace lamella
 
   std::shared_ptr<const TangentOperator>
   linearized(const Structure                    &structure,
-             const SolverKind                    asked,
+             const SolverKind                    requested,
              const TangentOperator::BodyMonitor &monitor)
   {
     return std::make_shared<const TangentOperator>(structure,
                                                    structure.zero(),
-                                                   asked,
+                                                   requested,
                                                    monitor);
   }
 

@@ -74,7 +74,7 @@ namespace lamella
       try
         {
           for (const NamedQuantity &quantity :
-               model->model().in_plies(quantities))
+               model->model().with_resolved_plies(quantities))
             answer["plies"].push_back(quantity.ply);
         }
       catch (const InputError &error)
@@ -138,7 +138,7 @@ namespace lamella
     , quantities(scene.trade.quantities)
   {
     check_rotations(scene);
-    if (quantities.empty() && scene.trade.whole_probes.empty())
+    if (quantities.empty() && scene.trade.probes_as_goals.empty())
       throw InputError("Trade/Quantities",
                        "",
                        "there is nothing to compare, since the scene has "
@@ -172,10 +172,10 @@ namespace lamella
     const std::string said   = directory + "/variants/check.txt",
                       errors = directory + "/variants/check_errors.txt";
     const ProcessEnd end =
-      run_in_child([&] { return plies_of(quantities, scene); },
-                   said,
-                   errors,
-                   scene.trade.time_limit);
+      run_in_process([&] { return plies_of(quantities, scene); },
+                     said,
+                     errors,
+                     scene.trade.time_limit);
     fs::remove(said);
     fs::remove(errors);
     const json answer = end.answer.empty() ? json() : json::parse(end.answer);
@@ -212,7 +212,7 @@ namespace lamella
             fail(entry, error.what());
             continue;
           }
-        say_if_interrupted(
+        set_interruption_message(
           "interrupted. " + directory +
           "/variants has the variants before this one. The same "
           "command goes on with it.");
@@ -242,7 +242,7 @@ namespace lamella
     for (unsigned int k = results.size(); k-- > 0;)
       if (results[k].failure.empty())
         {
-          for (const std::string &probe : scene.trade.whole_probes)
+          for (const std::string &probe : scene.trade.probes_as_goals)
             for (const NamedQuantity &quantity : numbers[k].largest_at(probe))
               quantities.push_back(quantity);
           return;
@@ -252,7 +252,7 @@ namespace lamella
 
 
   void
-  Trade::take_values()
+  Trade::store_values()
   {
     for (unsigned int k = 0; k < results.size(); ++k)
       if (results[k].failure.empty())
@@ -284,9 +284,9 @@ namespace lamella
     reference = scene.trade.reference;
     check_quantities(directory);
     climb(directory);
-    say_if_interrupted("");
+    set_interruption_message("");
     complete_quantities();
-    take_values();
+    store_values();
     const bool is_large = scene.solve.rotations == Rotations::large;
     out << std::flush;
     present_trade({results,

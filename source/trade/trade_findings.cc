@@ -56,7 +56,7 @@ namespace lamella
       for (unsigned int k = 0; k < all.size(); ++k)
         if (holds(variant, all[k]))
           held.push_back(k);
-      for (const std::optional<OwnBar> &own : variant.bars)
+      for (const std::optional<RunErrorBar> &own : variant.bars)
         bars.push_back(
           own ? json{{"bar", own->bar}, {"trusted", own->trusted}} : json());
       return {{"name", variant.name},

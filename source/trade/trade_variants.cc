@@ -54,7 +54,7 @@ namespace lamella
 
     /// Of a file: its size and when it was last written.
     std::string
-    state_of_file(const std::string &path)
+    file_stamp(const std::string &path)
     {
       std::error_code error;
       const auto      size = fs::file_size(path, error);
@@ -66,7 +66,7 @@ namespace lamella
 
 
     std::string
-    whole_file(const std::string &path)
+    read_file(const std::string &path)
     {
       std::ostringstream text;
       text << std::ifstream(path).rdbuf();
@@ -81,7 +81,7 @@ namespace lamella
                const std::string &errors,
                const double       time_limit)
     {
-      if (end.out_of_time)
+      if (end.time_limit_reached)
         return "took more than the time limit of " + to_text(time_limit) +
                " s.";
       if (end.signal != 0)
@@ -89,7 +89,7 @@ namespace lamella
                (end.signal == 9 ? ", perhaps because memory ran out." : ".");
       if (end.status == 0)
         return json::accept(end.answer) ? "" : "ended without its numbers.";
-      const std::string message = trimmed(whole_file(errors));
+      const std::string message = trimmed(read_file(errors));
       return message.empty() ?
                "ended with exit status " + std::to_string(end.status) + "." :
                message;
@@ -99,7 +99,7 @@ namespace lamella
 
     /// Puts @p record into @p folder, all of it or nothing.
     void
-    keep_record(const json &record, const std::string &folder)
+    write_record(const json &record, const std::string &folder)
     {
       const std::string path = folder + "/" + record_name;
       std::ofstream     file(path + ".new");
@@ -133,7 +133,7 @@ namespace lamella
     /// Puts what the run with the numbers @p other cost into @p values of
     /// another run of the same scene.
     void
-    take_costs(json &values, const json &other)
+    record_costs_of(json &values, const json &other)
     {
       for (const char *cost : {"peak_memory_mb", "seconds"})
         values[cost] = other.at(cost);
@@ -169,7 +169,7 @@ namespace lamella
         text = without_trade(variant.resolved);
         for (const auto &[name, shape] : variant.sections)
           if (const auto *file = std::get_if<SectionFile>(&shape))
-            text += "mesh " + state_of_file(file->path) + "\n";
+            text += "mesh " + file_stamp(file->path) + "\n";
       }
     catch (const InputError &error)
       {
@@ -179,8 +179,9 @@ namespace lamella
             text += assignment + "\n";
         text += error.what() + std::string("\n");
       }
-    return text + "program " + version() + ", " + state_of_file(own_program()) +
-           ", threads " + std::to_string(threads);
+    return text + "program " + version() + ", " +
+           file_stamp(executable_path()) + ", threads " +
+           std::to_string(threads);
   }
 
 
@@ -198,7 +199,7 @@ namespace lamella
 
 
   json
-  Trade::answer_of(const Job &job, const std::string &output) const
+  Trade::run_job(const Job &job, const std::string &output) const
   {
     std::vector<std::string> entries{"Write VTU=false"};
     entries.insert(entries.end(), job.overrides.begin(), job.overrides.end());
@@ -223,7 +224,7 @@ namespace lamella
         return;
       const dealii::Timer wall;
       ModelCache          cache;
-      simulation->set_goals(bars_of(*simulation, std::cout, cache).goals);
+      simulation->set_goals(error_bars_of(*simulation, std::cout, cache).goals);
       seconds_of_bars = wall.wall_time();
     });
     return {{"values", VariantValues(simulation->results()).to_json()},
@@ -235,19 +236,19 @@ namespace lamella
   ProcessEnd
   Trade::run_scene(const Job &job, const std::string &output) const
   {
-    return run_in_child([&] { return answer_of(job, output); },
-                        job.folder + "/output.txt",
-                        job.folder + "/errors.txt",
-                        scene.trade.time_limit);
+    return run_in_process([&] { return run_job(job, output); },
+                          job.folder + "/output.txt",
+                          job.folder + "/errors.txt",
+                          scene.trade.time_limit);
   }
 
 
 
   ProcessEnd
-  Trade::run_in_child(const std::function<json()> &work,
-                      const std::string           &output,
-                      const std::string           &errors,
-                      const double                 time_limit) const
+  Trade::run_in_process(const std::function<json()> &work,
+                        const std::string           &output,
+                        const std::string           &errors,
+                        const double                 time_limit) const
   {
     const auto with_mpi = [&] {
       int                 argc = 1;
@@ -264,7 +265,7 @@ namespace lamella
 
 
   void
-  Trade::try_again(const Job &job, json &answer, double &seconds) const
+  Trade::repeat_short_run(const Job &job, json &answer, double &seconds) const
   {
     const std::string kept  = job.folder + kept_run,
                       other = job.folder + "/again";
@@ -276,8 +277,8 @@ namespace lamella
         if (end.status == 0 && end.seconds < seconds)
           {
             seconds = end.seconds;
-            take_costs(answer.at("values"),
-                       json::parse(end.answer).at("values"));
+            record_costs_of(answer.at("values"),
+                            json::parse(end.answer).at("values"));
             if (!job.bars)
               {
                 fs::remove_all(kept);
@@ -303,7 +304,7 @@ namespace lamella
     if (failure.empty())
       seconds -= answer.at("seconds_of_bars").get<double>();
     if (failure.empty())
-      try_again(job, answer, seconds);
+      repeat_short_run(job, answer, seconds);
     // Each run reads the scene afresh.
     if (fingerprint(job.entry, job.overrides) != job.fingerprint ||
         fingerprint(overrides) != base)
@@ -328,7 +329,7 @@ namespace lamella
     if (!had)
       {
         record = new_record(job);
-        keep_record(record, job.folder);
+        write_record(record, job.folder);
       }
     VariantResult result = result_of(job.entry);
     VariantValues values;

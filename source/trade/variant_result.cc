@@ -10,8 +10,8 @@ namespace lamella
     , dofs(results.n_dofs())
     , memory(results.peak_memory / megabyte)
     , seconds(results.seconds)
-    , stiffening(results.worst_beyond().stiffening)
-    , buckling_factor(results.worst_beyond().buckling_factor)
+    , stiffening(results.worst_nonlinearity().stiffening)
+    , buckling_factor(results.worst_nonlinearity().buckling_factor)
   {
     for (const GoalResult &goal : results.goals)
       bars[goal.name] = {goal.estimate, goal.bar, goal.trusted};
@@ -66,7 +66,7 @@ namespace lamella
 
 
 
-  std::optional<OwnBar>
+  std::optional<RunErrorBar>
   VariantValues::bar(const NamedQuantity &quantity) const
   {
     const auto place = bars.find(quantity.label());

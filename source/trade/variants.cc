@@ -143,7 +143,7 @@ namespace lamella
     quantities_of(const TradeParameters &trade)
     {
       std::vector<std::string> labels;
-      if (trade.whole_probes.empty())
+      if (trade.probes_as_goals.empty())
         for (const NamedQuantity &quantity : trade.quantities)
           labels.push_back(quantity.label());
       return joined(labels, " | ");
@@ -196,8 +196,8 @@ namespace lamella
           if (entry.axis != 1.)
             overrides.push_back(
               kinematics(body) + "Axis elements=" +
-              (body.axis.fineness > 0. ?
-                 "auto " + to_text(body.axis.fineness * entry.axis) :
+              (body.axis.refinement_factor > 0. ?
+                 "auto " + to_text(body.axis.refinement_factor * entry.axis) :
                  scaled(body.axis.elements, entry.axis)));
           sections.insert(body.section);
         }

@@ -106,10 +106,10 @@ namespace
     std::ostream             nowhere(nullptr);
     const Scene              scene = read_scene(text);
     std::vector<std::string> notes =
-      doubts_of_magnitude(scene, build_section_meshes(scene));
+      magnitude_warnings(scene, build_section_meshes(scene));
     for (const auto &[name, material] : scene.materials)
       for (const std::string &doubt :
-           doubts_of_material(name, material, scene.units))
+           material_warnings(name, material, scene.units))
         notes.push_back(doubt);
     const auto simulation = make_simulation(scene, text, nowhere);
     for (const std::string &note : simulation->results().notes)

@@ -5,8 +5,8 @@
 
 #include "fixtures.h"
 
+#include <lamella/adapt/boundary_layer_cache.h>
 #include <lamella/adapt/graded_axis.h>
-#include <lamella/adapt/known_boundary_layer_modes.h>
 #include <lamella/adapt/node_fields.h>
 #include <lamella/section/embedding.h>
 #include <lamella/shape/shapes.h>
@@ -97,7 +97,7 @@ namespace
   without_boundary_layer_modes()
   {
     BoundaryLayerRules ends;
-    ends.most_dofs = 0.;
+    ends.max_dofs = 0.;
     FieldRules rules;
     rules.ends = std::make_shared<BoundaryLayerModes>(ends);
     return rules;
@@ -209,7 +209,8 @@ BOOST_AUTO_TEST_CASE(heated_ends)
   const auto heat_of = [](const End &end, const double across) {
     end.bodies[0]->heat(
       [=](const Point<3> &x) { return 1. + across * x[0] * x[0]; });
-    return HeatedSection(end.states, end.beam.section_heat(0.5 * length));
+    return HeatedSection(end.states,
+                         end.beam.section_thermal_load(0.5 * length));
   };
   // What is left of a section that would expand freely is nothing.
   const End strip("strip", "LE-2"), coupled("coupled", "LE-2");
@@ -255,7 +256,7 @@ BOOST_AUTO_TEST_CASE(touches_are_load_vectors_of_the_section)
   BOOST_REQUIRE(interactions.size() == 4);
   for (const unsigned int k : {0, 1})
     {
-      BOOST_TEST(interactions[k].holds_section);
+      BOOST_TEST(interactions[k].constrains_section);
       BOOST_TEST(interactions[k].begin == (k == 0 ? 0. : length));
       BOOST_TEST(interactions[k].end == interactions[k].begin);
       BOOST_TEST(std::abs(interactions[k].element - length / 24.) < 1e-12);
@@ -311,7 +312,7 @@ BOOST_AUTO_TEST_CASE(elements_with_probes_are_rich_as_a_whole)
                   {clamp()},
                   {patch()},
                   {},
-                  stress_places(bodies, probes, {}, {}));
+                  stress_ranges(bodies, probes, {}, {}));
     const Beam               &beam = beam_of(bodies);
     std::vector<unsigned int> sizes;
     for (const unsigned int node : beam.axis().nodes_of_cell(16))
@@ -334,8 +335,8 @@ namespace
 {
   /// Pieces of @p theories of LE-2 and its fields that end at @p breaks.
   BodyDescription
-  by_hand(const std::vector<std::string> &theories,
-          const std::vector<double>      &breaks)
+  with_manual_theories(const std::vector<std::string> &theories,
+                       const std::vector<double>      &breaks)
   {
     BodyDescription body = description("SV");
     body.pieces.theories.clear();
@@ -366,10 +367,13 @@ BOOST_AUTO_TEST_CASE(energies_are_nested)
   std::map<std::string, double> of;
   for (const char *theory : {"SV", "SV-3", "SV-6", "SV-10", "LE-2"})
     of[theory] = energy(description(theory));
-  of["SV, LE-2, SV"]     = energy(by_hand({"SV", "LE-2", "SV"}, inner));
-  of["SV-6, LE-2, SV-6"] = energy(by_hand({"SV-6", "LE-2", "SV-6"}, inner));
-  of["LE-2, SV-6, LE-2"] = energy(by_hand({"LE-2", "SV-6", "LE-2"}, outer));
-  const double all       = of["LE-2"];
+  of["SV, LE-2, SV"] =
+    energy(with_manual_theories({"SV", "LE-2", "SV"}, inner));
+  of["SV-6, LE-2, SV-6"] =
+    energy(with_manual_theories({"SV-6", "LE-2", "SV-6"}, inner));
+  of["LE-2, SV-6, LE-2"] =
+    energy(with_manual_theories({"LE-2", "SV-6", "LE-2"}, outer));
+  const double all = of["LE-2"];
   for (const std::vector<std::string> &hierarchy :
        {std::vector<std::string>{"SV", "SV-3", "SV-6", "SV-10", "LE-2"},
         {"SV", "SV, LE-2, SV", "SV-6, LE-2, SV-6", "LE-2"},
@@ -430,8 +434,8 @@ BOOST_AUTO_TEST_CASE(end_fields_are_new_and_nested)
   const End  end("coupled");
   const auto held = end.held({clamp()});
   BOOST_REQUIRE(held.size() == 2);
-  BOOST_TEST(held[0].goes_forward);
-  BOOST_TEST(!held[1].goes_forward);
+  BOOST_TEST(held[0].extends_forward);
+  BOOST_TEST(!held[1].extends_forward);
   const auto zones = end.zones(held[0]);
   BOOST_REQUIRE(zones.size() > 1);
   for (unsigned int z = 1; z < zones.size(); ++z)
@@ -471,10 +475,10 @@ BOOST_AUTO_TEST_CASE(end_fields_are_made_once)
   const double       height = std::min(box.side_length(0), box.side_length(1));
   held.element              = 0.15 * height;
   const auto first          = zones(end, held);
-  BOOST_TEST(ends.n_made() == 1);
+  BOOST_TEST(ends.n_pieces_solved() == 1);
   held.element /= 2.;
   const auto second = zones(again, held);
-  BOOST_TEST(ends.n_made() == 1);
+  BOOST_TEST(ends.n_pieces_solved() == 1);
   BOOST_REQUIRE(first.size() == second.size());
   // And they are what the other section would have said.
   const auto fresh = again.zones(held);
@@ -487,11 +491,11 @@ BOOST_AUTO_TEST_CASE(end_fields_are_made_once)
 
   held.element = height;
   zones(end, held);
-  BOOST_TEST(ends.n_made() == 2);
+  BOOST_TEST(ends.n_pieces_solved() == 2);
   zones(other, other.held({clamp()})[0]);
-  BOOST_TEST(ends.n_made() == 3);
+  BOOST_TEST(ends.n_pieces_solved() == 3);
   zones(end, end.held({clamp()})[1]);
-  BOOST_TEST(ends.n_made() == 4);
+  BOOST_TEST(ends.n_pieces_solved() == 4);
 }
 
 
@@ -525,11 +529,11 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
                             energy) < 1e-9 * scale);
       }
 
-  ConstrainedSection of_richer = richer.held({clamp()})[0];
-  BOOST_TEST(of_richer.by == std::vector<std::string>({"support clamps"}),
+  ConstrainedSection enriched_factor = richer.held({clamp()})[0];
+  BOOST_TEST(enriched_factor.by == std::vector<std::string>({"support clamps"}),
              boost::test_tools::per_element());
-  const auto reused = made_for(richer, of_richer);
-  BOOST_TEST(ends.n_made() == 1);
+  const auto reused = made_for(richer, enriched_factor);
+  BOOST_TEST(ends.n_pieces_solved() == 1);
   BOOST_REQUIRE(reused.size() == zones.size());
   for (unsigned int z = 0; z < zones.size(); ++z)
     {
@@ -539,26 +543,27 @@ BOOST_AUTO_TEST_CASE(richer_sections_have_the_fields_of_poorer_ones)
   BOOST_TEST(
     largest_product(richer.warping, richer.warpings, fields_of(reused)) < 1e-9);
   // Once more, from what is known of it now.
-  made_for(richer, of_richer);
-  BOOST_TEST(ends.n_made() == 1);
+  made_for(richer, enriched_factor);
+  BOOST_TEST(ends.n_pieces_solved() == 1);
   // At the other end, of another section, or under somebody's eyes.
   made_for(richer, richer.held({clamp()})[1]);
-  BOOST_TEST(ends.n_made() == 2);
+  BOOST_TEST(ends.n_pieces_solved() == 2);
   made_for(other, other.held({clamp()})[0]);
-  BOOST_TEST(ends.n_made() == 3);
-  of_richer.is_sampled = true;
-  BOOST_TEST(!suffice(reused, of_richer));
-  BOOST_TEST(suffice(made_for(richer, of_richer), of_richer));
-  BOOST_TEST(ends.n_made() == 4);
+  BOOST_TEST(ends.n_pieces_solved() == 3);
+  enriched_factor.is_sampled = true;
+  BOOST_TEST(!are_sufficient(reused, enriched_factor));
+  BOOST_TEST(
+    are_sufficient(made_for(richer, enriched_factor), enriched_factor));
+  BOOST_TEST(ends.n_pieces_solved() == 4);
   // Once there is one it serves all.
-  made_for(richer, of_richer);
-  BOOST_TEST(ends.n_made() == 4);
+  made_for(richer, enriched_factor);
+  BOOST_TEST(ends.n_pieces_solved() == 4);
   // Another body's are not taken: its support may hold it in another way.
   const End          third("coupled", "LE-4");
   ConstrainedSection of_other = third.held({clamp()})[0];
   of_other.body               = "another";
   made_for(third, of_other);
-  BOOST_TEST(ends.n_made() == 5);
+  BOOST_TEST(ends.n_pieces_solved() == 5);
 }
 
 
@@ -694,13 +699,13 @@ BOOST_AUTO_TEST_CASE(walls_have_more_wave_numbers)
   body.section         = "box";
   body.axis.length     = 20.;
   ThinWalled walls;
-  walls.form             = ShapeKind::box;
-  walls.width            = 1.5;
-  walls.height           = 1.;
-  walls.webs             = {0.1, 0.1};
-  walls.flanges          = {0.1, 0.1};
-  walls.cells_along_wall = 2;
-  walls.fabric.material  = "material";
+  walls.form                       = ShapeKind::box;
+  walls.width                      = 1.5;
+  walls.height                     = 1.;
+  walls.webs                       = {0.1, 0.1};
+  walls.flanges                    = {0.1, 0.1};
+  walls.cells_along_wall           = 2;
+  walls.oriented_material.material = "material";
   const SectionMeshes box{
     {"box", make_section_mesh(walls, {{"material", orthotropic}})}};
   const Load eccentric{
@@ -896,7 +901,8 @@ BOOST_AUTO_TEST_CASE(chosen_fields_keep_the_digits)
              {"LE-2", of(description("LE-2"))},
              {"SV", of(description("SV"))},
              {"SV-6", of(description("SV-6"))},
-             {"SV-6, LE-2, SV", of(by_hand({"SV-6", "LE-2", "SV"}, {a, b}))}})
+             {"SV-6, LE-2, SV",
+              of(with_manual_theories({"SV-6", "LE-2", "SV"}, {a, b}))}})
         {
           const Conditioned found = cantilever(body, {});
           BOOST_TEST_MESSAGE("| " << name << " | " << slenderness << " | "
@@ -924,7 +930,7 @@ BOOST_AUTO_TEST_CASE(nearly_dependent_fields_are_cut)
     {
       FieldRules rules;
       rules.near_tolerance = rules.far_tolerance = tolerance;
-      rules.plan.most_fields                     = 2.;
+      rules.plan.max_fields_share                = 2.;
       BodyDescription   body                     = description("SV-10");
       const Conditioned found                    = cantilever(body, rules);
       BOOST_TEST_MESSAGE("| " << tolerance << " | " << found.dofs << " | "
@@ -996,8 +1002,8 @@ BOOST_AUTO_TEST_CASE(axes_grade_themselves)
 BOOST_AUTO_TEST_CASE(axes_are_graded_to_what_touches)
 {
   std::vector<BodyDescription> bodies{description("SV-6")};
-  bodies[0].axis.elements = {};
-  bodies[0].axis.fineness = 1.;
+  bodies[0].axis.elements          = {};
+  bodies[0].axis.refinement_factor = 1.;
   // A cylinder above the beam that touches at y = 7.3.
   const auto roller = std::make_shared<Obstacle>();
   roller->name      = "roller";
@@ -1023,9 +1029,9 @@ BOOST_AUTO_TEST_CASE(axes_are_graded_to_what_touches)
   BOOST_TEST(breaks.front() > 0.08 * height);
   BOOST_TEST(length - breaks.back() < 0.18 * height);
   // Twice as fine.
-  const std::size_t coarse = breaks.size();
-  bodies[0].axis.fineness  = 2.;
-  bodies[0].axis.breaks    = {};
+  const std::size_t coarse         = breaks.size();
+  bodies[0].axis.refinement_factor = 2.;
+  bodies[0].axis.breaks            = {};
   grade_axes(bodies, meshes(), {clamp()}, {}, {contact});
   BOOST_TEST(bodies[0].axis.breaks.front() < 0.09 * height);
   BOOST_TEST(bodies[0].axis.breaks.size() == 2 * coarse + 1);

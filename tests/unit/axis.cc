@@ -364,10 +364,10 @@ BOOST_AUTO_TEST_CASE(locate)
   BOOST_TEST(axis.locate(-1e-9, 1e-10).empty());
   BOOST_TEST(axis.locate(2. + 1e-9, 1e-10).empty());
 
-  // place_of_node() leads back to the node.
+  // cell_of_node() leads back to the node.
   for (unsigned int node = 0; node < axis.n_nodes(); ++node)
     {
-      const auto [cell, eta] = axis.place_of_node(node);
+      const auto [cell, eta] = axis.cell_of_node(node);
       BOOST_TEST(std::abs(axis.evaluate(cell, eta).y - axis.nodes()[node]) <
                  1e-14);
     }

@@ -161,8 +161,8 @@ BOOST_AUTO_TEST_CASE(integrals_over_the_volume)
       twins.given.add_weight(g, due);
       BOOST_TEST(difference(mine, due) < 1e-12);
       mine = due = 0.;
-      BOOST_TEST(difference(twins.bare.add_heat(mine),
-                            twins.given.add_heat(due)) < 1e-11);
+      BOOST_TEST(difference(twins.bare.add_thermal_load(mine),
+                            twins.given.add_thermal_load(due)) < 1e-11);
       BOOST_TEST(due.l2_norm() > 0.);
       BOOST_TEST(difference(mine, due) < 1e-11);
 
@@ -194,8 +194,8 @@ BOOST_AUTO_TEST_CASE(points_of_surfaces_and_of_the_body)
                 BOOST_TEST(difference(p.normal, q.normal) < 1e-12);
                 BOOST_TEST(p.corner == q.corner);
               }
-        const auto fixed = twins.bare.fixing_points(surface),
-                   due   = twins.given.fixing_points(surface);
+        const auto fixed = twins.bare.constraint_points(surface),
+                   due   = twins.given.constraint_points(surface);
         BOOST_TEST(fixed.size() == due.size());
         BOOST_TEST(are_among(fixed, due));
         BOOST_TEST(twins.bare.surface_facets(surface).size() ==

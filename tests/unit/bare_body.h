@@ -80,7 +80,7 @@ namespace lamella
     {
       return given.position(place);
     }
-    PlyAt
+    PlyAndAxes
     ply_at(const Location::Place &place) const override
     {
       return given.ply_at(place);

@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(size_is_told_first)
   const DenseBlocks        blocks = chain_of(1, {2, 3, 4, 5});
   std::vector<std::string> told;
   SolverMonitor            monitor;
-  monitor.sized = [&](const FactorSize &size) {
+  monitor.factor_sized = [&](const FactorSize &size) {
     told.push_back("size");
     const double half = (14. * 14. - 4. - 9. - 16. - 25.) / 2.;
     BOOST_TEST(size.non_zeros == half + 4. + 9. + 16. + 25.);

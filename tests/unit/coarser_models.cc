@@ -4,10 +4,10 @@
 // in the place of penalties, against models that are solved.
 
 #include <lamella/estimate/coarser_model_estimate.h>
+#include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/contact_shares.h>
 #include <lamella/estimate/enrichment_estimate.h>
 #include <lamella/estimate/halved_axis_estimate.h>
-#include <lamella/estimate/poorer.h>
 
 #include "quantities.h"
 #include "solved_scene.h"
@@ -33,7 +33,7 @@ namespace
     }
 
     GoalResult
-    halved_axis(const HalfPlan &plan = {})
+    halved_axis(const HalvedAxisPlan &plan = {})
     {
       return HalvedAxisEstimate(run, plan, nowhere, cache).goals().front();
     }
@@ -77,7 +77,7 @@ namespace
 
 
   const NamedQuantity force =
-    quantity_of(NamedQuantity::Of::contact, "cross", "fz");
+    quantity_of(NamedQuantity::ObjectKind::contact, "cross", "fz");
 } // namespace
 
 
@@ -129,8 +129,8 @@ BOOST_AUTO_TEST_CASE(a_support_s_force_has_the_surplus_of_the_contact_s)
     return surpluses.of(z);
   };
   const SurplusParts contact = surplus(force),
-                     support = surplus(
-                       quantity_of(NamedQuantity::Of::support, "press", "fz"));
+                     support = surplus(quantity_of(
+                       NamedQuantity::ObjectKind::support, "press", "fz"));
   for (const auto &[one, other] :
        {std::make_pair(contact.section, support.section),
         std::make_pair(contact.axis, support.axis)})
@@ -181,9 +181,8 @@ BOOST_AUTO_TEST_CASE(bars_hold_where_bodies_touch)
 BOOST_AUTO_TEST_CASE(a_bar_is_no_less_than_the_change_of_solved_models)
 {
   // Which see other rows and other active sets than the run's.
-  Solved       rich = crossed("LE-3");
-  Simulation   poor(of_one_degree_less(
-                    on_half_the_axis(rich.run.model().scene())),
+  Solved     rich = crossed("LE-3");
+  Simulation poor(with_lower_degree(with_halved_axes(rich.run.model().scene())),
                   rich.nowhere);
   const double change =
     rich.value(force) - ResultNumbers(poor.solve()).value(force);
@@ -224,16 +223,16 @@ BOOST_AUTO_TEST_CASE(a_theory_that_is_far_off_says_so_in_a_number)
 {
   // 13 times the force of the sandwich, told for the price of LE-1 on half of
   // the axis.
-  Solved           run("/prm/sandwich.prm",
+  Solved               run("/prm/sandwich.prm",
              {"Theory=EBBT", "Goals/Quantities=indentation: fz"});
-  const HalfPlan   cheap{1, 1};
-  const GoalResult goal = run.halved_axis(cheap);
+  const HalvedAxisPlan cheap{1, 1};
+  const GoalResult     goal = run.halved_axis(cheap);
   BOOST_TEST(goal.value > 9000.);
   BOOST_TEST(goal.bar > 0.9 * goal.value);
   BOOST_TEST(goal.value - goal.bar < 755.);
   // That is what is taken where nobody asks for bars.
   const auto plan =
-    HalvedAxisEstimate::plan(run.run, HalfRules().free_operations);
+    HalvedAxisEstimate::plan(run.run, HalvedAxisRules().free_operations);
   BOOST_REQUIRE(plan.has_value());
   BOOST_TEST(plan->degree == cheap.degree);
   BOOST_TEST(plan->times == cheap.times);
@@ -295,12 +294,10 @@ BOOST_AUTO_TEST_CASE(bars_of_responses_hold)
 
 BOOST_AUTO_TEST_CASE(what_has_no_bars_of_either_kind_says_why)
 {
-  BOOST_TEST(
-    CoarserModelEstimate::reason_for_none(crossed("LE-2").run).find("LE-3") !=
-    std::string::npos);
-  BOOST_TEST(
-    HalvedAxisEstimate::reason_for_none(crossed("solid-1").run).find("solid") !=
-    std::string::npos);
+  BOOST_TEST(CoarserModelEstimate::unavailable_reason(crossed("LE-2").run)
+               .find("LE-3") != std::string::npos);
+  BOOST_TEST(HalvedAxisEstimate::unavailable_reason(crossed("solid-1").run)
+               .find("solid") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -15,7 +15,7 @@
 namespace lamella
 {
   const EngineeringConstants soft = EngineeringConstants::isotropic(10., 0.25);
-  const Fabric               fabric{"material", 0.};
+  const OrientedMaterial     oriented_material{"material", 0.};
 
   /// As the scene's axes, and turned anyhow.
   const std::vector<Placement> placements{
@@ -51,7 +51,7 @@ namespace lamella
 
   /// Upside down, its origin at @p origin: x and z change their signs.
   inline Placement
-  turned_over(const Placement &placement, const dealii::Point<3> &origin)
+  upside_down(const Placement &placement, const dealii::Point<3> &origin)
   {
     return Placement::from_directions(placement.to_scene(origin),
                                       placement.axes[1],

@@ -640,13 +640,13 @@ BOOST_AUTO_TEST_CASE(what_slides_is_told)
   BOOST_TEST(std::abs(sliding.spacing -
                       std::sqrt(std::min(interface.points[3].area,
                                          interface.points[4].area))) < 1e-13);
-  const auto notes = broken_assumptions(interface, bodies, u, 1., active);
+  const auto notes = assumption_warnings(interface, bodies, u, 1., active);
   BOOST_REQUIRE(notes.size() == 1);
   BOOST_TEST(
     (notes[0].find("slide along each other by 0.2") != std::string::npos));
   u.block(0) = 0.;
-  BOOST_TEST(broken_assumptions(interface, bodies, u, 1., active).empty());
-  BOOST_TEST(broken_assumptions(interface, bodies, u, 1., {}).empty());
+  BOOST_TEST(assumption_warnings(interface, bodies, u, 1., active).empty());
+  BOOST_TEST(assumption_warnings(interface, bodies, u, 1., {}).empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -338,13 +338,18 @@ BOOST_AUTO_TEST_CASE(surfaces_behind_surfaces)
       Bodies bodies;
       bodies.push_back(make_beam(
         "strip", rectangle(0.4, 0.1, {0.}, 2), layer_wise(2), 2., 2, above));
-      bodies.push_back(make_beam(
-        "box",
-        ThinWalled{
-          ShapeKind::box, 1., 0.5, {0.1, 0.1}, {0.1, 0.1}, 1, 4, fabric},
-        layer_wise(2),
-        2.,
-        3));
+      bodies.push_back(make_beam("box",
+                                 ThinWalled{ShapeKind::box,
+                                            1.,
+                                            0.5,
+                                            {0.1, 0.1},
+                                            {0.1, 0.1},
+                                            1,
+                                            4,
+                                            oriented_material},
+                                 layer_wise(2),
+                                 2.,
+                                 3));
       ContactPair contact  = pair_of("bottom", "all", discretization);
       contact.slave_side   = SlaveSide::first;
       const auto interface = make_interface(contact, bodies);
@@ -371,11 +376,11 @@ BOOST_AUTO_TEST_CASE(weighted_gaps_of_curved_bodies)
     {
       Bodies bodies;
       bodies.push_back(make_beam("disc",
-                                 HalfDisc{1., 90., 0.05, 8, fabric},
+                                 HalfDisc{1., 90., 0.05, 8, oriented_material},
                                  layer_wise(4),
                                  1.,
                                  1,
-                                 turned_over(placement, {2., 0.5, 1.6})));
+                                 upside_down(placement, {2., 0.5, 1.6})));
       bodies.push_back(make_beam(
         "strip", rectangle(2., 0.5, {0.}, 5), layer_wise(2), 2., 3, placement));
       const auto interface = make_interface(

@@ -43,7 +43,7 @@ namespace
     for (const auto &point : contact.points)
       nodes.push_back({point.node, point.normal});
     return std::make_shared<const SlaveSurface>(
-      surface_of_nodes(body, contact.slave_surface, nodes, false));
+      make_nodal_slave_surface(body, contact.slave_surface, nodes, false));
   }
 
 
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_grid_of_nodes)
   const ContactSurface surface(contact, *structure);
   BOOST_TEST(contact.points.size() == 35u);
   BOOST_TEST(surface.quadrilaterals().size() == 24u);
-  BOOST_TEST(surface.lone_points().empty());
+  BOOST_TEST(surface.isolated_points().empty());
 }
 
 
@@ -116,8 +116,8 @@ BOOST_AUTO_TEST_CASE(points_without_neighbors_stand_alone)
     });
   const ContactSurface surface(contact, *structure);
   BOOST_TEST(surface.quadrilaterals().size() == 2u * 5u);
-  BOOST_REQUIRE(surface.lone_points().size() == 1u);
-  BOOST_TEST(contact.points[surface.lone_points()[0]].first.norm() ==
+  BOOST_REQUIRE(surface.isolated_points().size() == 1u);
+  BOOST_TEST(contact.points[surface.isolated_points()[0]].first.norm() ==
              1.); // (0, 0, 1)
 }
 
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(points_of_the_second_side)
       const ContactSurface surface(contact, structure);
       BOOST_TEST(contact.points.size() == 7u * 7u);
       BOOST_TEST(surface.quadrilaterals().size() == 6u * 6u);
-      BOOST_TEST(surface.lone_points().empty());
+      BOOST_TEST(surface.isolated_points().empty());
     }
 }
 

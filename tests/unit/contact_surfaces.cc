@@ -45,7 +45,8 @@ BOOST_AUTO_TEST_CASE(facets_make_up_the_surface)
            {std::make_tuple(SectionShape(rectangle(0.6, 0.2, {0., 90.}, 3)),
                             of_laminate,
                             1e-13),
-            std::make_tuple(SectionShape(HalfDisc{0.5, 90., 0.1, 8, fabric}),
+            std::make_tuple(SectionShape(
+                              HalfDisc{0.5, 90., 0.1, 8, oriented_material}),
                             of_disc,
                             2e-4)})
         {
@@ -83,7 +84,7 @@ BOOST_AUTO_TEST_CASE(facets_know_position_normal_and_trace)
          {layer_wise(1), layer_wise(2), layer_wise(3), taylor(1), taylor(3)})
       for (const SectionShape &shape :
            {SectionShape(rectangle(0.6, 0.2, {0., 90.}, 3)),
-            SectionShape(HalfDisc{0.5, 75., 0.1, 4, fabric})})
+            SectionShape(HalfDisc{0.5, 75., 0.1, 4, oriented_material})})
         {
           const auto body = make_beam("body", shape, theory, 3., 2, placement);
           const MeshSurface   surface(*body, "all");
@@ -157,12 +158,13 @@ BOOST_AUTO_TEST_CASE(rays_against_closed_forms)
 
       // Onto the arc of a half disc about (0.5, 0). The mesh interpolates it:
       // off by 3e-7 and, in the normal, 2e-5 rad (LE-4).
-      const auto        disc = make_beam("disc",
-                                  HalfDisc{0.5, 90., 0.05, 8, fabric},
-                                  layer_wise(4),
-                                  1.,
-                                  2,
-                                  placement);
+      const auto disc =
+        make_beam("disc",
+                  HalfDisc{0.5, 90., 0.05, 8, oriented_material},
+                  layer_wise(4),
+                  1.,
+                  2,
+                  placement);
       const MeshSurface arc(*disc, "arc");
       for (unsigned int k = 0; k < 50; ++k)
         {
@@ -204,14 +206,14 @@ namespace
   Bodies
   two_half_discs(const double gap, const Placement &placement)
   {
-    const HalfDisc disc{8., 90., 0.2, 8, fabric};
+    const HalfDisc disc{8., 90., 0.2, 8, oriented_material};
     Bodies         bodies;
     bodies.push_back(make_beam("upper",
                                disc,
                                layer_wise(2),
                                1.,
                                1,
-                               turned_over(placement, {16., 0., 16. + gap})));
+                               upside_down(placement, {16., 0., 16. + gap})));
     bodies.push_back(make_beam("lower", disc, layer_wise(2), 1., 1, placement));
     return bodies;
   }

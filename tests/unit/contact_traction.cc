@@ -149,21 +149,22 @@ namespace
         shears.push_back(forces[k] * Point<3>(0.1 * (k % 3), -0.2, 0.1));
         all += shears.back();
       }
-    const ContactTraction rubbing(contact,
-                                  dealii::make_array_view(forces),
-                                  dealii::make_array_view(
-                                    std::as_const(shears)));
-    BOOST_TEST((rubbing.resultant().force - whole.force - all).norm() <
-               1e-12 * size);
+    const ContactTraction friction_violations(contact,
+                                              dealii::make_array_view(forces),
+                                              dealii::make_array_view(
+                                                std::as_const(shears)));
+    BOOST_TEST(
+      (friction_violations.resultant().force - whole.force - all).norm() <
+      1e-12 * size);
     check_strips(traction, contact, bodies);
-    check_strips(rubbing, contact, bodies);
+    check_strips(friction_violations, contact, bodies);
   }
 
 
 
   /// A block on a larger one, turned by 25 degrees.
   Bodies
-  turned_blocks(const Placement &placement, const Theory &theory)
+  rotated_blocks(const Placement &placement, const Theory &theory)
   {
     const double       angle  = 25. * dealii::numbers::PI / 180.;
     const Tensor<1, 3> axis   = Point<3>(std::sin(angle), std::cos(angle), 0.),
@@ -197,7 +198,7 @@ BOOST_AUTO_TEST_CASE(turned_grids)
              {Discretization::surface_to_surface,
               Discretization::node_to_surface})
           {
-            const Bodies bodies  = turned_blocks(placement, theory);
+            const Bodies bodies  = rotated_blocks(placement, theory);
             ContactPair  pair    = pair_of("bottom", "top", discretization);
             pair.slave_side      = slave_side;
             const auto interface = make_interface(pair, bodies);
@@ -214,7 +215,7 @@ BOOST_AUTO_TEST_CASE(uniform_on_either_side)
   for (const Placement &placement : placements)
     for (const SlaveSide slave_side : {SlaveSide::first, SlaveSide::second})
       {
-        const Bodies bodies = turned_blocks(placement, layer_wise(2));
+        const Bodies bodies = rotated_blocks(placement, layer_wise(2));
         ContactPair  pair =
           pair_of("bottom", "top", Discretization::surface_to_surface);
         pair.slave_side               = slave_side;
@@ -308,7 +309,7 @@ BOOST_AUTO_TEST_CASE(ends_of_a_section_by_gmsh)
   const SectionFile hexagon{std::string(LAMELLA_SOURCE_DIR) +
                               "/prm/sections/hexagon.msh",
                             0.05,
-                            {{"carbon", fabric}},
+                            {{"carbon", oriented_material}},
                             "Section s"};
   for (const Placement &placement : placements)
     for (const unsigned int degree : {1, 2})
@@ -352,7 +353,7 @@ BOOST_AUTO_TEST_CASE(a_curved_surface)
     {
       Bodies bodies;
       bodies.push_back(make_beam("roller",
-                                 HalfDisc{0.5, 75., 0.2, 4, fabric},
+                                 HalfDisc{0.5, 75., 0.2, 4, oriented_material},
                                  layer_wise(2),
                                  1.,
                                  2,

@@ -89,7 +89,7 @@ namespace
   /// By how much @p force breaks the law of @p problem, in forces and lengths
   /// over the largest of each.
   double
-  breach(const CoulombProblem &problem, const PointVectors &force)
+  law_violation(const CoulombProblem &problem, const PointVectors &force)
   {
     PointVectors v      = problem.compliance.times(force);
     double       length = largest_component(problem.q), worst = 0.;
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(the_law_holds_in_a_thousand_random_problems)
               random_problem(8, rows, condition, friction, seed);
             const auto found = solve_coulomb(problem, PointVectors(8));
             BOOST_TEST(found.error < 1e-11);
-            BOOST_TEST(breach(problem, found.force) < 1e-6);
+            BOOST_TEST(law_violation(problem, found.force) < 1e-6);
           }
   BOOST_TEST(n == 1000u);
 }
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(rows_that_depend_on_each_other)
   const auto found = solve_coulomb(problem, PointVectors(40));
   BOOST_TEST(largest_component(found.force) > 0.);
   BOOST_TEST(found.error < 1e-11);
-  BOOST_TEST(breach(problem, found.force) < 1e-8);
+  BOOST_TEST(law_violation(problem, found.force) < 1e-8);
 }
 
 

@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(of_loads)
       {
         Bodies            bodies = made(theory);
         std::vector<Load> loads{load};
-        spread_totals(loads, bodies);
+        distribute_total_forces(loads, bodies);
         const Structure structure(std::move(bodies),
                                   {clamp("start")},
                                   loads,

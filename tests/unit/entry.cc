@@ -92,8 +92,8 @@ BOOST_AUTO_TEST_CASE(values_of_an_entry)
   BOOST_TEST(Entry("e", " 2.5 ").number() == 2.5);
   BOOST_TEST(Entry("e", "0").number() == 0.);
   BOOST_TEST(Entry("e", "3").whole(1, 5) == 3);
-  BOOST_TEST(
-    (Entry("e", "1, 2, 3").wholes(1, 3) == std::vector<unsigned int>{1, 2, 3}));
+  BOOST_TEST((Entry("e", "1, 2, 3").whole_numbers(1, 3) ==
+              std::vector<unsigned int>{1, 2, 3}));
   BOOST_TEST(Entry("e", "").numbers().empty());
   BOOST_TEST(Entry("e", "1, 2, 3").point()[2] == 3.);
   BOOST_TEST(Entry("e", "true").truth());
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(patterns_in_words)
   prm.declare_entry("maybe", "", patterns::optional(patterns::positive()));
   prm.declare_entry("auto",
                     "auto",
-                    patterns::WordOr("auto", patterns::positive()));
+                    patterns::WordOrPattern("auto", patterns::positive()));
   prm.declare_entry("three", "0, 0, 1", patterns::numbers(3));
   prm.declare_entry("two", "0, 0", patterns::numbers(2));
   prm.declare_entry("share", "0", dealii::Patterns::Double(0., 0.5));

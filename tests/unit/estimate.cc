@@ -120,11 +120,11 @@ namespace
   std::string
   enriched_theory(const std::string           &theory,
                   const Source                 source,
-                  const double                 most_dofs = 1e9,
-                  const std::vector<BodySize> &sizes     = large)
+                  const double                 max_dofs = 1e9,
+                  const std::vector<BodySize> &sizes    = large)
   {
     PlanRules rules;
-    rules.most_dofs_of_layers = most_dofs;
+    rules.max_layerwise_dofs = max_dofs;
     return enriched(scene_of(theory), source, sizes, rules)
       .bodies[0]
       .theory.name();
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(keys_of_models)
     [](Scene &s) { s.bodies[0].axis.breaks[0] += 1e-9; },
     [](Scene &s) { s.bodies[0].axis.degree = 2; },
     [](Scene &s) { s.bodies[0].axis.length = 3.; },
-    [](Scene &s) { s.bodies[0].axis.fineness = 1.; },
+    [](Scene &s) { s.bodies[0].axis.refinement_factor = 1.; },
     [](Scene &s) { s.bodies[0].axis.assumed_shear = true; },
     [](Scene &s) { s.bodies[0].axis.equidistant_nodes = true; },
     [](Scene &s) { s.bodies[0].stabilization = 1e-6; },

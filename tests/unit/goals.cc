@@ -230,20 +230,20 @@ BOOST_AUTO_TEST_CASE(boxes_outside)
     rows_of_box(body, u, {0.35, 0.65, 0.25}, Point<3>(0.7, 1.3, 0.5)).size() ==
     1u);
   // Nor is what is hollow.
-  const Beam tube("tube",
-                  make_section(make_section_mesh(ThinWalled{ShapeKind::box,
-                                                            0.7,
-                                                            0.5,
-                                                            {0.1, 0.1},
-                                                            {0.1, 0.1},
-                                                            1,
-                                                            1,
-                                                            Fabric{"carbon",
-                                                                   0.}},
-                                                 {{"carbon", orthotropic}}),
-                               1),
-                  make_axis(1., 1, 1),
-                  Placement());
+  const Beam tube(
+    "tube",
+    make_section(make_section_mesh(ThinWalled{ShapeKind::box,
+                                              0.7,
+                                              0.5,
+                                              {0.1, 0.1},
+                                              {0.1, 0.1},
+                                              1,
+                                              1,
+                                              OrientedMaterial{"carbon", 0.}},
+                                   {{"carbon", orthotropic}}),
+                 1),
+    make_axis(1., 1, 1),
+    Placement());
   BOOST_CHECK_THROW(
     box_points(tube, {0.35, 0.5, 0.05}, Point<3>(0., 0., 0.2), "Probe p"),
     InputError);
@@ -536,7 +536,7 @@ BOOST_AUTO_TEST_CASE(units_of_quantities)
 {
   const Units   units{"mm", "N", "MPa", 1e-6};
   NamedQuantity quantity;
-  quantity.of = NamedQuantity::Of::probe;
+  quantity.of = NamedQuantity::ObjectKind::probe;
   for (const auto &[column, kind, unit] :
        std::vector<std::tuple<std::string, char, std::string>>{
          {"uy", 'u', "mm"},
@@ -554,10 +554,10 @@ BOOST_AUTO_TEST_CASE(units_of_quantities)
       BOOST_TEST(quantity.unit(Units{"", "", "", 1.}).empty());
     }
   NamedQuantity measure;
-  measure.of    = NamedQuantity::Of::measure;
+  measure.of    = NamedQuantity::ObjectKind::measure;
   measure.terms = {quantity, quantity};
   BOOST_TEST(measure.unit(units) == "mm");
-  measure.is_plain = false;
+  measure.keeps_unit = false;
   BOOST_TEST(measure.unit(units).empty());
 }
 

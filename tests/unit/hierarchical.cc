@@ -64,7 +64,7 @@ namespace
     return make_section_mesh(shape, {{"carbon", orthotropic}});
   }
 
-  const Fabric carbon{"carbon", 20.};
+  const OrientedMaterial carbon{"carbon", 20.};
 
 
 
@@ -94,7 +94,7 @@ namespace
   {
     return LagrangeElement(mesh,
                            degree,
-                           LagrangeElement::usual_column_aspect,
+                           LagrangeElement::default_column_aspect,
                            LagrangeElement::Basis::hierarchical);
   }
 
@@ -444,8 +444,8 @@ BOOST_AUTO_TEST_CASE(points_follow_the_degree)
   const auto section = hierarchical_section(regular_mesh(), 2);
   const auto beam =
     beam_of_degrees(section, make_axis(1.3, 2, 2), {1, 1, 2, 2, 2});
-  BOOST_TEST(beam->fixing_points("start").size() == 9);
-  BOOST_TEST(beam->fixing_points("end").size() == 25);
+  BOOST_TEST(beam->constraint_points("start").size() == 9);
+  BOOST_TEST(beam->constraint_points("end").size() == 25);
   BOOST_TEST(beam->surface_points("top").size() == 2 * 3 + 3 * 5);
   BOOST_TEST(beam->body_points().size() == 2 * 9 + 3 * 25);
   for (const auto &[surface, area] :
@@ -458,7 +458,7 @@ BOOST_AUTO_TEST_CASE(points_follow_the_degree)
     }
   // Rows there are independent: a load or a support at each of them.
   const auto rows =
-    beam->rows({beam->fixing_points("start")}, Quantity::displacement);
+    beam->rows({beam->constraint_points("start")}, Quantity::displacement);
   for (const auto &row : rows)
     for (unsigned int c = 0; c < 3; ++c)
       for (const auto &[dof, weight] : row[c].entries())

@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(fields_of_a_strain)
   const Voigt      eps    = any_strain(1.);
   const auto       sample = sample_of({}, eps, placement, ply, law);
   const auto       by_row = [&](const Quantity what, const Frame frame) {
-    const FromStrain map = from_strain(what, frame, placement, ply, law);
+    const StrainMap map = make_strain_map(what, frame, placement, ply, law);
     return map.matrix * eps + map.constant;
   };
   BOOST_TEST((by_row(Quantity::stress, Frame::scene) - sample.stress).norm() <

@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(words_are_said_and_the_signal_ends_it)
   for (const int signal : {SIGINT, SIGTERM})
     {
       const auto [said, by] = outcome_of_process([signal] {
-        say_if_interrupted("these.");
+        set_interruption_message("these.");
         raise(signal);
         say("not ended");
       });
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(words_are_said_and_the_signal_ends_it)
 BOOST_AUTO_TEST_CASE(what_is_being_written_is_written)
 {
   const auto [said, by] = outcome_of_process([] {
-    say_if_interrupted("nothing.");
+    set_interruption_message("nothing.");
     {
       const SignalBlock whole;
       {
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(what_is_being_written_is_written)
         raise(SIGINT);
       }
       say("written");
-      say_if_interrupted("all.");
+      set_interruption_message("all.");
     }
     say("not ended");
   });
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(what_is_being_written_is_written)
 BOOST_AUTO_TEST_CASE(a_second_signal_does_not_wait)
 {
   const auto [said, by] = outcome_of_process([] {
-    say_if_interrupted("nothing.");
+    set_interruption_message("nothing.");
     const SignalBlock whole;
     raise(SIGINT);
     raise(SIGINT);

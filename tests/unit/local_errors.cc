@@ -65,14 +65,11 @@ namespace
 
 
 
-  const NamedQuantity probe_uz =
-                        quantity_of(NamedQuantity::Of::probe, "middle", "uz"),
-                      probe_syz =
-                        quantity_of(NamedQuantity::Of::probe, "one", "syz"),
-                      probe_s11 =
-                        quantity_of(NamedQuantity::Of::probe, "two", "s11"),
-                      reaction =
-                        quantity_of(NamedQuantity::Of::support, "clamps", "fz");
+  const NamedQuantity
+    probe_uz  = quantity_of(NamedQuantity::ObjectKind::probe, "middle", "uz"),
+    probe_syz = quantity_of(NamedQuantity::ObjectKind::probe, "one", "syz"),
+    probe_s11 = quantity_of(NamedQuantity::ObjectKind::probe, "two", "s11"),
+    reaction  = quantity_of(NamedQuantity::ObjectKind::support, "clamps", "fz");
 } // namespace
 
 BOOST_AUTO_TEST_CASE(elements_sum_to_the_change_where_spaces_are_nested)
@@ -143,10 +140,12 @@ BOOST_AUTO_TEST_CASE(contact_is_told_apart)
          std::string("Contact indentation/Enforcement=") + enforcement});
       const Localization localization(models.coarse, models.fine);
       for (const NamedQuantity &goal :
-           {quantity_of(NamedQuantity::Of::contact, "indentation", "fz"),
-            quantity_of(NamedQuantity::Of::support, "clamps", "fz"),
-            quantity_of(NamedQuantity::Of::probe, "quarter", "uy"),
-            quantity_of(NamedQuantity::Of::probe, "core", "syz")})
+           {quantity_of(NamedQuantity::ObjectKind::contact,
+                        "indentation",
+                        "fz"),
+            quantity_of(NamedQuantity::ObjectKind::support, "clamps", "fz"),
+            quantity_of(NamedQuantity::ObjectKind::probe, "quarter", "uy"),
+            quantity_of(NamedQuantity::ObjectKind::probe, "core", "syz")})
         {
           const double change = models.change(goal);
           const auto   errors = localization.errors(goal, change);

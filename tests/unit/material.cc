@@ -447,15 +447,15 @@ BOOST_AUTO_TEST_CASE(moduli_in_other_units)
               none = Units::parse({"Units", "none"});
   const Material megapascals(EngineeringConstants::isotropic(70000., 0.3)),
     pascals(EngineeringConstants::isotropic(70e9, 0.3));
-  BOOST_TEST(doubt_of_moduli("a", megapascals, mm) == "");
-  BOOST_TEST(doubt_of_moduli("a", pascals, m) == "");
-  BOOST_TEST(doubt_of_moduli("a", megapascals, none) == "");
-  BOOST_TEST(doubt_of_moduli("a", megapascals, m)
+  BOOST_TEST(moduli_warning("a", megapascals, mm) == "");
+  BOOST_TEST(moduli_warning("a", pascals, m) == "");
+  BOOST_TEST(moduli_warning("a", megapascals, none) == "");
+  BOOST_TEST(moduli_warning("a", megapascals, m)
                .find("material a: E1 = 70000 Pa, E2 = 70000 Pa") == 0);
-  BOOST_TEST(doubt_of_moduli("a", pascals, mm) != "");
+  BOOST_TEST(moduli_warning("a", pascals, mm) != "");
   for (const std::string &name : library_materials())
     if (name != "hertz-200")
-      BOOST_TEST(doubt_of_moduli(name, library_material(name, mm), mm) == "");
+      BOOST_TEST(moduli_warning(name, library_material(name, mm), mm) == "");
 }
 
 

@@ -8,7 +8,7 @@
 
 #include <lamella/solve/checks.h>
 #include <lamella/solve/contact_solver.h>
-#include <lamella/solve/soundness.h>
+#include <lamella/solve/solution_check.h>
 
 #include <vector>
 

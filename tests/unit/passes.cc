@@ -34,7 +34,7 @@ namespace
   }
 
   GoalResult
-  without_bar(const double value)
+  goal_without_bar(const double value)
   {
     GoalResult goal = goal_of(value, {{"axis", 0.01}, {"section", 0.5}});
     goal.trusted    = false;
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(sources_are_wanted_until_the_rest_is_half_of_the_tolerance)
     {
       Passes passes;
       passes.add(pass_of({goal_of(1., row.shares)}));
-      BOOST_TEST(!passes.all_met());
+      BOOST_TEST(!passes.all_goals_met());
       BOOST_TEST((passes.wanted() == row.wanted));
       BOOST_TEST(passes.reason_to_stop().empty());
     }
@@ -110,13 +110,13 @@ BOOST_AUTO_TEST_CASE(fields_may_stand_in_where_half_of_the_tolerance_is_left)
 {
   Passes passes;
   passes.add(pass_of({goal_of(1., {{"axis", 0.02}})}));
-  BOOST_TEST(passes.can_lose({4.9e-3}));
-  BOOST_TEST(!passes.can_lose({5.1e-3}));
+  BOOST_TEST(passes.is_loss_acceptable({4.9e-3}));
+  BOOST_TEST(!passes.is_loss_acceptable({5.1e-3}));
   // What they lose is the least that the fields have of a bar.
   for (const double lost : {1e-3, 4e-3})
     {
       GoalResult goal = goal_of(1., {{"axis", 0.02}, {"fields", -2e-3}});
-      hold_share(goal, Source::fields, lost);
+      raise_share(goal, Source::fields, lost);
       const double expected = std::max(lost, 2e-3);
       BOOST_TEST(std::abs(goal.bar - (0.02 + expected)) < 1e-15);
       BOOST_TEST(std::abs(goal.shares[1].second + expected) < 1e-15);
@@ -130,24 +130,24 @@ BOOST_AUTO_TEST_CASE(a_number_without_limit_leaves_and_keeps_no_other)
   const GoalResult open = goal_of(1., {{"axis", 0.03}, {"section", 1e-3}}),
                    met  = goal_of(1., {{"axis", 3e-3}, {"section", 1e-3}});
   Passes passes;
-  passes.add(pass_of({open, without_bar(1.)}));
+  passes.add(pass_of({open, goal_without_bar(1.)}));
   // A pass is made for those that have a bar; the other one sees what it does.
   BOOST_TEST((passes.wanted() == std::vector<Source>{Source::axis}));
   BOOST_TEST(passes.dropped_goals().empty());
-  passes.add(pass_of({met, without_bar(1.2)}), {{Source::axis}});
+  passes.add(pass_of({met, goal_without_bar(1.2)}), {{Source::axis}});
   BOOST_REQUIRE(passes.dropped_goals().size() == 1u);
   BOOST_TEST(passes.dropped_goals().front() ==
              "no further pass is made for tip: uz: it grows");
   BOOST_TEST(passes.active_goals().size() == 1u);
-  BOOST_TEST(passes.next_goals().empty());
-  BOOST_TEST(!passes.all_met());
+  BOOST_TEST(passes.open_goals().empty());
+  BOOST_TEST(!passes.all_goals_met());
   BOOST_TEST(!passes.reason_to_stop().empty());
   // Told once.
-  passes.add(pass_of({met, without_bar(1.4)}), {{Source::axis}});
+  passes.add(pass_of({met, goal_without_bar(1.4)}), {{Source::axis}});
   BOOST_TEST(passes.dropped_goals().empty());
 
   // Of some places it is known before: no pass has to show it.
-  GoalResult known = without_bar(1.);
+  GoalResult known = goal_without_bar(1.);
   known.has_limit  = false;
   known.why        = "below a load";
   Passes first;
@@ -159,9 +159,9 @@ BOOST_AUTO_TEST_CASE(a_number_without_limit_leaves_and_keeps_no_other)
 
   // What settles may have its bar yet.
   Passes settling;
-  settling.add(pass_of({without_bar(1.)}));
-  settling.add(pass_of({without_bar(1.005)}), {{Source::section}});
-  BOOST_TEST(settling.next_goals().size() == 1u);
+  settling.add(pass_of({goal_without_bar(1.)}));
+  settling.add(pass_of({goal_without_bar(1.005)}), {{Source::section}});
+  BOOST_TEST(settling.open_goals().size() == 1u);
 }
 
 
@@ -196,10 +196,10 @@ BOOST_AUTO_TEST_CASE(what_a_bar_did_not_know_of_is_another_pass)
   };
   Passes other = passes;
   passes.add(second(1.0049), {{Source::axis}});
-  BOOST_TEST(passes.all_met());
+  BOOST_TEST(passes.all_goals_met());
   // Within its tolerance, and further than its bar.
   other.add(second(1.0051), {{Source::axis}});
-  BOOST_TEST(!other.all_met());
+  BOOST_TEST(!other.all_goals_met());
   BOOST_TEST(other.reason_to_stop().empty());
   BOOST_TEST((other.wanted() == std::vector<Source>{Source::axis}));
   BOOST_TEST(std::abs(other.largest_change() - 0.51) < 1e-9);
@@ -212,12 +212,12 @@ BOOST_AUTO_TEST_CASE(passes_that_change_less_and_less_shorten_bars)
   // b = 0.08, d = 0.02, d_1 = 0.08: q = 1/4, 2 d q / (1 - q) = 0.0133 < d.
   const GoalResult first  = goal_of(0.92, {{"axis", 0.3}}),
                    before = goal_of(1., {{"axis", 0.08}, {"section", -4e-3}});
-  const auto after        = [&](const double value, const Refined &refined) {
+  const auto after = [&](const double value, const PassRefinement &refined) {
     GoalResult goal = goal_of(value, {{"axis", 0.05}, {"section", -3e-3}});
     shorten(goal, {first, before, refined, refined});
     return goal;
   };
-  const Refined of_axis{{Source::axis}},
+  const PassRefinement of_axis{{Source::axis}},
     of_both{{Source::axis, Source::section}};
   BOOST_TEST(std::abs(after(1.02, of_axis).bar - 0.023) < 1e-12);
   BOOST_TEST(std::abs(after(1.02, of_axis).shares[0].second - 0.02) < 1e-12);
@@ -242,9 +242,9 @@ BOOST_AUTO_TEST_CASE(what_goes_on_is_not_taken_for_settled)
 {
   // A re-entrant corner: each degree leaves 0.63 of the error, and a bar before
   // that is twice too wide hides it.
-  const auto    error = [](const int k) { return 0.1 * std::pow(0.63, k); };
-  GoalResult    goal  = goal_of(1. + error(2), {{"section", 0.3}});
-  const Refined refined{{Source::section}};
+  const auto error = [](const int k) { return 0.1 * std::pow(0.63, k); };
+  GoalResult goal  = goal_of(1. + error(2), {{"section", 0.3}});
+  const PassRefinement refined{{Source::section}};
   shorten(goal,
           {goal_of(1. + error(0), {{"section", 0.4}}),
            goal_of(1. + error(1), {{"section", 0.2}}),
@@ -260,8 +260,8 @@ BOOST_AUTO_TEST_CASE(elements_that_were_not_bisected_count)
   GoalResult before = goal_of(1., {{"axis", 0.08}}),
              goal   = goal_of(1.0001, {{"axis", 0.05}});
   before.local = LocalErrors{{{0, 0., 1., 0.076, 9}, {0, 1., 2., -4e-3, 9}}};
-  const Refined one{{Source::axis},
-                    std::vector<ElementError>{{0, 0., 1., 0.076, 9}}};
+  const PassRefinement one{{Source::axis},
+                           std::vector<ElementError>{{0, 0., 1., 0.076, 9}}};
   shorten(goal, {goal_of(0.9, {{"axis", 1.}}), before, one, one});
   BOOST_TEST(std::abs(goal.bar - 0.014) < 1e-12);
 }

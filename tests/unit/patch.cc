@@ -81,14 +81,21 @@ BOOST_AUTO_TEST_CASE(other_shapes_of_sections)
 {
   // Curved cells, walls around a hole, a mesh by Gmsh (that in degrees 1 and 2:
   // quadrilaterals of degree 3 are in distorted_section, at less cost).
-  const Fabric                    fabric{"carbon", 20.};
+  const OrientedMaterial          oriented_material{"carbon", 20.};
   const Materials                 constants{{"carbon", orthotropic}};
   const std::vector<SectionShape> shapes{
-    HalfDisc{0.5, 75., 0.2, 4, fabric},
-    ThinWalled{ShapeKind::box, 0.7, 0.5, {0.1, 0.1}, {0.1, 0.2}, 1, 1, fabric},
+    HalfDisc{0.5, 75., 0.2, 4, oriented_material},
+    ThinWalled{ShapeKind::box,
+               0.7,
+               0.5,
+               {0.1, 0.1},
+               {0.1, 0.2},
+               1,
+               1,
+               oriented_material},
     SectionFile{std::string(LAMELLA_SOURCE_DIR) + "/prm/sections/hexagon.msh",
                 0.05,
-                {{"carbon", fabric}},
+                {{"carbon", oriented_material}},
                 "Section s"}};
   for (const SectionShape &shape : shapes)
     for (const unsigned int degree : {1, 2, 3})
@@ -113,12 +120,13 @@ BOOST_AUTO_TEST_CASE(taylor_expansions)
   // contraction modes to relax. (TE-3 on a half disc has the
   // polynomial that vanishes on the whole boundary, but on the arc of the mesh,
   // which is interpolated, only in the points that are prescribed.)
-  const Fabric                    fabric{"carbon", 20.};
+  const OrientedMaterial          oriented_material{"carbon", 20.};
   const Materials                 constants{{"carbon", orthotropic}};
   const std::vector<SectionShape> shapes{
     Laminate{0.7, {20.}, {0.5}, {"carbon"}, {2}, {2}},
-    HalfDisc{0.5, 75., 0.2, 4, fabric},
-    ThinWalled{ShapeKind::angle, 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric}};
+    HalfDisc{0.5, 75., 0.2, 4, oriented_material},
+    ThinWalled{
+      ShapeKind::angle, 0.7, 0.5, {0.1}, {0.1}, 1, 1, oriented_material}};
   for (const SectionShape &shape : shapes)
     for (const std::string theory : {"TE-1", "TE-2", "TE-3"})
       {

@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(elements_have_the_samples_of_their_points)
 BOOST_AUTO_TEST_CASE(degrees_of_elements)
 {
   const auto degrees = [](const std::string &theory) {
-    return made(theory, 3)[0]->picture_degrees();
+    return made(theory, 3)[0]->output_degrees();
   };
   BOOST_TEST((degrees("LE-2") == GridIntervals{{2, 3, 2}}));
   BOOST_TEST((degrees("TBT") == GridIntervals{{1, 3, 1}}));

@@ -21,11 +21,11 @@ namespace
   slender()
   {
     PlanInput facts;
-    facts.size          = {60000, 100, 600, 100, false, 0.1, 8.4};
-    facts.theory        = Theory::of_solutions(6, 3);
-    facts.grades_itself = true;
-    facts.held          = 0.;
-    facts.wanted        = 100;
+    facts.size                    = {60000, 100, 600, 100, false, 0.1, 8.4};
+    facts.theory                  = Theory::make_saint_venant(6, 3);
+    facts.is_graded_automatically = true;
+    facts.held                    = 0.;
+    facts.wanted                  = 100;
     return facts;
   }
 
@@ -36,7 +36,7 @@ namespace
     unsigned int                     equal_elements;
     bool                             all_fields;
     /// In the reasons; empty: none is given.
-    const char *why_theory, *why_fields;
+    const char *theory_reason, *fields_reason;
   };
 } // namespace
 
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      "",
      ""},
     {[](PlanInput &f) {
-       f.theory = Theory::of_solutions(0, 3);
+       f.theory = Theory::make_saint_venant(0, 3);
        f.wanted = 599;
      },
      "SV (of LE-3)",
@@ -102,8 +102,8 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      ""},
     {[&](PlanInput &f) {
        assumed(f);
-       f.size.loaded         = 0.51;
-       f.size.held_all_along = true;
+       f.size.loaded                 = 0.51;
+       f.size.constrained_along_axis = true;
      },
      "LE-3 (L16)",
      1,
@@ -112,8 +112,8 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      ""},
     {[&](PlanInput &f) {
        assumed(f);
-       f.size.loaded   = 0.51;
-       f.grades_itself = false;
+       f.size.loaded             = 0.51;
+       f.is_graded_automatically = false;
      },
      "LE-3 (L16)",
      0,
@@ -159,15 +159,15 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      "",
      ""},
     // Fields, the first rule that speaks.
-    {[](PlanInput &f) { f.is_unsolved = f.size.held_all_along = true; },
+    {[](PlanInput &f) { f.is_unsolved = f.size.constrained_along_axis = true; },
      "SV-6 (of LE-3)",
      0,
      true,
      "",
      "double precision"},
     {[](PlanInput &f) {
-       f.size.held_all_along = true;
-       f.size.nodes          = 10;
+       f.size.constrained_along_axis = true;
+       f.size.nodes                  = 10;
      },
      "SV-6 (of LE-3)",
      0,
@@ -244,10 +244,12 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
       BOOST_TEST(planned.all_fields == row.all_fields);
       BOOST_TEST((describe_fields(facts, planned).find("all fields") == 0) ==
                  row.all_fields);
-      BOOST_TEST(planned.why_theory.empty() == (*row.why_theory == 0));
-      BOOST_TEST(planned.why_fields.empty() == (*row.why_fields == 0));
-      BOOST_TEST(planned.why_theory.find(row.why_theory) != std::string::npos);
-      BOOST_TEST(planned.why_fields.find(row.why_fields) != std::string::npos);
+      BOOST_TEST(planned.theory_reason.empty() == (*row.theory_reason == 0));
+      BOOST_TEST(planned.fields_reason.empty() == (*row.fields_reason == 0));
+      BOOST_TEST(planned.theory_reason.find(row.theory_reason) !=
+                 std::string::npos);
+      BOOST_TEST(planned.fields_reason.find(row.fields_reason) !=
+                 std::string::npos);
     }
 }
 
@@ -268,9 +270,9 @@ BOOST_AUTO_TEST_CASE(clamps_are_ends_and_whole_bodies)
 
   const std::vector<Support> supports{{"s", {ends, top}, {{0., 0., 0.}}},
                                       {"t", {all}, {{0., {}, {}}}}};
-  BOOST_TEST(is_held_all_along(supports, 0));
-  BOOST_TEST(!is_held_all_along(supports, 1));
-  BOOST_TEST(!is_held_all_along({supports[0]}, 0));
+  BOOST_TEST(is_constrained_along_axis(supports, 0));
+  BOOST_TEST(!is_constrained_along_axis(supports, 1));
+  BOOST_TEST(!is_constrained_along_axis({supports[0]}, 0));
 }
 
 

@@ -10,9 +10,9 @@
 namespace lamella
 {
   inline NamedQuantity
-  quantity_of(const NamedQuantity::Of of,
-              const std::string      &name,
-              const std::string      &column)
+  quantity_of(const NamedQuantity::ObjectKind of,
+              const std::string              &name,
+              const std::string              &column)
   {
     NamedQuantity quantity;
     quantity.of     = of;

@@ -55,7 +55,7 @@ namespace
             section().cell_ply(place.cell % section().n_cells());
           result.stress[0] +=
             field(position(place), place.cell, ply) / location.places.size();
-          asked.insert(place.cell);
+          requested.insert(place.cell);
         }
       result.ply_stress[1] = 2. * result.stress[0];
       result.strain[2]     = 3. * result.stress[0];
@@ -70,7 +70,7 @@ namespace
 
     StressField                    field;
     std::array<unsigned int, 3>    degrees;
-    mutable std::set<unsigned int> asked;
+    mutable std::set<unsigned int> requested;
   };
 
 
@@ -120,7 +120,7 @@ namespace
 
   /// Corners, points on edges and points inside of all elements.
   std::vector<Location::Place>
-  some_places(const GivenStress &body)
+  sample_element_points(const GivenStress &body)
   {
     std::vector<Location::Place> places;
     const unsigned int n = body.section().n_cells() * body.axis().n_cells();
@@ -340,8 +340,8 @@ BOOST_AUTO_TEST_CASE(continuous_within_a_ply)
   GivenStress body(make_section(rectangle(1., 0.4, {0.}, 3, 2), steel, 2),
                    make_axis(2., 3, 3),
                    {});
-  auto        places = some_places(body);
-  for (const Location::Place &place : some_places(body))
+  auto        places = sample_element_points(body);
+  for (const Location::Place &place : sample_element_points(body))
     places.push_back({place.cell, {place.unit[0], 1., place.unit[2]}});
   check_continuity(body, places);
 }
@@ -362,10 +362,10 @@ BOOST_AUTO_TEST_CASE(curved_cells)
     };
   GivenStress body(section, make_axis(1., 2, 3), quadratic);
   BOOST_TEST(largest_error(body,
-                           positions(body, some_places(body)),
+                           positions(body, sample_element_points(body)),
                            StressValues::recovered,
                            quadratic) < 1e-11);
-  check_continuity(body, some_places(body));
+  check_continuity(body, sample_element_points(body));
 }
 
 
@@ -394,7 +394,7 @@ BOOST_AUTO_TEST_CASE(edges_of_larger_elements)
   };
   GivenStress body(make_section(mesh, theory), make_axis(1., 2, 3), field);
   body.degrees      = {{2, 3, 2}};
-  const auto places = some_places(body);
+  const auto places = sample_element_points(body);
   // The place of one cell's corner in the middle of another's edge.
   const bool uneven =
     std::any_of(places.begin(), places.end(), [&](const Location::Place &p) {
@@ -427,7 +427,7 @@ BOOST_AUTO_TEST_CASE(only_what_is_needed)
   StressRecovery    recovery(body, u, StressValues::recovered);
   recovery.sample(body.locate({{0.55, 5.1, 0.55}}).at(0).at(0));
   // The element and its neighbors: all corners have full patches.
-  BOOST_TEST(body.asked.size() == 27u);
+  BOOST_TEST(body.requested.size() == 27u);
 }
 
 

@@ -24,8 +24,8 @@ namespace
   const EngineeringConstants isotropic =
     EngineeringConstants::isotropic(210., 0.3);
   const EngineeringConstants
-               orthotropic{165., 9., 8., 5.6, 5.2, 2.8, 0.34, 0.3, 0.45};
-  const Fabric fabric{"material", 0.};
+    orthotropic{165., 9., 8., 5.6, 5.2, 2.8, 0.34, 0.3, 0.45};
+  const OrientedMaterial oriented_material{"material", 0.};
 
   std::shared_ptr<const Section>
   section_of(const SectionShape         &shape,
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(ellipse)
   // along z. The larger bending stiffness is that about z, at 90 degrees.
   const double a = 0.5, c = 0.3;
   const auto   bar =
-    constants_of(*section_of(Ellipse{2. * a, 2. * c, 0, fabric}));
+    constants_of(*section_of(Ellipse{2. * a, 2. * c, 0, oriented_material}));
   const double G = 210. / 2.6;
   check_near(bar.EA, 210. * PI * a * c, 1e-4);
   check_near(bar.EI[0], 210. * PI * c * a * a * a / 4., 2e-4);
@@ -103,15 +103,16 @@ BOOST_AUTO_TEST_CASE(channel)
   // (h + 6 b) from its middle line, b and h those of the middle lines (Gere and
   // Timoshenko); 1 / 3 sum of length times thickness^3 is its J.
   const double t = 0.02, width = 0.5, height = 1.;
-  const auto   bar = constants_of(*section_of(
-    ThinWalled{ShapeKind::channel, width, height, {t}, {t, t}, 1, 6, fabric}));
+  const auto   bar = constants_of(*section_of(ThinWalled{
+    ShapeKind::channel, width, height, {t}, {t, t}, 1, 6, oriented_material}));
   const double b = width - 0.5 * t, h = height - t;
   const double e = 3. * b * b / (h + 6. * b);
   BOOST_TEST(std::abs(bar.shear_center[0] - (0.5 * t - e)) < 0.01 * e);
   BOOST_TEST(std::abs(bar.shear_center[1] - 0.5 * height) < 1e-6 * height);
   check_near(bar.GJ, 210. / 2.6 * (h + 2. * b) * t * t * t / 3., 0.03);
   const auto geometry = section_properties(*make_section_mesh(
-    ThinWalled{ShapeKind::channel, width, height, {t}, {t, t}, 1, 6, fabric},
+    ThinWalled{
+      ShapeKind::channel, width, height, {t}, {t, t}, 1, 6, oriented_material},
     {{"material", isotropic}}));
   BOOST_TEST(bar.tension_center.distance(geometry.centroid) < 1e-8);
   check_near(bar.EI[0], 210. * geometry.second_moments[1][1], 1e-8);

@@ -449,7 +449,7 @@ BOOST_AUTO_TEST_CASE(stacks_are_written_out)
                  "end\n",
                  "s.prm",
                  {});
-  write_out_stacks(text);
+  expand_stacks(text);
   const auto says = [&text](const std::string &path) {
     return text.says(path).value_or("nothing");
   };

@@ -58,7 +58,7 @@ namespace
 
   /// A material of the density @p density.
   Material
-  heavy(const double density)
+  material_with_density(const double density)
   {
     Material material = EngineeringConstants::isotropic(210., 0.3);
     material.density  = density;
@@ -89,7 +89,9 @@ BOOST_AUTO_TEST_CASE(mass)
   const Laminate two{
     b, {0., 0.}, {0.5 * h, 0.5 * h}, {"light", "heavy"}, {1}, {2}};
   const auto section = section_stiffness(
-    make_section_mesh(two, {{"light", heavy(2.)}, {"heavy", heavy(6.)}}));
+    make_section_mesh(two,
+                      {{"light", material_with_density(2.)},
+                       {"heavy", material_with_density(6.)}}));
   BOOST_TEST_REQUIRE(section.mass.has_value());
   SectionTensor wanted;
   for (const unsigned int i : {Force::F_x, Force::F_y, Force::F_z})
@@ -111,7 +113,7 @@ BOOST_AUTO_TEST_CASE(mass)
 
   const auto one_is_unknown = section_stiffness(
     make_section_mesh(two,
-                      {{"light", heavy(2.)},
+                      {{"light", material_with_density(2.)},
                        {"heavy", EngineeringConstants::isotropic(1., 0.)}}));
   BOOST_TEST(!one_is_unknown.mass.has_value());
   BOOST_TEST(one_is_unknown.fault.empty());

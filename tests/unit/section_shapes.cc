@@ -31,7 +31,7 @@ namespace
     {"carbon", EngineeringConstants::isotropic(10., 0.25)},
     {"foam", EngineeringConstants::isotropic(1., 0.25)}};
 
-  const Fabric carbon{"carbon", 30.};
+  const OrientedMaterial carbon{"carbon", 30.};
 
   constexpr double R = 0.7;
 
@@ -662,8 +662,8 @@ BOOST_AUTO_TEST_CASE(entries_of_the_shapes)
   BOOST_TEST(disc.finest_cell == 0.5);
   BOOST_TEST(disc.graded_towards == 90.);
   BOOST_TEST(disc.sectors == 8);
-  BOOST_TEST(disc.fabric.material == "foam");
-  BOOST_TEST(disc.fabric.angle == -20.);
+  BOOST_TEST(disc.oriented_material.material == "foam");
+  BOOST_TEST(disc.oriented_material.angle == -20.);
 
   const auto box =
     std::get<ThinWalled>(read({{"Shape", "box"},

@@ -12,7 +12,7 @@
 #include <lamella/material/library.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/contact_solver.h>
-#include <lamella/solve/soundness.h>
+#include <lamella/solve/solution_check.h>
 
 #include <boost/test/unit_test.hpp>
 

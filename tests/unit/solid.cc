@@ -75,8 +75,9 @@ BOOST_AUTO_TEST_CASE(geometry)
     {
       const Solid solid(
         "solid",
-        make_section_mesh(HalfDisc{0.5, 75., 0.2, 4, Fabric{"material", 20.}},
-                          {{"material", orthotropic}}),
+        make_section_mesh(
+          HalfDisc{0.5, 75., 0.2, 4, OrientedMaterial{"material", 20.}},
+          {{"material", orthotropic}}),
         axis_mesh(1.3, 2),
         tilted,
         degree,
@@ -150,9 +151,8 @@ BOOST_AUTO_TEST_CASE(same_space_as_a_beam)
   const Materials constants{{"material", orthotropic}};
   const auto      plies =
     make_section_mesh(rectangle(0.7, 0.5, {0., 90., 30.}, 2, 1), constants);
-  const auto curved =
-    make_section_mesh(HalfDisc{0.5, 75., 0.2, 4, Fabric{"material", 20.}},
-                      constants);
+  const auto curved = make_section_mesh(
+    HalfDisc{0.5, 75., 0.2, 4, OrientedMaterial{"material", 20.}}, constants);
   for (const auto &section : {plies, distorted(plies), curved})
     for (const double slenderness : {1., 10., 100.})
       {
@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(surfaces)
           // Tributary areas integrate what is linear, hanging nodes or not.
           BOOST_TEST((moment - of_moment).norm() < 1e-12);
         }
-      BOOST_TEST(solid.fixing_points("top").size() ==
+      BOOST_TEST(solid.constraint_points("top").size() ==
                  solid.surface_points("top").size());
     }
 }

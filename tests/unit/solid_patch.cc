@@ -41,10 +41,11 @@ BOOST_AUTO_TEST_CASE(curved_cells)
 {
   // Hanging nodes on the curve, too: their places are those that the coarse
   // side interpolates.
-  const Fabric    fabric{"carbon", 20.};
-  SolidRefinement ball{0, {{{0.5, 0.6, 0.}, 0.2, 1}}};
-  const auto      mesh = make_section_mesh(HalfDisc{0.5, 75., 0.2, 4, fabric},
-                                      {{"carbon", orthotropic}});
+  const OrientedMaterial oriented_material{"carbon", 20.};
+  SolidRefinement        ball{0, {{{0.5, 0.6, 0.}, 0.2, 1}}};
+  const auto             mesh =
+    make_section_mesh(HalfDisc{0.5, 75., 0.2, 4, oriented_material},
+                      {{"carbon", orthotropic}});
   for (const unsigned int degree : {1, 2})
     {
       Solid solid(

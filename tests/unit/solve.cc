@@ -8,7 +8,7 @@
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/parameters.h>
-#include <lamella/solve/soundness.h>
+#include <lamella/solve/solution_check.h>
 
 #include <boost/test/unit_test.hpp>
 

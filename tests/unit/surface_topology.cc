@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(nodes_of_beams)
        {layer_wise(1), layer_wise(2), layer_wise(3), layer_wise(4), taylor(3)})
     for (const SectionShape &shape :
          {SectionShape(rectangle(0.6, 0.2, {0., 90.}, 3)),
-          SectionShape(HalfDisc{0.5, 75., 0.1, 4, fabric})})
+          SectionShape(HalfDisc{0.5, 75., 0.1, 4, oriented_material})})
       {
         const auto body =
           make_beam("body", shape, theory, 3., 2, placements.back());

@@ -7,8 +7,8 @@
 #include <lamella/body/beam.h>
 #include <lamella/body/beam_surplus.h>
 #include <lamella/estimate/coarser_model_estimate.h>
+#include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/error_bar.h>
-#include <lamella/estimate/poorer.h>
 #include <lamella/estimate/surpluses.h>
 
 #include "quantities.h"
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_goal_s_surplus_is_about_its_change)
   const Surpluses surpluses(rich.run);
   const auto look = [&](const char *const probe, const char *const column) {
     const NamedQuantity goal =
-      quantity_of(NamedQuantity::Of::probe, probe, column);
+      quantity_of(NamedQuantity::ObjectKind::probe, probe, column);
     return std::make_pair(
       std::abs(rich.value(goal) - poor.value(goal)),
       surpluses.of(dual.solve(*dual.derivative(goal)).u).section);
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(a_contact_force_s_surplus_is_about_its_change)
   };
   const Solved        rich = pressed("LE-3"), poor = pressed("LE-2");
   const NamedQuantity force =
-    quantity_of(NamedQuantity::Of::contact, "indentation", "fz");
+    quantity_of(NamedQuantity::ObjectKind::contact, "indentation", "fz");
   const GoalDual dual(rich.run);
   const double   change = rich.value(force) - poor.value(force);
   const Surplus  surplus =
@@ -191,12 +191,12 @@ BOOST_AUTO_TEST_CASE(a_contact_force_s_surplus_is_about_its_change)
 
 BOOST_AUTO_TEST_CASE(who_has_none_says_why)
 {
-  BOOST_TEST(Surpluses::reason_for_none(laminate("LE-3").run, 3).empty());
+  BOOST_TEST(Surpluses::unavailable_reason(laminate("LE-3").run, 3).empty());
   for (const char *const theory : {"LE-2", "TE-4", "SV", "EBBT"})
     {
       const Solved model = laminate(theory);
-      BOOST_TEST(!Surpluses::reason_for_none(model.run, 3).empty());
-      BOOST_TEST(!CoarserModelEstimate::reason_for_none(model.run).empty());
+      BOOST_TEST(!Surpluses::unavailable_reason(model.run, 3).empty());
+      BOOST_TEST(!CoarserModelEstimate::unavailable_reason(model.run).empty());
     }
 }
 
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(bars_from_below_hold_of_what_converges)
   for (const double c : {1., -0.1, 1e-4})
     for (const double q : {0.01, 0.1, 0.3, 0.6, -0.3, -0.6})
       {
-        const ErrorBar bar = error_bar_from_below({{c * q, c, 0.}}, 1.);
+        const ErrorBar bar = coarser_model_bar({{c * q, c, 0.}}, 1.);
         BOOST_TEST(bar.trusted);
         BOOST_TEST(bar.bar >= std::abs(c * q * q / (1. - q)));
       }
@@ -220,17 +220,17 @@ BOOST_AUTO_TEST_CASE(a_ratio_that_is_small_by_accident_is_not_believed)
 {
   // A value that passes its limit: the last change says nothing of what is
   // left.
-  BOOST_TEST(error_bar_from_below({{1e-9, 0.08, 0.01}}, 1.).bar >= 0.01);
+  BOOST_TEST(coarser_model_bar({{1e-9, 0.08, 0.01}}, 1.).bar >= 0.01);
   // Where the change before is large the bar is no less than the last one.
-  BOOST_TEST(error_bar_from_below({{0.01, 10., 0.}}, 1.).bar >= 0.01);
+  BOOST_TEST(coarser_model_bar({{0.01, 10., 0.}}, 1.).bar >= 0.01);
 }
 
 
 
 BOOST_AUTO_TEST_CASE(sources_that_cancel_count_each)
 {
-  BOOST_TEST(
-    error_bar_from_below({{0.03, 0.1, 0.}, {-0.03, 0.1, 0.}}, 1.).bar >= 0.06);
+  BOOST_TEST(coarser_model_bar({{0.03, 0.1, 0.}, {-0.03, 0.1, 0.}}, 1.).bar >=
+             0.06);
 }
 
 
@@ -238,13 +238,13 @@ BOOST_AUTO_TEST_CASE(sources_that_cancel_count_each)
 BOOST_AUTO_TEST_CASE(odd_and_even_degrees_have_no_bar)
 {
   // Nothing, then all of it: 1.3 and then 7 %.
-  BOOST_TEST(!error_bar_from_below({{0.07, 0.013, 0.}}, 1.).trusted);
+  BOOST_TEST(!coarser_model_bar({{0.07, 0.013, 0.}}, 1.).trusted);
   // What is small anyway has twice of all that it does.
-  const ErrorBar little = error_bar_from_below({{0.004, 0.002, 0.}}, 1.);
+  const ErrorBar little = coarser_model_bar({{0.004, 0.002, 0.}}, 1.);
   BOOST_TEST(little.trusted);
   BOOST_TEST(little.bar == 0.008);
   // Neither has changed: rounding.
-  const ErrorBar nothing = error_bar_from_below({{0., 0., 0.}}, 1.);
+  const ErrorBar nothing = coarser_model_bar({{0., 0., 0.}}, 1.);
   BOOST_TEST(nothing.trusted);
   BOOST_TEST(nothing.bar == 1e-8);
 }

@@ -24,7 +24,7 @@ using dealii::Tensor;
 
 namespace
 {
-  const Fabric fabric{"material", 0.};
+  const OrientedMaterial oriented_material{"material", 0.};
 
   const Materials constants{
     {"material", EngineeringConstants::isotropic(1., 0.3)}};
@@ -37,12 +37,26 @@ namespace
 
   const std::vector<Shape> shapes{
     {"rectangle", rectangle(3., 0.5, {0., 0.}, 2)},
-    {"half disc", HalfDisc{0.7, 90., 0.0875, 8, fabric}},
-    {"coarse half disc", HalfDisc{0.7, 75., 0.2, 4, fabric}},
+    {"half disc", HalfDisc{0.7, 90., 0.0875, 8, oriented_material}},
+    {"coarse half disc", HalfDisc{0.7, 75., 0.2, 4, oriented_material}},
     {"box",
-     ThinWalled{ShapeKind::box, 3., 4., {0.3, 0.5}, {0.2, 0.4}, 1, 1, fabric}},
+     ThinWalled{ShapeKind::box,
+                3.,
+                4.,
+                {0.3, 0.5},
+                {0.2, 0.4},
+                1,
+                1,
+                oriented_material}},
     {"double-T",
-     ThinWalled{ShapeKind::double_t, 3., 4., {0.1}, {0.2, 0.6}, 1, 1, fabric}}};
+     ThinWalled{ShapeKind::double_t,
+                3.,
+                4.,
+                {0.1},
+                {0.2, 0.6},
+                1,
+                1,
+                oriented_material}}};
 
 
 

@@ -364,13 +364,13 @@ BOOST_AUTO_TEST_CASE(contraction_modes_leave_constant_strains_alone)
   // A constant in-plane strain of a homogeneous section, whatever its shape, is
   // an equilibrium: TE-1's own stiffness in xx, zz and xz (its fields 6 to 8)
   // must be that without the modes.
-  const Fabric fabric{"m", 0.};
+  const OrientedMaterial oriented_material{"m", 0.};
   for (const SectionShape &shape :
-       {SectionShape(HalfDisc{0.5, 90., 0.1, 8, fabric}),
-        SectionShape(
-          ThinWalled{ShapeKind::angle, 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric}),
-        SectionShape(
-          ThinWalled{ShapeKind::t, 0.7, 0.5, {0.1}, {0.1}, 1, 1, fabric})})
+       {SectionShape(HalfDisc{0.5, 90., 0.1, 8, oriented_material}),
+        SectionShape(ThinWalled{
+          ShapeKind::angle, 0.7, 0.5, {0.1}, {0.1}, 1, 1, oriented_material}),
+        SectionShape(ThinWalled{
+          ShapeKind::t, 0.7, 0.5, {0.1}, {0.1}, 1, 1, oriented_material})})
     {
       const auto mesh =
         make_section_mesh(shape,
@@ -755,7 +755,7 @@ namespace
 
   /// Of a rod held at 0.
   double
-  held_at_start(const double a, const double x)
+  fixed_at_start(const double a, const double x)
   {
     return x < a ? x * x * (3. * a - x) / (6. * EI) :
                    a * a * (3. * x - a) / (6. * EI);
@@ -835,7 +835,7 @@ BOOST_AUTO_TEST_CASE(ebbt_under_point_loads)
           for (const double y : places)
             {
               const double w =
-                (one_end ? held_at_start(a, y) : built_in(rod, a, y)) -
+                (one_end ? fixed_at_start(a, y) : built_in(rod, a, y)) -
                 lost(a, y);
               const auto   u     = displacement(solved, placement, y);
               const double scale = 1e-11 * rod * rod * rod;
@@ -913,8 +913,8 @@ BOOST_AUTO_TEST_CASE(ebbt_propped_anywhere)
                       {clamp("start"), prop},
                       {point_force(placement.to_scene({0.5, rod, 0.5}),
                                    Point<3>(0., 0., E))});
-          const double f_aa = held_at_start(a, a) - lost(a, a),
-                       R    = E * held_at_start(rod, a) / f_aa;
+          const double f_aa = fixed_at_start(a, a) - lost(a, a),
+                       R    = E * fixed_at_start(rod, a) / f_aa;
           const auto checks =
             check_state(TangentOperator(*solved.structure, solved.state.u),
                         {},
@@ -926,8 +926,8 @@ BOOST_AUTO_TEST_CASE(ebbt_propped_anywhere)
           BOOST_TEST(std::abs(displacement(solved, placement, a)[2]) <
                      1e-9 * rod);
           BOOST_TEST(off(displacement(solved, placement, rod)[2],
-                         E * held_at_start(rod, rod) -
-                           R * held_at_start(a, rod)) < 1e-9);
+                         E * fixed_at_start(rod, rod) -
+                           R * fixed_at_start(a, rod)) < 1e-9);
         }
 }
 

@@ -18,7 +18,7 @@ namespace
   NamedQuantity
   quantity(const std::string &column)
   {
-    return {NamedQuantity::Of::probe, "tip", 0, column, {}};
+    return {NamedQuantity::ObjectKind::probe, "tip", 0, column, {}};
   }
 } // namespace
 
@@ -37,14 +37,15 @@ BOOST_AUTO_TEST_CASE(bars_go_through_a_pipe)
   const VariantValues sent(results);
   const VariantValues values(nlohmann::json::parse(sent.to_json().dump()));
   BOOST_TEST(values.has_bars());
-  const std::optional<OwnBar> bar = values.bar(quantity("uz"));
+  const std::optional<RunErrorBar> bar = values.bar(quantity("uz"));
   BOOST_TEST(bar.value().estimate == -1. / 3.);
   BOOST_TEST(bar.value().bar == 2. / 3.);
   BOOST_TEST(bar.value().trusted);
   BOOST_TEST(!values.bar(quantity("ux")).has_value());
-  BOOST_TEST(!values.bar({NamedQuantity::Of::support, "clamp", 0, "fz", {}})
-                .value()
-                .trusted);
+  BOOST_TEST(
+    !values.bar({NamedQuantity::ObjectKind::support, "clamp", 0, "fz", {}})
+       .value()
+       .trusted);
   results.goals.clear();
   BOOST_TEST(!VariantValues(results).has_bars());
 }
@@ -189,7 +190,7 @@ BOOST_AUTO_TEST_CASE(runs_to_tolerances)
   scene.trade.error_bars = true;
   BOOST_TEST((make_variant(entry, scene).overrides == all));
   // Which columns of a whole probe are meant is not known beforehand.
-  scene.trade.whole_probes = {"root"};
+  scene.trade.probes_as_goals = {"root"};
   BOOST_TEST(make_variant(entry, scene).overrides[0] == "Goals/Quantities=");
 }
 

@@ -53,10 +53,10 @@ namespace lamella
   {
     body.heat(
       [](const dealii::Point<3> &x) { return 0.3 + 0.1 * x[1] - 0.2 * x[0]; });
-    constexpr double h       = 1e-5;
-    const auto       of_heat = [&](const Vector &at) {
+    constexpr double h              = 1e-5;
+    const auto       thermal_factor = [&](const Vector &at) {
       Vector f(at.size());
-      body.add_heat_at(at, f);
+      body.add_thermal_load_at(at, f);
       return f;
     };
     for (const unsigned int seed : {3, 4, 5})
@@ -69,23 +69,23 @@ namespace lamella
         const Vector back = body.retract(u, step);
         Vector       f(u.size()), derivative(u.size());
         body.add_internal_forces(u, f);
-        f -= of_heat(u);
+        f -= thermal_factor(u);
         const double work = f * w;
         BOOST_TEST(std::abs((body.deformation(ahead).energy -
                              body.deformation(back).energy) /
                               (2. * h) -
                             work) < 1e-7 * std::abs(work));
         const double second =
-          (of_heat(ahead) * w - of_heat(back) * w) / (2. * h);
-        body.for_each_block_of_heat(u, [&](const StiffnessBlock &block) {
+          (thermal_factor(ahead) * w - thermal_factor(back) * w) / (2. * h);
+        body.for_each_thermal_block(u, [&](const StiffnessBlock &block) {
           block.add_product(w, derivative);
         });
         BOOST_TEST(std::abs(derivative * w - second) < 1e-7 * std::abs(second));
       }
     Vector rest(u.size()), start(u.size());
-    body.add_heat(start);
+    body.add_thermal_load(start);
     const double size = start.l2_norm();
-    start -= of_heat(rest);
+    start -= thermal_factor(rest);
     BOOST_TEST(size > 0.);
     BOOST_TEST(start.l2_norm() < 1e-12 * size);
   }

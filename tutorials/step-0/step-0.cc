@@ -227,5 +227,5 @@ main(int argc, char **argv)
 {
   // The axis is shared among processes, so there is MPI, for one, too.
   MpiSession mpi(argc, argv);
-  return run_and_tell([] { StoppedCantilever().run(); });
+  return run_and_report([] { StoppedCantilever().run(); });
 }

@@ -244,5 +244,5 @@ main(int argc, char **argv)
 {
   // The axis is shared among processes, so there is MPI, for one, too.
   MpiSession mpi(argc, argv);
-  return run_and_tell([] { FiveTheories().run(); });
+  return run_and_report([] { FiveTheories().run(); });
 }

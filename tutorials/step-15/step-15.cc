@@ -165,5 +165,5 @@ int
 main(int argc, char **argv)
 {
   MpiSession mpi(argc, argv);
-  return run_and_tell([] { BasesOfResponses().run(); });
+  return run_and_report([] { BasesOfResponses().run(); });
 }

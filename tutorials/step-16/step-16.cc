@@ -119,5 +119,5 @@ int
 main(int argc, char **argv)
 {
   MpiSession mpi(argc, argv);
-  return run_and_tell([] { BarsOfTheories().run(); });
+  return run_and_report([] { BarsOfTheories().run(); });
 }

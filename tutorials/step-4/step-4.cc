@@ -18,7 +18,7 @@
 #include <lamella/shape/laminate.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/contact_solver.h>
-#include <lamella/solve/soundness.h>
+#include <lamella/solve/solution_check.h>
 
 #include <deal.II/base/table_handler.h>
 
@@ -254,5 +254,5 @@ main(int argc, char **argv)
 {
   // Trilinos wants MPI, for one process too.
   MpiSession mpi(argc, argv);
-  return run_and_tell([] { TwoCubes().run(); });
+  return run_and_report([] { TwoCubes().run(); });
 }

@@ -310,5 +310,5 @@ main(int argc, char **argv)
 {
   // The axis is shared among processes, so there is MPI, for one, too.
   MpiSession mpi(argc, argv);
-  return run_and_tell([] { BendingTest().run(); });
+  return run_and_report([] { BendingTest().run(); });
 }

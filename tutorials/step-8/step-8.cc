@@ -206,17 +206,17 @@ FieldsOfASection::print_beams()
 
   const double none = -1., to_height = warping.height(),
                to_width = 1.5 * Coupon::width;
-  const auto by_hand =
+  const auto with_manual_theories =
     [&](const std::string &name, const double nose_to, const double clamp_to) {
       const auto lists = lists_by_hand(*space, to_nose.n(), nose_to, clamp_to);
       bend(name,
            std::make_unique<Beam>(
              "coupon", space, axis, Placement(), lists, name));
     };
-  by_hand("SV", none, none);
-  by_hand("SV, nose", to_height, none);
-  by_hand("SV, clamp", none, to_width);
-  by_hand("SV, nose, clamp", to_height, to_width);
+  with_manual_theories("SV", none, none);
+  with_manual_theories("SV, nose", to_height, none);
+  with_manual_theories("SV, clamp", none, to_width);
+  with_manual_theories("SV, nose, clamp", to_height, to_width);
   bend("all fields",
        std::make_unique<Beam>("coupon", coupon.section, axis, Placement()));
 
@@ -245,5 +245,5 @@ int
 main(int argc, char **argv)
 {
   MpiSession mpi(argc, argv);
-  return run_and_tell([] { FieldsOfASection().run(); });
+  return run_and_report([] { FieldsOfASection().run(); });
 }

@@ -37,7 +37,7 @@ namespace lamella
     /// defines how far the end disturbs.
     double rest = 1e-2;
     /// Largest number of DoFs of a piece; beyond it there are no end fields.
-    double most_dofs = 1e5;
+    double max_dofs = 1e5;
     /// Distance from an end over B within which requested stresses give a
     /// richer section a piece of its own (BoundaryLayerModes).
     double sampled = 1.;
@@ -50,7 +50,7 @@ namespace lamella
     /// Rows r(u) = 0 in the fields of the section.
     std::vector<LinearFunctional> rows;
     /// True if the body continues in the direction of +y.
-    bool goes_forward = true;
+    bool extends_forward = true;
     /// Length of the axis element beside the section [length].
     double element = 0.;
     /// Name of the body, and of the touches that hold it, in their order: equal
@@ -62,12 +62,12 @@ namespace lamella
 
     /// Returns whether the axis elements are as long, to rounding.
     bool
-    is_as_long_as(const ConstrainedSection &other) const;
+    has_same_element_length(const ConstrainedSection &other) const;
   };
 
   /// Returns the constraints of the section at touch @p t of @p touches
-  /// (LocalInteraction::holds_section) on a body with @p axis: the rows of all
-  /// touches that hold it there, once for each side of the body (two in its
+  /// (LocalInteraction::constrains_section) on a body with @p axis: the rows of
+  /// all touches that hold it there, once for each side of the body (two in its
   /// interior).
   std::vector<ConstrainedSection>
   constrained_sections(const std::vector<LocalInteraction> &interactions,
@@ -86,7 +86,8 @@ namespace lamella
   struct HeatedSection
   {
     Vector answer, traction;
-    HeatedSection(const SaintVenant &states, const Beam::SectionHeat &heat);
+    HeatedSection(const SaintVenant              &states,
+                  const Beam::SectionThermalLoad &heat);
   };
 
   /// Returns whether both are held alike, to rounding.

@@ -23,8 +23,8 @@ namespace lamella
     /// load.
     double edge = 0.25;
     /// At most, where bodies lie upon each other, unless that makes more
-    /// elements of it than most_inside.
-    double inside = 0.5, most_inside = 40.;
+    /// elements of it than max_inside.
+    double inside = 0.5, max_inside = 40.;
     /// Growth of elements per length: neighbors differ by a factor of about
     /// 1.8.
     double growth = 0.6;
@@ -36,20 +36,21 @@ namespace lamella
     /// q h^4 / (384 E I), n^-4 of the deflection between clamps: 0.077 % for
     /// n = 6, 0.024 % for 8, 0.01 % for 10, 0.005 % for 12. Between other
     /// supports the share is smaller.
-    double over_span = 10.;
+    double elements_per_span = 10.;
     /// Places closer to each other than this share of their size are one.
-    double one_place = 0.5;
+    double merge_distance = 0.5;
     /// The samples of 1 / s between two places, for the trapezoidal rule; what
     /// its integral exceeds an integer by, if less than `spare`, makes no
     /// element more.
-    unsigned int samples = 400;
-    double       spare   = 0.05;
+    unsigned int samples            = 400;
+    double       rounding_allowance = 0.05;
     /// Gaps that differ by less than this share of H lie upon each other.
-    double same_gap = 1e-3;
+    double gap_tolerance = 1e-3;
     /// Number of equal elements for the search of a contact, over H, and on an
     /// axis at least and at most. The parabola of grade_axes() is more accurate
     /// than they are.
-    double to_search = 2., least_to_search = 12., most_to_search = 240.;
+    double search_elements = 2., min_search_elements = 12.,
+           max_search_elements = 240.;
   };
 
   /**
@@ -58,28 +59,27 @@ namespace lamella
    *   s(y) = min_k (c size_k + growth |y - y_k|),
    *   c = growth / (exp(growth) - 1),
    * limited by length / least and, in the parts of @p loaded, by span /
-   * over_span, a piece between two places has N elements: the integral of
-   * dy / s over it, rounded up (to an even number if loaded, for
-   * halved()) and multiplied by @p fineness. Each element has 1 / N of
-   * that integral. Every place is the end of an element; places closer
-   * than one_place of their size are merged. Ascending, without 0 and
-   * length.
+   * elements_per_span, a piece between two places has N elements: the integral
+   * of dy / s over it, rounded up (to an even number if loaded, for halved())
+   * and multiplied by @p refinement_factor. Each element has 1 / N of that
+   * integral. Every place is the end of an element; places closer than
+   * merge_distance of their size are merged. Ascending, without 0 and length.
    */
   std::vector<double>
   graded_breaks(const double                     length,
                 const std::vector<ShortElement> &places,
-                const GradingRules              &rules    = {},
-                const double                     fineness = 1.,
-                const std::vector<LoadedPart>   &loaded   = {});
+                const GradingRules              &rules             = {},
+                const double                     refinement_factor = 1.,
+                const std::vector<LoadedPart>   &loaded            = {});
 
   /// Bisects elements of @p axis until those at @p y are of @p size, or half as
   /// long if it is 0. Other elements may be longer by GradingRules::growth.
   /// Lengths must be known; @p y becomes the end of an element.
   void
-  shorten_at(AxisMesh           &axis,
-             const double        y,
-             const double        size,
-             const GradingRules &rules = {});
+  refine_at(AxisMesh           &axis,
+            const double        y,
+            const double        size,
+            const GradingRules &rules = {});
 
   /**
    * Makes the axes of `Axis elements = auto` among @p bodies
@@ -91,7 +91,7 @@ namespace lamella
    * contact pairs along one line share their grading. Loads on sides and
    * on lines along the axis, weight across it under @p gravity, and heat
    * that is not linear along it limit elements all along
-   * (GradingRules::over_span).
+   * (GradingRules::elements_per_span).
    *
    * Throws what conditions and contacts throw. Collective where Beam is.
    */

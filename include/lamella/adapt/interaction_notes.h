@@ -12,16 +12,16 @@ namespace lamella
 {
   /// Adds notes on @p touches of the SV @p beam without fields.
   void
-  note_missing_fields(const Beam                          &beam,
-                      const std::vector<LocalInteraction> &interactions,
-                      std::vector<std::string>            &notes);
+  add_missing_field_notes(const Beam                          &beam,
+                          const std::vector<LocalInteraction> &interactions,
+                          std::vector<std::string>            &notes);
 
   /// Adds notes on the @p touches of a heated @p beam that hold sections in
   /// part: end fields do not cover heat there.
   void
-  note_heat_of_guides(const Beam                          &beam,
-                      const std::vector<LocalInteraction> &interactions,
-                      std::vector<std::string>            &notes);
+  add_guide_heat_notes(const Beam                          &beam,
+                       const std::vector<LocalInteraction> &interactions,
+                       std::vector<std::string>            &notes);
 } // namespace lamella
 
 #endif

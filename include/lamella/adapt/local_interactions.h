@@ -37,13 +37,13 @@ namespace lamella
     /// of the fastest variation along the axis [length].
     double element = 0.;
     /// True if it holds the section as a whole: a clamp (is_clamp()).
-    bool holds_section = false;
+    bool constrains_section = false;
     /// True if it is only an end that is free to deform.
     bool is_free = false;
     /// Rows r(u) = 0 of a clamp, in the fields of the section.
     std::vector<LinearFunctional> held;
     /// True if it is a side of a contact, a support, or heat.
-    bool presses = false, holds = false, heats = false;
+    bool is_contact_side = false, holds = false, heats = false;
   };
 
   /// Returns the touches of body @p body, @p beam with all fields at all nodes,
@@ -62,7 +62,9 @@ namespace lamella
 
   /// Returns the load vector of @p load on body number @p body, at factor 1.
   Vector
-  load_on(const Load &load, const unsigned int body, const Bodies &bodies);
+  load_vector_on(const Load        &load,
+                 const unsigned int body,
+                 const Bodies      &bodies);
 
   /// Returns the ends of the heated @p beam that none of @p touches holds as a
   /// whole, where thermal stress along the axis ends; none if it is not heated.

@@ -10,7 +10,7 @@
 #ifndef lamella_adapt_node_fields_h
 #define lamella_adapt_node_fields_h
 
-#include <lamella/adapt/known_boundary_layer_modes.h>
+#include <lamella/adapt/boundary_layer_cache.h>
 #include <lamella/adapt/plan_rules.h>
 #include <lamella/body/parameters.h>
 #include <lamella/recover/requests.h>
@@ -34,17 +34,17 @@ namespace lamella
     /// a double-T has, no solid section does.
     double thin_walls = 0.5;
     /// Largest wave number near touches over h_e, and far from them over H.
-    double highest_wave = 10., highest_wave_afar = 4.;
+    double highest_wave = 10., highest_wave_far = 4.;
     /// Least ratio of the largest to the smallest wave number.
-    double least_range_of_waves = 2.;
+    double min_wave_ratio = 2.;
     /// Tolerances of responses near and far (Warping::basis()). The near one is
-    /// multiplied by (6 / N)^2 for N > 6 = cut_of_waves, since more wave
+    /// multiplied by (6 / N)^2 for N > 6 = reference_waves, since more wave
     /// numbers are for more accuracy.
     double       near_tolerance = 3e-2, far_tolerance = 1e-2;
-    unsigned int cut_of_waves = 6;
+    unsigned int reference_waves = 6;
     /// Independent part of a unit vector below which a node's heat equals that
     /// of others.
-    double same_heat = 1e-3;
+    double heat_tolerance = 1e-3;
     /// Rules for touches.
     InteractionRules interactions = {};
     /// Distance of responses beyond touched elements over H, and of tractions
@@ -65,7 +65,7 @@ namespace lamella
 
   /// A range of a body's axis with requested stresses: a probe or its box, a
   /// line, a cut.
-  struct StressPlace
+  struct StressRange
   {
     /// Number of the body in Bodies.
     unsigned int body = 0;
@@ -74,8 +74,8 @@ namespace lamella
   };
 
   /// Returns the places of @p probes, @p lines and @p cuts in @p bodies.
-  std::vector<StressPlace>
-  stress_places(const Bodies             &bodies,
+  std::vector<StressRange>
+  stress_ranges(const Bodies             &bodies,
                 const std::vector<Probe> &probes,
                 const std::vector<Line>  &lines,
                 const std::vector<Cut>   &cuts);
@@ -102,8 +102,8 @@ namespace lamella
    * the higher degree, and next to SV all of them.
    *
    * The stress in an element is as accurate as at its poorest node. If a place
-   * of @p asked is in an element with some nodes near a touch, all its nodes
-   * carry their fields.
+   * of @p requested is in an element with some nodes near a touch, all its
+   * nodes carry their fields.
    *
    * Bodies of the same section and theory share their fields. @p contacts are
    * made of @p bodies. Returns notes, a sentence each; @p why, if not null,
@@ -116,10 +116,10 @@ namespace lamella
                 const std::vector<Support>          &supports,
                 const std::vector<Load>             &loads,
                 const std::vector<ContactInterface> &contacts,
-                const std::vector<StressPlace>      &asked   = {},
-                const FieldRules                    &rules   = {},
-                const dealii::Tensor<1, 3>          &gravity = {},
-                std::vector<std::string>            *why     = nullptr);
+                const std::vector<StressRange>      &requested = {},
+                const FieldRules                    &rules     = {},
+                const dealii::Tensor<1, 3>          &gravity   = {},
+                std::vector<std::string>            *why       = nullptr);
 
   /// Returns whether choose_fields() would change any of the bodies.
   bool

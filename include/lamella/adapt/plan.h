@@ -27,8 +27,8 @@ namespace lamella
   /// Returns whether one of @p supports is on all of body @p body, as in plane
   /// strain: each section is clamped.
   bool
-  is_held_all_along(const std::vector<Support> &supports,
-                    const unsigned int          body);
+  is_constrained_along_axis(const std::vector<Support> &supports,
+                            const unsigned int          body);
 
   /// Size of a body, for the choice of its model.
   struct BodySize
@@ -36,8 +36,8 @@ namespace lamella
     unsigned int dofs = 0;
     /// Nodes of the axis, and fields and cells of the section; 0 for solids.
     unsigned int nodes = 0, fields = 0, cells = 0;
-    /// is_held_all_along().
-    bool held_all_along = false;
+    /// is_constrained_along_axis().
+    bool constrained_along_axis = false;
     /// Share of the length along which contacts may touch.
     double loaded = 0.;
     /// Length of a beam over the largest extent of its section.
@@ -61,7 +61,8 @@ namespace lamella
     bool is_assumed = false;
     /// True if the scene has contacts; if the axis is graded automatically; if
     /// nodes have theories by hand (`Theories`).
-    bool has_contacts = false, grades_itself = false, has_pieces = false;
+    bool has_contacts = false, is_graded_automatically = false,
+         has_pieces = false;
     /// True if the scene could not be solved with fewer than all fields.
     bool is_unsolved = false;
     /// Mean number per node of load vectors that supports (without clamps)
@@ -82,7 +83,7 @@ namespace lamella
     bool all_fields = true;
     /// Reasons for the theory, and for all fields if the theory allows fewer,
     /// as parts of a sentence; empty if there was no decision.
-    std::string why_theory, why_fields;
+    std::string theory_reason, fields_reason;
   };
 
   /**
@@ -91,14 +92,13 @@ namespace lamella
    *
    *   theory   as requested; an assumed one in a scene with contacts becomes
    *            LE-3 (first_degree) if contacts may touch more than
-   *            long_contact of it, on equal elements: one if supports hold it
-   *            all along, else its length over the section's extent, from two
-   *            to equal_elements; LE-3 also if LE-2 has at most cheap_dofs
-   *   fields   all of the section if the theory has no others; chosen ones of
-   *            SV and with `Theories`; of SV-N all if the scene could not be
-   *            solved with fewer, the body is held all along, has at most
-   *            least_nodes nodes, or more than most_held of a node's fields
-   *            held or most_fields of them wanted
+   *            max_contact_share of it, on equal elements: one if supports hold
+   * it all along, else its length over the section's extent, from two to
+   * equal_elements; LE-3 also if LE-2 has at most cheap_dofs fields   all of
+   * the section if the theory has no others; chosen ones of SV and with
+   * `Theories`; of SV-N all if the scene could not be solved with fewer, the
+   * body is held all along, has at most min_nodes nodes, or more than
+   * max_held_share of a node's fields held or max_fields_share of them wanted
    *
    * A pure function of its arguments.
    */
@@ -112,12 +112,12 @@ namespace lamella
   /// Returns the approximate number of DoFs of LE-@p degree with the nodes and
   /// cells of @p size: three per point of a square grid.
   double
-  dofs_of_layers(const BodySize &size, const unsigned int degree);
+  layerwise_dofs(const BodySize &size, const unsigned int degree);
 
   /// Returns the reason why LE of a low degree costs less for a body of @p size
   /// than computing its own fields; empty if it does not.
   std::string
-  why_layers(const BodySize &size, const PlanRules &rules = {});
+  reason_for_layerwise(const BodySize &size, const PlanRules &rules = {});
 
   /// Predicted cost of a model.
   struct Cost
@@ -140,7 +140,7 @@ namespace lamella
    * Computer Solution of Large Sparse Positive Definite Systems, 1981, ch. 8).
    */
   std::vector<Cost>
-  foreseen_costs(const Bodies &bodies, const CostRules &rules = {});
+  predicted_costs(const Bodies &bodies, const CostRules &rules = {});
 } // namespace lamella
 
 #endif

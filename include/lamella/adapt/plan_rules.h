@@ -13,20 +13,20 @@ namespace lamella
   {
     /// Number of DoFs of a body up to which LE-N is enriched directly; beyond,
     /// the section's own fields are used.
-    double most_dofs_of_layers = 60000.;
+    double max_layerwise_dofs = 60000.;
     /// Number of fields of a node of SV-10 near a touch, and the factor by
     /// which a section must have more for an advantage.
-    double fields_of_responses = 200., worth_while = 2.;
+    double fields_of_responses = 200., min_gain = 2.;
     /// Number of DoFs up to which LE-2 is cheaper than computing responses.
     double cheap_dofs = 20000.;
     /// Share of a beam's length with possible contact above which its own
     /// fields are no fewer than those of LE, and slow to compute: one response
     /// per contact row.
-    double long_contact = 0.5;
+    double max_contact_share = 0.5;
     /// Wave numbers: substitute for theories without responses, increment of
     /// SV-N, smallest useful number, largest number.
-    unsigned int many_waves = 10, more_waves = 4, least_waves = 6,
-                 most_waves = 40;
+    unsigned int substitute_waves = 10, wave_increment = 4, min_waves = 6,
+                 max_waves = 40;
     /// Initial degree of LE: the least that has poorer levels for error
     /// estimates.
     unsigned int first_degree = 3;
@@ -36,18 +36,18 @@ namespace lamella
     /// (graded_to_corners()); lower in runs whose degrees do not converge.
     unsigned int corner_degree = 8;
     /// Largest number of corner layers, as in a scene (`Corner layers`).
-    unsigned int most_corner_layers = 6;
+    unsigned int max_corner_layers = 6;
     /// Initial number of elements, at most, of axes graded to a contact that is
     /// everywhere: the default of scenes.
     unsigned int equal_elements = 10;
     /// Mean share of fields above which, and number of axis nodes up to which,
     /// a body of SV-N keeps all fields of its section.
-    double       most_fields = 0.5;
-    unsigned int least_nodes = 15;
+    double       max_fields_share = 0.5;
+    unsigned int min_nodes        = 15;
     /// Mean share of fields held by supports without clamps above which a body
     /// keeps all: few others are left to eliminate, which is slow and loses
     /// digits.
-    double most_held = 0.05;
+    double max_held_share = 0.05;
   };
 
   /// Cost constants of models that are not built, counted from the algorithms.
@@ -64,7 +64,7 @@ namespace lamella
     /// Wave numbers of responses, and multiplications for their eigenvectors
     /// over the cube of their number.
     double waves = 10., of_eigenvectors = 10.;
-    /// Nonzeros of a solid's factor over n^(4/3) (foreseen_costs()): 12 to 13
+    /// Nonzeros of a solid's factor over n^(4/3) (predicted_costs()): 12 to 13
     /// for cantilevers of 135 to 4,875 DoFs; and the most of LE: 14 to 23 for
     /// the large ones of prm/.
     double of_solid = 13., of_layers = 19.;

@@ -16,13 +16,13 @@ namespace lamella
     /// Independent part of a unit load vector below which it is dropped.
     double independent = 0.02;
     /// Share of a load's largest vector below which nodes are ignored.
-    double strong = 0.05;
+    double min_weight_share = 0.05;
     /// Share of a row's weights above which it acts along the axis; below it,
     /// its part along the axis is dropped (sloping surfaces).
     double along_axis = 0.7;
     /// Relative change of heat along one H below which it is no load; equal to
     /// FieldRules::far_tolerance, the accuracy of responses to constant heat.
-    double heat_varies = 1e-2;
+    double heat_change_tolerance = 1e-2;
   };
 
   /// A part of an axis: start, end, and the shortest element there or beside it
@@ -59,24 +59,25 @@ namespace lamella
               const InteractionRules &rules);
 
   /// Returns the vectors of the load vector @p load for each element it acts
-  /// on, among the elements @p asked, one flag per axis cell.
+  /// on, among the elements @p requested, one flag per axis cell.
   std::vector<SectionLoad>
   loads_of_vector(const Beam              &beam,
                   const Vector            &load,
-                  const std::vector<bool> &asked,
+                  const std::vector<bool> &requested,
                   const InteractionRules  &rules);
 
   /// Returns the independent ones of @p loads, vectors of @p n_fields,
   /// normalized.
   std::vector<Vector>
-  independent_of(const std::vector<SectionLoad> &loads,
-                 const unsigned int              n_fields,
-                 const InteractionRules         &rules);
+  independent_loads(const std::vector<SectionLoad> &loads,
+                    const unsigned int              n_fields,
+                    const InteractionRules         &rules);
 
   /// Returns the area-weighted mean and linear part across the section of
   /// @p loads, which must not be empty.
   std::vector<Vector>
-  smooth_of(const std::vector<SectionLoad> &loads, const unsigned int n_fields);
+  smooth_loads(const std::vector<SectionLoad> &loads,
+               const unsigned int              n_fields);
 } // namespace lamella
 
 #endif

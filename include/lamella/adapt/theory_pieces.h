@@ -33,16 +33,16 @@ namespace lamella
 
   /// Returns the requirements of the theories at a node.
   Wanted
-  wanted_by(const std::vector<Theory> &theories);
+  requirements_of(const std::vector<Theory> &theories);
 
   /// Adds notes on surface-to-surface contacts at nodes of LE of a lower degree
   /// than the section's: they have a row for each node of its trace.
   void
-  note_coarse_rows(const Beam                          &beam,
-                   const unsigned int                   body,
-                   const TheoryPieces                  &pieces,
-                   const std::vector<ContactInterface> &contacts,
-                   std::vector<std::string>            &notes);
+  add_coarse_row_notes(const Beam                          &beam,
+                       const unsigned int                   body,
+                       const TheoryPieces                  &pieces,
+                       const std::vector<ContactInterface> &contacts,
+                       std::vector<std::string>            &notes);
 
   /// Returns a label, "SV-6 (of LE-2), 12 to 111 fields a node".
   std::string
@@ -52,7 +52,7 @@ namespace lamella
   /// Returns the body @p description, all of whose pieces are LE, like @p beam
   /// but with the leading fields of each degree.
   std::unique_ptr<Body>
-  by_degrees(const BodyDescription &description, const Beam &beam);
+  make_by_degrees(const BodyDescription &description, const Beam &beam);
 } // namespace lamella
 
 #endif

@@ -43,7 +43,7 @@ namespace lamella
     std::vector<double> breaks;
     /// Refinement factor of automatic grading (grade_axes()), which sets
     /// elements and breaks by the touches of the body; 0: they are given.
-    double fineness = 0.;
+    double refinement_factor = 0.;
     /// True if nodes are equidistant, as in the CUF literature's B4, instead of
     /// the Gauss-Lobatto points of FE_Q. The space is the same, contact pairs
     /// differ. No effect on B2 and B3.
@@ -197,7 +197,7 @@ namespace lamella
     /// Returns the first cell with @p node and the node's eta in it. Loops over
     /// all elements.
     std::pair<unsigned int, double>
-    place_of_node(const unsigned int node) const;
+    cell_of_node(const unsigned int node) const;
 
     /// Returns int N_i dy of each node, positive, with the sum length(). Times
     /// an edge length in the section they are the tributary areas of contact

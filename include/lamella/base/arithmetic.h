@@ -12,7 +12,7 @@ namespace lamella
   {
     /// Lower limit of a size that may be zero, before it divides or is compared
     /// with something.
-    constexpr double above_zero = 1e-300;
+    constexpr double smallest_divisor = 1e-300;
 
     // ---- what rounding leaves of zero, relative to the terms that cancel
 
@@ -36,13 +36,13 @@ namespace lamella
 
     /// Relative to the size of a body: distance of equal places computed from
     /// decimal texts, rotations and inverse maps.
-    constexpr double same_place = 1e-9;
+    constexpr double same_position = 1e-9;
     /// Relative to the length of an axis or the sides of a section: distance of
     /// equal places if a section or a wall may be a hundredth of it.
-    constexpr double same_place_along = 1e-10;
+    constexpr double same_position_along = 1e-10;
     /// Relative to the diagonal of a section: distance of equal places through
     /// the inverse of a possibly curved map.
-    constexpr double same_place_across = 1e-8;
+    constexpr double same_position_across = 1e-8;
     /// Relative to the length of an element, a cell or a side: distance of
     /// equal places if nothing is shorter.
     constexpr double same_in_element = 1e-6;
@@ -60,7 +60,7 @@ namespace lamella
 
     /// Relative difference of numbers that users write as equal, with six
     /// digits.
-    constexpr double as_written = 1e-6;
+    constexpr double decimal_tolerance = 1e-6;
     /// Relative to the integral of the magnitude: accuracy of integrals over
     /// cut or curved elements and of users' expressions.
     constexpr double integrated = 1e-6;

@@ -17,7 +17,7 @@ namespace lamella
     /// The signal, or 0.
     int signal = 0;
     /// True if the limit of processor time was reached; the signal is SIGXCPU.
-    bool out_of_time = false;
+    bool time_limit_reached = false;
     /// Wall seconds from start to end; the limit counts processor seconds.
     double seconds = 0.;
     /// Result of the work of run_forked(); empty if it did not end, which is a
@@ -66,7 +66,8 @@ namespace lamella
   /// it) with the arguments @p words, without its own name. MPI must not have
   /// been started here. Throws InputError if it cannot be started.
   [[noreturn]] void
-  become(const std::string &program, const std::vector<std::string> &words);
+  exec_program(const std::string              &program,
+               const std::vector<std::string> &words);
 
   /// Returns the path of a python3 with the module @p module; empty if there is
   /// none. The system's is tried before the first in PATH, which often lacks
@@ -81,7 +82,7 @@ namespace lamella
 
   /// Returns the absolute path of the program that this process runs.
   std::string
-  own_program();
+  executable_path();
 } // namespace lamella
 
 #endif

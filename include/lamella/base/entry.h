@@ -21,7 +21,7 @@ namespace lamella
    * refuse() is for checks by the caller.
    *
    * An entry is a value, independent of its parameter handler. All numbers of a
-   * scene pass the same checks (fault_of_number()). A piece of an entry may
+   * scene pass the same checks (number_error()). A piece of an entry may
    * become an Entry with the path of the whole.
    */
   class Entry
@@ -62,9 +62,9 @@ namespace lamella
     /// Throws InputError::missing() for a required entry; @p remedy says what
     /// to give.
     [[noreturn]] void
-    is_missing(const std::string &remedy) const;
+    refuse_missing(const std::string &remedy) const;
 
-    /// Returns the number that the whole text spells (see fault_of_number()).
+    /// Returns the number that the whole text spells (see number_error()).
     /// Throws InputError unless it is one finite number, zero or of a size
     /// between 1e-30 and 1e30. The unit is the caller's.
     double
@@ -94,7 +94,7 @@ namespace lamella
     ascending(const double end, const std::string &name) const;
     /// Returns numbers() that are whole, each from @p least to @p most.
     std::vector<unsigned int>
-    wholes(const unsigned int least, const unsigned int most) const;
+    whole_numbers(const unsigned int least, const unsigned int most) const;
 
     /// Returns three numbers between commas, a position or direction in the
     /// axes of the entry. Throws InputError for another count.

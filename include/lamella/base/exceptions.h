@@ -78,17 +78,17 @@ namespace lamella
     const std::string &
     rule() const
     {
-      return broken_rule;
+      return rule_text;
     }
     /// Returns the remedy; may be empty.
     const std::string &
     remedy() const
     {
-      return way_out;
+      return remedy_text;
     }
 
   private:
-    std::string entry_path, entry_value, broken_rule, way_out;
+    std::string entry_path, entry_value, rule_text, remedy_text;
     bool        placed = false;
   };
 
@@ -121,7 +121,7 @@ namespace lamella
   /// standard error if it throws, and returns the exit status. Not for MPI
   /// processes that must agree on the status.
   int
-  run_and_tell(const std::function<void()> &program);
+  run_and_report(const std::function<void()> &program);
 
   /// Returns the member of @p valid with the smallest Levenshtein distance to
   /// @p name, ignoring case; the first of several, or empty if @p valid is.

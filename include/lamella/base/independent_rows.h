@@ -18,8 +18,8 @@ namespace lamella
    * all others.
    */
   std::vector<unsigned int>
-  most_independent(const dealii::LAPACKFullMatrix<double> &A,
-                   const double                            relative = 0.);
+  select_independent_rows(const dealii::LAPACKFullMatrix<double> &A,
+                          const double relative = 0.);
 } // namespace lamella
 
 #endif

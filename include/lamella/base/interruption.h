@@ -12,11 +12,11 @@ namespace lamella
   /// by that signal (exit status 130 or 143). Must be called by one thread, and
   /// by one process of several.
   void
-  say_if_interrupted(const std::string &words);
+  set_interruption_message(const std::string &words);
 
   /// Delays such a signal during its lifetime, so that writing completes. A
   /// second signal of the same kind ends the program at once. No effect before
-  /// say_if_interrupted().
+  /// set_interruption_message().
   class SignalBlock
   {
   public:

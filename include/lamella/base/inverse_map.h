@@ -68,7 +68,7 @@ namespace lamella
   /// `keep` of inverse_image(). Places further out end at that border.
   template <int dim>
   bool
-  stay_near(dealii::Point<dim> &unit)
+  clip_to_neighborhood(dealii::Point<dim> &unit)
   {
     for (unsigned int d = 0; d < dim; ++d)
       unit[d] = std::min(1.5, std::max(-0.5, unit[d]));

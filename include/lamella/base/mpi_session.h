@@ -10,8 +10,8 @@ namespace lamella
   /**
    * Starts MPI, and deal.II's use of it, for the object's lifetime; Trilinos
    * needs it for one process, too. Must be the first object of a `main`, on
-   * every process, and its destructor the last use of MPI; n_launched() is
-   * available before.
+   * every process, and its destructor the last use of MPI;
+   * n_launched_processes() is available before.
    *
    * Without a launcher, Open MPI is set not to look for networks, not to start
    * a daemon and not to keep files in the user's shared folder. The first two
@@ -33,14 +33,14 @@ namespace lamella
 
   /// Makes the process survive SIGXFSZ (file size limit) and SIGPIPE (closed
   /// reader, `| head -1`): the stream fails instead, and is checked
-  /// (OutputFile::put_in_place()). MpiSession calls it.
+  /// (OutputFile::commit()). MpiSession calls it.
   void
-  survive_failed_writes();
+  ignore_write_signals();
 
   /// Returns the number of processes that a launcher (mpirun) has started, or
   /// 1, from environment variables of Open MPI and PMI. Available before MPI.
   unsigned int
-  n_launched();
+  n_launched_processes();
 
   /// Limits deal.II and OpenBLAS, if that is loaded, to @p n threads; a BLAS
   /// otherwise starts one per core. Other ones use their environment variables.

@@ -15,13 +15,13 @@ namespace lamella
   {
   public:
     /// Opens the file and creates the folder of @p path if needed. Throws
-    /// nothing: errors appear in put_in_place().
+    /// nothing: errors appear in commit().
     explicit OutputFile(const std::string &path);
     /// Removes a file that was not put in place.
     ~OutputFile();
     OutputFile(const OutputFile &) = delete;
 
-    /// Returns the stream to write to, valid until put_in_place().
+    /// Returns the stream to write to, valid until commit().
     std::ostream &
     stream()
     {
@@ -31,7 +31,7 @@ namespace lamella
     /// Closes the stream and renames the file; call it once. Returns whether
     /// this and all writing succeeded. On failure the old file remains.
     bool
-    put_in_place();
+    commit();
 
   private:
     /// Final path, and path during writing.
@@ -52,7 +52,7 @@ namespace lamella
   /// Throws InputError for a file that cannot be written, with the system's
   /// reason.
   [[noreturn]] void
-  fail_to_write(const std::string &path);
+  throw_cannot_write(const std::string &path);
 } // namespace lamella
 
 #endif

@@ -60,12 +60,12 @@ namespace lamella
 
     /// A word in place of what another pattern takes: `auto`, `none`, or
     /// nothing for an optional entry. Copies share the other pattern.
-    class WordOr : public dealii::Patterns::PatternBase
+    class WordOrPattern : public dealii::Patterns::PatternBase
     {
     public:
       /// Stores @p word (case-sensitive) and clones @p other.
-      WordOr(const std::string                   &word,
-             const dealii::Patterns::PatternBase &other);
+      WordOrPattern(const std::string                   &word,
+                    const dealii::Patterns::PatternBase &other);
 
       /// Returns whether @p text is the word or matches the other pattern.
       bool
@@ -81,15 +81,17 @@ namespace lamella
       std::shared_ptr<const dealii::Patterns::PatternBase> other;
     };
 
-    /// Returns the pattern of an optional entry: WordOr with the empty word.
-    WordOr
+    /// Returns the pattern of an optional entry: WordOrPattern with the empty
+    /// word.
+    WordOrPattern
     optional(const dealii::Patterns::PatternBase &other);
 
     /// Throws InputError for @p entry, which does not match the pattern with
     /// the machine description @p pattern. The rule is made from the
     /// description: bounds of numbers and lists, names of a selection, `, or
-    /// WORD` for WordOr. Where any real number is allowed, errors of spelling
-    /// come first, so that `abc` is no number rather than out of bounds.
+    /// WORD` for WordOrPattern. Where any real number is allowed, errors of
+    /// spelling come first, so that `abc` is no number rather than out of
+    /// bounds.
     [[noreturn]] void
     refuse(const Entry &entry, const std::string &pattern);
 

@@ -50,7 +50,7 @@ namespace lamella
   /// Returns whether @p here is true on all processes, so that they agree on
   /// errors that only one has met. Collective.
   inline bool
-  on_all_processes(const bool here)
+  true_on_all_processes(const bool here)
   {
     return dealii::Utilities::MPI::min(int(here), communicator()) == 1;
   }

@@ -12,7 +12,7 @@ namespace lamella
   /// Returns @p message without white space and full stops at its end, for use
   /// within a sentence.
   inline std::string
-  without_full_stop(const std::string &message)
+  strip_period(const std::string &message)
   {
     std::string text = trimmed(message);
     while (!text.empty() && text.back() == '.')

@@ -37,7 +37,7 @@ namespace lamella
 
   /// An error in a text, in the form of Entry::refuse(): a rule without a full
   /// stop, a remedy in sentences.
-  struct TextFault
+  struct TextError
   {
     /// Rule and remedy; empty if there is no error.
     std::string rule, remedy;
@@ -46,10 +46,10 @@ namespace lamella
   /// Returns the error if @p text does not spell one finite number within the
   /// bounds. Point and exponent as in C; no unit, hexadecimal digits, inf or
   /// nan. White space at the ends is ignored.
-  TextFault
-  fault_of_number(const std::string &text);
+  TextError
+  number_error(const std::string &text);
 
-  /// Returns the number that @p text spells; undefined unless fault_of_number()
+  /// Returns the number that @p text spells; undefined unless number_error()
   /// finds no error.
   double
   to_number(const std::string &text);

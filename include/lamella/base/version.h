@@ -15,7 +15,7 @@ namespace lamella
   /// Returns the output of --version: version and commit, then libraries (the
   /// BLAS as loaded) and compiler, a line each.
   std::string
-  version_in_full();
+  full_version();
 } // namespace lamella
 
 #endif

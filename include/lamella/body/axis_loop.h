@@ -50,10 +50,10 @@ namespace lamella
     /// Calls @p use with each own axis element and the section's operator for
     /// its fields. Consecutive elements with the same fields share one
     /// operator, valid for these calls.
-    using UseOfElement =
+    using ElementCallback =
       std::function<void(const unsigned int, const SectionOperator &)>;
     void
-    for_each_element(const UseOfElement &use) const;
+    for_each_element(const ElementCallback &use) const;
 
     /// Returns the parts of the displacement @p u for the fields @p fields at
     /// @p stations of one element. Derivatives use differences to the element's

@@ -87,7 +87,7 @@ namespace lamella
     unsigned int
     dof_level(const DofIndex dof) const override;
     std::vector<double>
-    dof_sizes() const override;
+    dof_scales() const override;
     /// Returns the place of the DoF's node on the centroid axis.
     dealii::Point<3>
     dof_position(const DofIndex dof) const override;
@@ -105,7 +105,7 @@ namespace lamella
     std::vector<Vector>
     rigid_motions() const override;
     std::vector<RigidMotion>
-    missing_motions() const override;
+    omitted_rigid_motions() const override;
     dealii::Point<3>
     center() const override;
     /// Returns half the length, at least the section's reference length.
@@ -122,7 +122,7 @@ namespace lamella
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
-              const SolverKind      asked,
+              const SolverKind      requested,
               const SolverMonitor  &monitor) const override;
     /// Returns the energy, and the largest rotation at points of the section
     /// (SectionOperator::largest_rotation()).
@@ -134,7 +134,7 @@ namespace lamella
     void
     heat(const ScalarField &change) override;
     double
-    add_heat(Vector &f) const override;
+    add_thermal_load(Vector &f) const override;
     void
     add_weight(const dealii::Tensor<1, 3> &acceleration,
                Vector                     &f) const override;
@@ -146,12 +146,12 @@ namespace lamella
 
     /// Thermal load on the section's fields: integral D_s^T C epsilon_0 dA on
     /// values, integral D_y^T C epsilon_0 dA on derivatives along the axis.
-    struct SectionHeat
+    struct SectionThermalLoad
     {
       Vector on_values, on_derivatives;
     };
-    SectionHeat
-    section_heat(const double y) const;
+    SectionThermalLoad
+    section_thermal_load(const double y) const;
     /// Returns the load by weight on the fields, integral of rho g . Phi dA.
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
@@ -167,7 +167,7 @@ namespace lamella
     sample(const Location &location, const Vector &u) const override;
     dealii::Point<3>
     position(const Location::Place &place) const override;
-    PlyAt
+    PlyAndAxes
     ply_at(const Location::Place &place) const override;
     /// Returns cells with the degrees of axis elements and section functions.
     Cells
@@ -191,7 +191,7 @@ namespace lamella
     surface_points(const std::string &surface) const override;
     /// Returns on an end as few points as it needs: three for EBBT and TBT.
     std::vector<Location>
-    fixing_points(const std::string &surface) const override;
+    constraint_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
     /// Returns facets of ends, one per section cell, then lateral ones, one per
@@ -218,14 +218,14 @@ namespace lamella
         const Vector      &u) const override;
     /// Returns across the section min(trace degree, max(degree, 3)).
     GridIntervals
-    picture_degrees() const override;
+    output_degrees() const override;
     /// Calls @p use with cells numbered (own axis element) * (section cells) +
     /// section cell. Forms coefficients once per place on the axis, keeping all
     /// of this process, and functions once per section point.
     void
-    for_each_output_cell(const GridIntervals   &n,
-                         const Vector          &u,
-                         const UseOfOutputCell &use) const override;
+    for_each_output_cell(const GridIntervals      &n,
+                         const Vector             &u,
+                         const OutputCellCallback &use) const override;
 
     const Section &
     section() const
@@ -294,12 +294,12 @@ namespace lamella
     /// Returns the work of C epsilon_0 of heat on the section's fields, and its
     /// energy epsilon_0 . C epsilon_0 / 2, for groups of stations y.
     std::vector<SectionForces>
-    forces_of_heat(const std::vector<std::vector<double>> &stations) const;
+    thermal_forces(const std::vector<std::vector<double>> &stations) const;
 
     /// Calls @p use for each section point with the constrained strain of one
     /// kelvin, and its stress times the integration weight.
     void
-    for_each_point_of_heat(
+    for_each_thermal_point(
       const std::function<void(const SectionPoint &point,
                                const Voigt        &strain,
                                const Voigt        &stress)> &use) const;
@@ -347,9 +347,9 @@ namespace lamella
 
     /// Calls @p use for finite rotations, evaluating section points once.
     void
-    for_each_turned_cell(const GridIntervals   &n,
-                         const Vector          &u,
-                         const UseOfOutputCell &use) const;
+    for_each_rotated_cell(const GridIntervals      &n,
+                          const Vector             &u,
+                          const OutputCellCallback &use) const;
 
     /// Returns the states at @p etas in [0, 1] of axis element @p cell.
     AxisStates
@@ -380,9 +380,9 @@ namespace lamella
                  const SectionPoint     &point,
                  const dealii::Point<3> &x) const;
 
-    /// Returns forces_of_heat() at integration points of Axis::own_cells().
+    /// Returns thermal_forces() at integration points of Axis::own_cells().
     std::vector<SectionForces>
-    forces_of_heat() const;
+    thermal_forces() const;
 
     /// A section point with the data of samples for all places on the axis.
     struct GridPoint;
@@ -422,7 +422,7 @@ namespace lamella
     void
     add_to_rows(const Location::Place         &place,
                 const Quantity                 quantity,
-                const FromStrain              &to_frame,
+                const StrainMap               &to_frame,
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
@@ -455,8 +455,8 @@ namespace lamella
     /// Returns few of @p points that determine the fields @p list: for each
     /// displacement component those whose values span the others'.
     std::vector<EdgePoint>
-    fixing(std::vector<EdgePoint>           points,
-           const std::vector<unsigned int> &list) const;
+    select_constraint_points(std::vector<EdgePoint>           points,
+                             const std::vector<unsigned int> &list) const;
 
     /// Sets corners and degrees of @p facet from its cell and square.
     void

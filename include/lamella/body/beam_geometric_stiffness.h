@@ -51,7 +51,7 @@ namespace lamella
 
     /// Returns the largest short_wave_ratio() of all points. Collective.
     double
-    short_waves() const;
+    largest_short_wave_ratio() const;
 
     /// Returns the Gauss points of own axis elements, element by element.
     const std::vector<AxisPoint> &
@@ -125,7 +125,7 @@ namespace lamella
     /// Stress at all stations, times the integration weight, for each point of
     /// the section, cell by cell.
     std::vector<Voigt> stress;
-    /// Value of short_waves() on this process.
+    /// Value of largest_short_wave_ratio() on this process.
     double largest_wave = 0.;
   };
 } // namespace lamella

@@ -54,9 +54,9 @@ namespace lamella
     /// Subtracts the interpolation of @p u in @p span from @p result at the
     /// nodes inside of it.
     void
-    take_interpolation(const AxisSpan &span,
-                       const Vector   &u,
-                       Vector         &result) const;
+    subtract_interpolation(const AxisSpan &span,
+                           const Vector   &u,
+                           Vector         &result) const;
 
     const Beam         &beam;
     HierarchicalSurplus of_section;

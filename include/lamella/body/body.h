@@ -168,7 +168,7 @@ namespace lamella
 
   /// The ply at a place, a number in Body::plies(), and its axes there in body
   /// axes, one per row (Ply::axes()).
-  struct PlyAt
+  struct PlyAndAxes
   {
     unsigned int ply = 0;
     Triad        axes;
@@ -195,8 +195,8 @@ namespace lamella
   {
     /// Energy integral epsilon . C epsilon / 2 dV (force times length): the
     /// strain energy of an unheated body, and half the work of all forces on it
-    /// including those of heat (Body::add_heat(), Clapeyron). For finite
-    /// rotations, integral epsilon . C epsilon_0 dV is subtracted.
+    /// including those of heat (Body::add_thermal_load(), Clapeyron). For
+    /// finite rotations, integral epsilon . C epsilon_0 dV is subtracted.
     double energy = 0.;
     /// Largest |curl u| / 2 at the integration points [rad], for finite
     /// rotations (Body::has_finite_rotations()) the largest angle.
@@ -308,7 +308,7 @@ namespace lamella
     /// up to a factor of order one; 1 for nodal bases. It makes weights of rows
     /// comparable between DoFs of different kinds.
     virtual std::vector<double>
-    dof_sizes() const
+    dof_scales() const
     {
       return std::vector<double>(n_dofs(), 1.);
     }
@@ -328,7 +328,8 @@ namespace lamella
     /// stiffness, as displacement vectors: unit translations along the scene's
     /// axes and unit rotations about them through the center,
     ///   u(X) = e_m,   u(X) = e_m x (X - center()),   m = x, y, z.
-    /// Of missing_motions() the vector holds the part that the theory contains.
+    /// Of omitted_rigid_motions() the vector holds the part that the theory
+    /// contains.
     virtual std::vector<Vector>
     rigid_motions() const = 0;
 
@@ -373,7 +374,7 @@ namespace lamella
     /// about the axis of EBBT and TBT): they need no support, their couples do
     /// no work.
     virtual std::vector<RigidMotion>
-    missing_motions() const
+    omitted_rigid_motions() const
     {
       return {};
     }
@@ -406,7 +407,7 @@ namespace lamella
 
     /// Returns the strain energy of @p u and the largest rotation; here the
     /// work of the internal forces, and curl u of an interpolation on a grid of
-    /// picture_degrees() in each element. Collective, the same on all
+    /// output_degrees() in each element. Collective, the same on all
     /// processes.
     virtual Deformation
     deformation(const Vector &u) const;
@@ -435,35 +436,36 @@ namespace lamella
     /// resultant. Returns the energy integral epsilon_0 . C epsilon_0 / 2 dV of
     /// the fully constrained body, zero if unheated. Bodies use the points of
     /// the stiffness; here rows at Gauss points, one more than
-    /// picture_degrees() along each coordinate. Collective.
+    /// output_degrees() along each coordinate. Collective.
     virtual double
-    add_heat(Vector &f) const;
+    add_thermal_load(Vector &f) const;
 
     /// Add, for finite rotations, the thermal load in the state @p u, f +=
-    /// integral (dE/du)^T C epsilon_0 dV (that of add_heat() at u = 0), and its
-    /// derivative as blocks, symmetric (along geodesics of rotations). Here the
-    /// derivative is constant, as that of Green's strain, and has no blocks.
+    /// integral (dE/du)^T C epsilon_0 dV (that of add_thermal_load() at u = 0),
+    /// and its derivative as blocks, symmetric (along geodesics of rotations).
+    /// Here the derivative is constant, as that of Green's strain, and has no
+    /// blocks.
     virtual void
-    add_heat_at(const Vector &u, Vector &f) const;
+    add_thermal_load_at(const Vector &u, Vector &f) const;
     virtual void
-    for_each_block_of_heat(
+    for_each_thermal_block(
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
     /// Adds the weight, f += integral of rho g . u dV, g = @p acceleration in
-    /// scene axes [length/s^2]; here by rows, as add_heat(). Throws InputError
-    /// for a material without density. Collective.
+    /// scene axes [length/s^2]; here by rows, as add_thermal_load(). Throws
+    /// InputError for a material without density. Collective.
     virtual void
     add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
 
     /// Calls @p use for each element of this process with the weight as forces
     /// at points (scene axes), valid during the call. Throws as add_weight().
-    using UseOfForces =
+    using ForcesCallback =
       std::function<void(const std::vector<Location> &,
                          const std::vector<dealii::Tensor<1, 3>> &)>;
     void
     for_each_cell_by_weight(const dealii::Tensor<1, 3> &acceleration,
-                            const UseOfForces          &use) const;
+                            const ForcesCallback       &use) const;
 
     /// Returns the homogeneous parts of the body's section.
     virtual const std::vector<Ply> &
@@ -526,7 +528,7 @@ namespace lamella
     position(const Location::Place &place) const = 0;
 
     /// Returns the ply of the element at @p place.
-    virtual PlyAt
+    virtual PlyAndAxes
     ply_at(const Location::Place &place) const = 0;
 
     // ---- surfaces
@@ -568,7 +570,7 @@ namespace lamella
     /// Returns few locations that determine the displacement on @p surface, for
     /// supports that prescribe u. Here nodes of facets' traces, none hanging.
     virtual std::vector<Location>
-    fixing_points(const std::string &surface) const;
+    constraint_points(const std::string &surface) const;
 
     /// Returns locations that determine the displacement of the whole body.
     /// Here the Gauss-Lobatto grid of each element, of the degrees of cells(),
@@ -633,23 +635,23 @@ namespace lamella
     /// needs along each unit coordinate: the degree of the displacements, or of
     /// the shape if higher. Here that of cells().
     virtual GridIntervals
-    picture_degrees() const
+    output_degrees() const
     {
       return cells().degrees;
     }
 
     /// A callback with the number of an element among those of this process,
     /// and its fields, valid during the call.
-    using UseOfOutputCell =
+    using OutputCellCallback =
       std::function<void(const unsigned int, const OutputCell &)>;
 
     /// Calls @p use once for each element of this process, in any order, with
     /// the fields of @p u on a grid of @p n, each at least 1. One element is in
     /// memory at a time; nothing is averaged, and jumps are not computed.
     virtual void
-    for_each_output_cell(const GridIntervals   &n,
-                         const Vector          &u,
-                         const UseOfOutputCell &use) const;
+    for_each_output_cell(const GridIntervals      &n,
+                         const Vector             &u,
+                         const OutputCellCallback &use) const;
 
     /// Returns the elements of for_each_output_cell() by number, with (n + 1)^3
     /// points each.
@@ -658,20 +660,20 @@ namespace lamella
 
     // ---- solvers
 
-    /// Returns the solver that @p asked selects for this body and number of
+    /// Returns the solver that @p requested selects for this body and number of
     /// processes. `automatic` is `cg` for nodal bodies of more than 300000 DoFs
     /// (whose factor would take tens of gigabytes), else CHOLMOD on one process
     /// and MUMPS on several. (Beam::solver_of() may use dense blocks.) Throws
     /// InputError for `cholmod` on several processes and for `cg` if not nodal.
     SolverKind
-    solver_kind(const SolverKind asked) const;
+    solver_kind(const SolverKind requested) const;
 
     /// Returns the terms of the stiffness: blocks without constraints, and k
     /// r^T r of @p springs, whose rows are of this body. Refers to the body.
     StiffnessTerms
     stiffness_terms(const std::vector<SpringTerm> &springs = {}) const;
 
-    /// Returns the stiffness with @p springs, for the solver @p asked,
+    /// Returns the stiffness with @p springs, for the solver @p requested,
     /// condensed by the homogeneous part of @p constraints, those of the
     /// supports and the kinematic ones, closed. Constrained DoFs keep a
     /// positive diagonal only. With u = T v + u_0, v the free DoFs and u_0 a
@@ -679,9 +681,10 @@ namespace lamella
     ///   T^T (K + sum k r^T r) T.
     /// Throws InputError as solver_kind() does. Collective.
     std::unique_ptr<StiffnessMatrix>
-    assembled_stiffness(const Constraints             &constraints,
-                        const std::vector<SpringTerm> &springs = {},
-                        const SolverKind asked = SolverKind::automatic) const;
+    assembled_stiffness(
+      const Constraints             &constraints,
+      const std::vector<SpringTerm> &springs   = {},
+      const SolverKind               requested = SolverKind::automatic) const;
 
     /// Returns a solver with the matrix of assembled_stiffness(), by
     /// solver_of(): assembled, factorized or prepared for iterations, and
@@ -692,8 +695,8 @@ namespace lamella
     std::unique_ptr<LinearSolver>
     make_solver(const Constraints             &constraints,
                 const std::vector<SpringTerm> &springs = {},
-                const SolverKind               asked   = SolverKind::automatic,
-                const SolverMonitor           &monitor = {}) const;
+                const SolverKind     requested         = SolverKind::automatic,
+                const SolverMonitor &monitor           = {}) const;
 
     /// Return the tangent of the internal forces at @p u: terms with
     /// @p springs, f += K(u) w, and a solver. It is the stiffness of linear
@@ -711,15 +714,15 @@ namespace lamella
                         const Vector                  &correction,
                         const Constraints             &constraints,
                         const std::vector<SpringTerm> &springs = {},
-                        const SolverKind     asked   = SolverKind::automatic,
-                        const SolverMonitor &monitor = {}) const;
+                        const SolverKind     requested = SolverKind::automatic,
+                        const SolverMonitor &monitor   = {}) const;
 
     /// Returns a solver with the matrix of @p terms, condensed by
     /// @p constraints and handled as in make_solver().
     virtual std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
-              const SolverKind      asked,
+              const SolverKind      requested,
               const SolverMonitor  &monitor) const;
 
   protected:
@@ -754,27 +757,27 @@ namespace lamella
 
     /// Rethrows @p error as a NumericsError with the place of its DoF.
     [[noreturn]] void
-    throw_with_place(const NotPositiveDefinite &error) const;
+    rethrow_with_position(const NotPositiveDefinite &error) const;
 
     const Placement placement;
 
   private:
-    /// Returns the matrix of @p terms, condensed, for the solver @p asked.
+    /// Returns the matrix of @p terms, condensed, for the solver @p requested.
     std::unique_ptr<StiffnessMatrix>
     assembled(const StiffnessTerms &terms,
               const Constraints    &constraints,
-              const SolverKind      asked) const;
+              const SolverKind      requested) const;
 
     /// A callback with Gauss points of an element, weights times |det J|.
-    using UseOfPoints = std::function<void(const std::vector<Location> &,
-                                           const std::vector<double> &)>;
+    using PointsCallback = std::function<void(const std::vector<Location> &,
+                                              const std::vector<double> &)>;
     void
-    for_each_cell_by_points(const UseOfPoints &use) const;
+    for_each_cell_by_points(const PointsCallback &use) const;
 
     /// Returns true if the middle of the end side of @p before lies on the
     /// begin side of @p cell along the axis, or the other way round.
     bool
-    meets(const unsigned int before, const unsigned int cell) const;
+    is_adjacent(const unsigned int before, const unsigned int cell) const;
 
     /// Returns fields at the grid points of @p cell, at @p etas along the axis,
     /// with @p n intervals in the section.
@@ -787,9 +790,9 @@ namespace lamella
     /// Replaces samples on the begin side of @p cell by the means with the
     /// cells before it along the axis.
     void
-    average_with_layer_before(const unsigned int cell,
-                              const Vector      &u,
-                              OutputCell        &grid) const;
+    average_with_previous_layer(const unsigned int cell,
+                                const Vector      &u,
+                                OutputCell        &grid) const;
 
     std::string body_name;
     ScalarField temperature_change;

@@ -21,7 +21,7 @@ namespace lamella
   /// The constant comes from initial strains: stress is C (epsilon -
   /// epsilon_0). Both parts go into the weights and the constant of a
   /// LinearFunctional.
-  struct FromStrain
+  struct StrainMap
   {
     ElasticTensor matrix;
     Voigt         constant;
@@ -35,12 +35,12 @@ namespace lamella
   ///   epsilon' = T epsilon,   sigma' = T^-T C (epsilon - epsilon_0),
   /// since the energy sigma . epsilon is invariant. T^-1 is the strain rotation
   /// of the inverse rotation.
-  FromStrain
-  from_strain(const Quantity    quantity,
-              const Frame       frame,
-              const Placement  &placement,
-              const Triad      &ply,
-              const ElasticLaw &law);
+  StrainMap
+  make_strain_map(const Quantity    quantity,
+                  const Frame       frame,
+                  const Placement  &placement,
+                  const Triad      &ply,
+                  const ElasticLaw &law);
 
   /// Rotations of samples from body axes into those of the scene and of a ply,
   /// computed once for all points of a ply.
@@ -73,12 +73,12 @@ namespace lamella
   /// Returns a sample for finite rotations with the displacement gradient @p H:
   /// Green's strain @p strain, and the stress R^T sigma R.
   FieldSample
-  turned_sample_of(const dealii::Tensor<1, 3> &displacement,
-                   const Gradient             &H,
-                   const Voigt                &strain,
-                   const Placement            &placement,
-                   const Triad                &ply,
-                   const ElasticLaw           &law);
+  finite_strain_sample(const dealii::Tensor<1, 3> &displacement,
+                       const Gradient             &H,
+                       const Voigt                &strain,
+                       const Placement            &placement,
+                       const Triad                &ply,
+                       const ElasticLaw           &law);
 
   /// Changes the stress s of @p sample from rotated to scene axes, sigma = R s
   /// R^T, and resets R to 1, so that a second call does nothing.
@@ -88,7 +88,7 @@ namespace lamella
   /// Returns over all processes the sum of the energies and the maxima of all
   /// other members of @p share. Collective.
   Deformation
-  over_processes(Deformation share);
+  reduce_over_processes(Deformation share);
 
   /// Returns the mean of the @p samples at the places of a location, with their
   /// jump,
@@ -96,7 +96,7 @@ namespace lamella
   /// Euclidean norms of six components in scene axes; 0 without stress or for
   /// one sample.
   FieldSample
-  mean_of(const std::vector<FieldSample> &samples);
+  mean_sample(const std::vector<FieldSample> &samples);
 
   /// Returns the 22 names ux ... uz, exx ... gyz, sxx ... syz, s11 ... s23,
   /// jump: the columns of CSV files, and of VTU without the jump.

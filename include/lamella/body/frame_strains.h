@@ -28,7 +28,7 @@ namespace lamella
 
   /// Returns the rotation @p b followed by @p a.
   Quaternion
-  turned_by(const Quaternion &a, const Quaternion &b);
+  compose_rotations(const Quaternion &a, const Quaternion &b);
 
   /// Returns dq / d theta for a spin theta after the rotation @p q, dq = (0,
   /// theta) q / 2, one row per component of q.
@@ -76,7 +76,7 @@ namespace lamella
   /// Returns R(@p Q) @p v as a function of (Q, v).
   using RotatedVector = Derivatives<3, 7>;
   RotatedVector
-  turned_vector(const Quaternion &Q, const dealii::Tensor<1, 3> &v);
+  rotated_vector(const Quaternion &Q, const dealii::Tensor<1, 3> &v);
 } // namespace lamella
 
 #endif

@@ -48,13 +48,13 @@ namespace lamella
   public:
     /// Constructs a beam whose nodes all carry all fields of @p section, that
     /// of Theory::of_rotating(), which may stay normal to the axis if
-    /// @p stays_normal. theory() returns @p theory, or the section's if empty.
+    /// @p keeps_normal. theory() returns @p theory, or the section's if empty.
     GeometricallyExactBeam(const std::string             &name,
                            std::shared_ptr<const Section> section,
                            std::shared_ptr<const Axis>    axis,
                            const Placement               &placement,
                            const std::string             &theory       = "",
-                           const bool                     stays_normal = false);
+                           const bool                     keeps_normal = false);
 
     /// Constructs a beam as Beam does. Throws InputError for lists of fields
     /// that are not dense (SectionSpace).
@@ -65,7 +65,7 @@ namespace lamella
       const Placement                              &placement,
       const std::vector<std::vector<unsigned int>> &fields_of_node,
       const std::string                            &theory,
-      const bool                                    stays_normal = false);
+      const bool                                    keeps_normal = false);
 
     bool
     has_finite_rotations() const override
@@ -90,9 +90,9 @@ namespace lamella
     Deformation
     deformation(const Vector &u) const override;
     void
-    add_heat_at(const Vector &u, Vector &f) const override;
+    add_thermal_load_at(const Vector &u, Vector &f) const override;
     void
-    for_each_block_of_heat(
+    for_each_thermal_block(
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const override;
     dealii::Tensor<2, 3>
@@ -177,7 +177,8 @@ namespace lamella
     };
 
     /// Numbers of FrameStrains, and of r and the spin of a node.
-    static constexpr unsigned int n_strains = 7, n_of_node = RigidField::n_all;
+    static constexpr unsigned int n_strains       = 7,
+                                  n_node_unknowns = RigidField::n_all;
     using OfFrame = std::array<double, n_strains>;
 
     /// Derivative of (Q, Q', r') by r and the spin of a node.
@@ -196,7 +197,7 @@ namespace lamella
     void
     make_stations();
     void
-    make_laws(const bool stays_normal);
+    make_laws(const bool keeps_normal);
     std::shared_ptr<Law>
     make_law(const SectionOperator &answer) const;
     /// Sets the row and the column of kappa_y^2 / 2.
@@ -208,7 +209,7 @@ namespace lamella
     unsigned int
     n_rigid() const
     {
-      return std::min<unsigned int>(n_of_node, section().n_fields());
+      return std::min<unsigned int>(n_node_unknowns, section().n_fields());
     }
 
     /// Returns the stresses on e of the @p work on the fields @p list at
@@ -220,10 +221,10 @@ namespace lamella
 
     /// Returns the stresses on e of C epsilon_0 at the stations of @p cell.
     std::vector<Vector>
-    heat_stresses(const unsigned int cell) const;
+    thermal_stresses(const unsigned int cell) const;
     /// Returns the heat stresses on kappa_y^2 / 2 at @p places on the axis.
     std::vector<double>
-    heat_on_twist(const std::vector<double> &places) const;
+    thermal_stress_on_twist(const std::vector<double> &places) const;
 
     /// Returns the strain of kappa_y^2 / 2 = 1 at @p point of the section.
     Voigt
@@ -347,7 +348,7 @@ namespace lamella
     /// Returns the section state for samples, with strains interpolated from
     /// the stations of the element.
     SectionState
-    shown_state(const AxisPoint &on_axis, const Vector &u) const;
+    output_state(const AxisPoint &on_axis, const Vector &u) const;
 
     PointFields
     fields_at(const Location::Place &place) const;
@@ -367,7 +368,7 @@ namespace lamella
                       const SectionState &state) const;
     /// Returns R (X + Phi a) at @p at.
     static RotatedVector
-    turned_point(const PointFields &at, const Frame &frame);
+    rotated_point(const PointFields &at, const Frame &frame);
     /// Returns the displacement at @p at, in body axes, per unit of each local
     /// unknown.
     static std::vector<dealii::Tensor<1, 3>>
@@ -406,7 +407,7 @@ namespace lamella
     /// Reference length of the section.
     double h;
     /// The section, or an LE-2 section of its mesh if it is rigid.
-    std::shared_ptr<const Section>      deforming;
+    std::shared_ptr<const Section>      deformable_section;
     std::unique_ptr<const TwistStretch> twist_stretch;
     /// Result of stiffening_by_shape() less the part in the law.
     std::array<double, 3>                   stiffening;

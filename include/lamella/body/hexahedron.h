@@ -23,7 +23,7 @@ namespace lamella
 {
   /// The stiffness C at a point of a hexahedron, in the axes of its nodes. It
   /// varies for plies in curved walls.
-  using StiffnessAt = std::function<ElasticTensor(const dealii::Point<3> &)>;
+  using StiffnessField = std::function<ElasticTensor(const dealii::Point<3> &)>;
 
   /// Shape functions of a hexahedron at one of its points.
   struct HexahedronPoint
@@ -110,7 +110,7 @@ namespace lamella
     quadrature_points(const Nodes &nodes) const;
 
     IncompatibleModes
-    incompatible_modes(const Nodes &nodes, const StiffnessAt &C) const;
+    incompatible_modes(const Nodes &nodes, const StiffnessField &C) const;
 
     /// Returns the strains of unit DoFs at @p point, with @p modes: epsilon =
     /// sum strains[d] u_d.
@@ -120,7 +120,7 @@ namespace lamella
     /// Returns int B^T C B dV.
     dealii::FullMatrix<double>
     stiffness(const Nodes             &nodes,
-              const StiffnessAt       &C,
+              const StiffnessField    &C,
               const IncompatibleModes &modes) const;
 
   private:

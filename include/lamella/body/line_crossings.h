@@ -18,7 +18,7 @@ namespace lamella
   /// a + t d meets an end of the straight edge from @p p to @p q or crosses it,
   /// within @p tolerance (a length). An edge on the line adds its two ends.
   /// @p d must not be zero, but need not have unit length. Edges that share a
-  /// crossing each add it; tidy_breaks() removes duplicates.
+  /// crossing each add it; merge_breaks() removes duplicates.
   void
   add_edge_crossings(const dealii::Point<2>     &p,
                      const dealii::Point<2>     &q,
@@ -40,7 +40,7 @@ namespace lamella
   /// Returns those of @p breaks in [0, 1], ascending, with 0 and 1: the pieces
   /// of a segment. Breaks closer than 1e-9 are merged.
   std::vector<double>
-  tidy_breaks(std::vector<double> breaks);
+  merge_breaks(std::vector<double> breaks);
 } // namespace lamella
 
 #endif

@@ -59,7 +59,7 @@ namespace lamella
     /// Returns the largest short_wave_ratio() of the sampled points. Call
     /// solve() first.
     virtual double
-    short_waves() const = 0;
+    largest_short_wave_ratio() const = 0;
   };
 
   /**

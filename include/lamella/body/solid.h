@@ -18,7 +18,7 @@
 
 namespace lamella
 {
-  struct FromStrain;
+  struct StrainMap;
   class SurfaceNode;
 
   /// A body of hexahedra, the three-dimensional reference of beam theories: a
@@ -84,7 +84,7 @@ namespace lamella
     std::unique_ptr<SecondOrder>
     second_order(const Vector &u) const override;
     double
-    add_heat(Vector &f) const override;
+    add_thermal_load(Vector &f) const override;
     void
     add_weight(const dealii::Tensor<1, 3> &acceleration,
                Vector                     &f) const override;
@@ -104,7 +104,7 @@ namespace lamella
     sample(const Location &location, const Vector &u) const override;
     dealii::Point<3>
     position(const Location::Place &place) const override;
-    PlyAt
+    PlyAndAxes
     ply_at(const Location::Place &place) const override;
     Cells
     cells() const override
@@ -119,7 +119,7 @@ namespace lamella
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
     std::vector<Location>
-    fixing_points(const std::string &surface) const override;
+    constraint_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
     std::vector<SurfaceFacet>
@@ -153,7 +153,8 @@ namespace lamella
 
     /// Returns the fields at one place, in scene and ply axes.
     virtual FieldSample
-    sample_place(const Location::Place &place, const Vector &u) const;
+    sample_at_element_point(const Location::Place &place,
+                            const Vector          &u) const;
 
     /// Returns the element shared by all hexahedra.
     const Hexahedron &
@@ -212,14 +213,14 @@ namespace lamella
     make_boxes();
 
     /// Returns law() as a function of the point, for the matrices of @p cell.
-    StiffnessAt
+    StiffnessField
     stiffness_of(const unsigned int cell) const;
 
     /// Adds @p share of the rows at @p place.
     void
     add_to_rows(const Location::Place         &place,
                 const Quantity                 quantity,
-                const FromStrain              &to_frame,
+                const StrainMap               &to_frame,
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 

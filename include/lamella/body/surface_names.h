@@ -14,15 +14,15 @@ namespace lamella
   {
     /// Returns "start" or "end".
     std::string
-    of_end(const bool at_start);
+    end_name(const bool at_start);
 
     /// Returns true if @p surface is `all`.
     bool
-    is_all(const std::string &surface);
+    is_whole_surface(const std::string &surface);
 
     /// Returns true if @p surface consists of others: `ends`, `all`.
     bool
-    is_several(const std::string &surface);
+    is_compound_surface(const std::string &surface);
 
     /// Returns true if @p part is @p surface or a part of it.
     bool

@@ -29,16 +29,16 @@ namespace lamella
     /// Adds half of its sums to each of its two ends and removes the node,
     /// which hangs in their middle.
     void
-    share_out(SurfaceNode &one_end, SurfaceNode &other_end);
+    distribute_to_ends(SurfaceNode &one_end, SurfaceNode &other_end);
 
     /// Returns true if a facet has been met.
     bool
-    is_there() const
+    has_point() const
     {
       return met;
     }
 
-    /// Returns the point with its area and mean normal. Requires is_there().
+    /// Returns the point with its area and mean normal. Requires has_point().
     SurfacePoint
     finished() const;
 

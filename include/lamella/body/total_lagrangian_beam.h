@@ -47,7 +47,7 @@ namespace lamella
     Deformation
     deformation(const Vector &u) const override;
     void
-    for_each_block_of_heat(
+    for_each_thermal_block(
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
@@ -122,7 +122,7 @@ namespace lamella
     /// @p block of the axis element @p cell
     /// (FiniteStrainSectionOperator::for_each_cell()).
     void
-    take_off(
+    subtract_assumed_strain(
       const unsigned int                                           cell,
       const std::vector<FiniteStrainSectionOperator::CellTangent> &tangents,
       StiffnessBlock                                              &block) const;

@@ -40,13 +40,14 @@ namespace lamella
     Deformation
     deformation(const Vector &u) const override;
     void
-    for_each_block_of_heat(
+    for_each_thermal_block(
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   protected:
     FieldSample
-    sample_place(const Location::Place &place, const Vector &u) const override;
+    sample_at_element_point(const Location::Place &place,
+                            const Vector          &u) const override;
     /// Calls @p use with a block for each own hexahedron.
     void
     for_each_tangent_block(

@@ -60,7 +60,7 @@ namespace lamella
 
     /// Returns the dead load on the undeformed surface.
     PointForces
-    dead() const;
+    dead_load() const;
 
   private:
     /// Center, J^-1 and theta of the points moved to x.

@@ -39,15 +39,15 @@ namespace lamella
     /// Adds @p factor sum_k dR_k^T F_k to f, the change of the generalized
     /// forces of constant @p forces if @p u changes by @p w.
     void
-    add_turned(const std::vector<dealii::Tensor<1, 3>> &forces,
-               const double                             factor,
-               const Vector                            &u,
-               const Vector                            &w,
-               Vector                                  &f) const;
+    add_rotated_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
+                       const double                             factor,
+                       const Vector                            &u,
+                       const Vector                            &w,
+                       Vector                                  &f) const;
 
-    /// Calls @p use for the blocks of the matrix of add_turned().
+    /// Calls @p use for the blocks of the matrix of add_rotated_forces().
     void
-    for_each_turned_block(
+    for_each_rotation_block(
       const std::vector<dealii::Tensor<1, 3>>           &forces,
       const double                                       factor,
       const Vector                                      &u,

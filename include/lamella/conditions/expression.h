@@ -34,7 +34,7 @@ namespace lamella
     template <typename Number,
               typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
     Formula(const Number value)
-      : Formula(with_all_digits(value))
+      : Formula(to_exact_text(value))
     {}
 
     /// Returns the text in the language of muParser.
@@ -54,7 +54,7 @@ namespace lamella
   private:
     /// Returns @p value as text.
     static std::string
-    with_all_digits(const double value);
+    to_exact_text(const double value);
 
     std::string expression;
   };

@@ -21,7 +21,7 @@ namespace lamella
 
     /// Returns whether df/du has a skew part.
     virtual bool
-    is_skew() const
+    is_unsymmetric() const
     {
       return true;
     }
@@ -52,7 +52,7 @@ namespace lamella
   /// Returns whether @p load is a follower load: a couple or a following
   /// pressure.
   bool
-  rotates_along(const Load &load);
+  is_follower_load(const Load &load);
 
   /// Returns whether @p load on @p body is a FollowerLoad: a follower load on a
   /// body with finite rotations, and any load if the body's generalized forces
@@ -76,7 +76,7 @@ namespace lamella
   std::unique_ptr<FollowerLoad>
   follower_load(const Load &load, const Region &region, const Body &body);
 
-  /// Returns the load of heat on @p body (Body::add_heat_at()).
+  /// Returns the load of heat on @p body (Body::add_thermal_load_at()).
   std::unique_ptr<FollowerLoad>
   turning_heat(const Body &body);
 

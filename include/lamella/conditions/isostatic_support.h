@@ -23,11 +23,11 @@ namespace lamella
    * furthest from its centroid. The mean displacement and rotation there are
    * zero. There are as many rows as motions, so they cause no strain. The force
    * in a row is the imbalance of the loads, zero or an error
-   * (check_balance_of_held()), and that of contact forces off their normal.
+   * (check_isostatic_balance()), and that of contact forces off their normal.
    */
 
   /// A place where a contact may act on a body along a normal.
-  struct ContactPlace
+  struct PotentialContact
   {
     unsigned int         body = 0;
     dealii::Point<3>     position;
@@ -36,7 +36,7 @@ namespace lamella
 
   /// Returns n . u at @p place, or nothing if it is outside of its body.
   std::optional<BodyFunctional>
-  row_of(const ContactPlace &place, const Bodies &bodies);
+  row_of(const PotentialContact &place, const Bodies &bodies);
 
   /// Returns the name, among the supports, of the hold of the body @p name.
   std::string
@@ -45,13 +45,13 @@ namespace lamella
   /// Sets the motions of the holds among @p supports: those of their bodies
   /// that neither other supports nor contacts at @p places resist.
   void
-  find_held_motions(std::vector<Support>            &supports,
-                    const Bodies                    &bodies,
-                    const std::vector<ContactPlace> &places);
+  find_isostatic_motions(std::vector<Support>                &supports,
+                         const Bodies                        &bodies,
+                         const std::vector<PotentialContact> &places);
 
   /// Clears the motions of the holds among @p supports.
   void
-  clear_held_motions(std::vector<Support> &supports);
+  clear_isostatic_motions(std::vector<Support> &supports);
 
   /// Returns the rows of @p hold, number @p support of the supports.
   std::vector<PrescribedFunctional>
@@ -62,9 +62,9 @@ namespace lamella
   /// Throws InputError if the load vector @p load at load factor 1 does work on
   /// a motion that a hold removes, since nothing could balance it.
   void
-  check_balance_of_held(const std::vector<Support> &supports,
-                        const Bodies               &bodies,
-                        const BlockVector          &load);
+  check_isostatic_balance(const std::vector<Support> &supports,
+                          const Bodies               &bodies,
+                          const BlockVector          &load);
 } // namespace lamella
 
 #endif

@@ -41,7 +41,7 @@ namespace lamella
     /// traction, a torque that of a round shaft.
     std::optional<dealii::Tensor<1, 3>> couple = {};
     /// Resultant of all regions (surfaces or lines) [force], scene components,
-    /// spread evenly over their area or length by spread_totals().
+    /// spread evenly over their area or length by distribute_total_forces().
     std::optional<dealii::Tensor<1, 3>> total = {};
     /// Temperature above that of the stress-free state [K].
     Formula temperature = {};
@@ -102,7 +102,7 @@ namespace lamella
     /// all regions at load factor 1, scene axes.
     dealii::Tensor<1, 3> force, moment;
     /// True if the load is a temperature, without force and moment.
-    bool is_heat = false;
+    bool is_temperature = false;
     /// Notes on the integration and on parts that the theory cannot represent,
     /// a sentence each.
     std::vector<std::string> notes;
@@ -126,16 +126,16 @@ namespace lamella
   /// resultant is exact to rounding. Throws InputError for regions outside of
   /// their body. Must be called before other uses of the loads.
   void
-  spread_totals(std::vector<Load> &loads, const Bodies &bodies);
+  distribute_total_forces(std::vector<Load> &loads, const Bodies &bodies);
 
   /// Heats the bodies of the temperatures among @p loads; may be repeated.
   /// Throws InputError as Body::heat() does, for expressions that do not parse,
   /// and for a body that two loads heat.
   void
-  apply_heat(const std::vector<Load> &loads, const Bodies &bodies);
+  apply_temperatures(const std::vector<Load> &loads, const Bodies &bodies);
 
   /// Name of the weight of all bodies among the loads.
-  constexpr const char *name_of_weight = "Gravity";
+  constexpr const char *weight_load_name = "Gravity";
 
   /// Adds the weight of all bodies under @p acceleration (scene axes, length /
   /// s^2) at load factor 1 to f. Throws InputError for a material without

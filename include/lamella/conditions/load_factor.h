@@ -44,7 +44,7 @@ namespace lamella
       if (history == 0)
         return scene;
       if (history == heat)
-        return of_heat;
+        return thermal_factor;
       AssertIndexRange(history - 1, own.size());
       return own[history - 1];
     }
@@ -64,7 +64,8 @@ namespace lamella
       LoadFactor result(from.scene + way * (scene - from.scene), own);
       for (unsigned int k = 0; k < own.size(); ++k)
         result.own[k] = from.own[k] + way * (own[k] - from.own[k]);
-      result.of_heat = from.of_heat + way * (of_heat - from.of_heat);
+      result.thermal_factor =
+        from.thermal_factor + way * (thermal_factor - from.thermal_factor);
       return result;
     }
 
@@ -77,19 +78,19 @@ namespace lamella
 
     /// Returns without_loads(), also without heat.
     LoadFactor
-    at_rest() const
+    unloaded() const
     {
-      LoadFactor result = without_loads();
-      result.of_heat    = 0.;
+      LoadFactor result     = without_loads();
+      result.thermal_factor = 0.;
       return result;
     }
 
     /// Returns this with the heat factor of @p other.
     LoadFactor
-    as_warm_as(const LoadFactor &other) const
+    with_thermal_factor_of(const LoadFactor &other) const
     {
-      LoadFactor result = *this;
-      result.of_heat    = other.of_heat;
+      LoadFactor result     = *this;
+      result.thermal_factor = other.thermal_factor;
       return result;
     }
 
@@ -97,11 +98,11 @@ namespace lamella
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &scene &own &of_heat;
+      archive &scene &own &thermal_factor;
     }
 
   private:
-    double              scene, of_heat = 1.;
+    double              scene, thermal_factor = 1.;
     std::vector<double> own;
   };
 } // namespace lamella

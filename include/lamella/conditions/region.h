@@ -79,7 +79,7 @@ namespace lamella
    *   point    one for each position in `at`
    *   line     Body::line_points() of the segment: as many per element as its
    *            polynomial degree along the line takes
-   *   surface  Body::fixing_points()
+   *   surface  Body::constraint_points()
    *   body     Body::body_points()
    *
    * Prescribing the displacement at all of them prescribes its trace on the
@@ -98,12 +98,12 @@ namespace lamella
   /// the entry or subsection @p path for a point outside of @p body; the
   /// message gives the body's extent.
   std::vector<std::vector<Location>>
-  locate_sides(const Body                          &body,
-               const std::vector<dealii::Point<3>> &points,
-               const std::string                   &path);
+  locate_in_plies(const Body                          &body,
+                  const std::vector<dealii::Point<3>> &points,
+                  const std::string                   &path);
 
   /// Returns the first location of each point, sufficient for displacements,
-  /// which are continuous. Throws as locate_sides() does.
+  /// which are continuous. Throws as locate_in_plies() does.
   std::vector<Location>
   locate_all(const Body                          &body,
              const std::vector<dealii::Point<3>> &points,

@@ -32,7 +32,7 @@ namespace lamella
     /// Functionals of the rows in the DoFs that the theory leaves independent;
     /// empty for rows of other bodies.
     std::vector<LinearFunctional> functionals;
-    /// Body::dof_sizes().
+    /// Body::dof_scales().
     std::vector<double> sizes;
   };
 
@@ -97,12 +97,13 @@ namespace lamella
     /// these, if there is one. Supports along a body's axis are such, node by
     /// node.
     std::optional<DofIndex>
-    shift_to(const std::vector<unsigned int> &group,
-             const BodyConstraints           &held) const;
+    find_shift(const std::vector<unsigned int> &group,
+               const BodyConstraints           &held) const;
 
     /// Makes this the elimination of @p group, shifted by @p shift.
     void
-    move_to(const std::vector<unsigned int> &group, const DofIndex shift);
+    apply_shift_to(const std::vector<unsigned int> &group,
+                   const DofIndex                   shift);
 
     std::vector<unsigned int>       rows;
     std::vector<FunctionalEquation> equations;

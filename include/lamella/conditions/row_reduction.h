@@ -28,7 +28,7 @@ namespace lamella
    *
    * Rows may be dependent if their remainder is 0 = 0. A row is dependent if
    * less than 1e-6 of its largest weight remains, with DoFs scaled by their
-   * displacements (Body::dof_sizes()): a line of points that close to a mesh
+   * displacements (Body::dof_scales()): a line of points that close to a mesh
    * line fixes the same DoFs, and displacements there are accurate to 1e-6 of
    * those around. Values agree to 1e-6 of the largest.
    *

@@ -43,7 +43,7 @@ namespace lamella
   /// centroid (mirror images are treated alike), and if there is only one,
   /// those furthest from it, too.
   std::vector<SurfacePoint>
-  far_points(const Body &body, const std::string &surface);
+  farthest_points(const Body &body, const std::string &surface);
 
   /**
    * Returns one spring for each rigid motion of @p body, number @p index, that

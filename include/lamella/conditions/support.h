@@ -37,7 +37,7 @@ namespace lamella
   {
     /// Number of the body in the scene's list.
     unsigned int body = 0;
-    /// Motions that are held; empty until find_held_motions() is called.
+    /// Motions that are held; empty until find_isostatic_motions() is called.
     std::vector<FreeMotion> motions = {};
   };
 
@@ -162,7 +162,7 @@ namespace lamella
    * free: the null space of R E, E the rigid motions (rotations scaled with the
    * body's size), by a singular value decomposition with the threshold 1e-8 of
    * the largest singular value. Motions that the theory lacks
-   * (Body::missing_motions()) count as held.
+   * (Body::omitted_rigid_motions()) count as held.
    *
    * The result is not orthonormal but in echelon form, rotations first: each
    * motion has a rotation or translation of its own, for readable messages.

@@ -31,7 +31,7 @@ namespace lamella
   /// partner: the bodies would pass through each other. Applies to the bodies
   /// to be solved, not to those used for grading axes.
   void
-  check_partners(const std::vector<ContactInterface> &interfaces);
+  check_node_matching(const std::vector<ContactInterface> &interfaces);
 
   /// Relative sliding of paired points: the tangential part d - (d . n) n of d
   /// = u_2 - u_1. Pairs of undeformed nodes assume that it is small.
@@ -73,11 +73,11 @@ namespace lamella
    * rows.
    */
   std::vector<std::string>
-  broken_assumptions(const ContactInterface          &interface,
-                     const Bodies                    &bodies,
-                     const BlockVector               &u,
-                     const LoadFactor                &factor,
-                     const std::vector<unsigned int> &active);
+  assumption_warnings(const ContactInterface          &interface,
+                      const Bodies                    &bodies,
+                      const BlockVector               &u,
+                      const LoadFactor                &factor,
+                      const std::vector<unsigned int> &active);
 } // namespace lamella
 
 #endif

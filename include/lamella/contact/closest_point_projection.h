@@ -42,8 +42,8 @@ namespace lamella
                            const dealii::Point<3>     &x,
                            const dealii::Tensor<1, 3> &n1,
                            const double                search_radius,
-                           const std::optional<MeshSurface::FacetPlace> &last,
-                           const double opposed = faces_from_60);
+                           const std::optional<MeshSurface::FacetPoint> &last,
+                           const double opposed = min_facing_cosine);
 
   /// Returns the closest-point projection onto a rigid obstacle at its
   /// position: g = N . (x - p) for a plane, g = |r| - R for a cylinder with r =

@@ -24,18 +24,18 @@ namespace lamella
   {
     /// Touching points without a row, or with at most nine tenths of their
     /// area.
-    unsigned int unseen = 0;
+    unsigned int missing_constraints = 0;
     /// Relevant rows with a point whose projection is off the stored one by
     /// more than a tenth of the row spacing, or whose normal has rotated by
     /// more than 0.1 rad.
-    unsigned int wandered = 0;
+    unsigned int drifted = 0;
     /// Rows with a force and without a projection.
     unsigned int lost = 0;
 
     bool
     none() const
     {
-      return unseen + wandered + lost == 0;
+      return missing_constraints + drifted + lost == 0;
     }
   };
 
@@ -247,15 +247,15 @@ namespace lamella
     /// Keeps one row per line, in a contact along the line of a roller with the
     /// nodal rows @p interface. No effect otherwise.
     void
-    keep_lines();
+    reduce_to_lines();
     /// Moves the points of lines from nodes to the undeformed points nearest to
     /// the roller. For linear kinematics.
     void
-    move_lines();
+    update_lines();
     /// Sets the undeformed position of each row and of the place opposite to
     /// its point of largest weight. Against an obstacle the former only.
     void
-    name_places();
+    set_constraint_positions();
     /// Returns the integrals over @p on, points of this contact or copies, with
     /// the slips of points @p held.
     std::vector<GapIntegrals>
@@ -274,8 +274,8 @@ namespace lamella
     MasterPoints
     master_points_at_rest() const
     {
-      return undeformed.are_of_edges() ? MasterPoints::projected :
-                                         MasterPoints::paired;
+      return undeformed.is_edge_contact() ? MasterPoints::projected :
+                                            MasterPoints::paired;
     }
     /// Returns the projection mode in a state.
     MasterPoints
@@ -301,17 +301,17 @@ namespace lamella
     /// Sets the slip rows from the integrals at @p sides, with the current
     /// values for moved contacts.
     void
-    write_slips(const ContactSides &sides);
+    assemble_slips(const ContactSides &sides);
     /// Makes the slips relative to the beginning of the step, in the state @p u
     /// at @p factor of the integrals.
     void
-    measure_slips(const BlockVector &u, const LoadFactor &factor);
+    offset_slips(const BlockVector &u, const LoadFactor &factor);
     /// Returns the first point of each row.
     std::vector<unsigned int>
     first_points() const;
     /// Returns the tangents of a row with normal @p n on @p sides:
     /// tangents_of() the normal if undeformed, otherwise convected with the
-    /// slave surface at @p point (carried_tangents()).
+    /// slave surface at @p point (convected_tangents()).
     Tangents
     tangents_at(const ContactSides         &sides,
                 const GapPoint             &point,
@@ -333,11 +333,12 @@ namespace lamella
     /// Returns for each row the undeformed distance [length] between a
     /// projection in @p now and the stored one in `points`.
     std::vector<double>
-    wandering(const std::vector<GapPoint> &now) const;
+    projection_drift(const std::vector<GapPoint> &now) const;
     /// Returns the number of rows found by a search on @p sides with gaps below
     /// @p touching that are missing here or have part of their area only.
     unsigned int
-    count_unseen(const ContactSides &sides, const double touching) const;
+    count_missing_constraints(const ContactSides &sides,
+                              const double        touching) const;
     /// Returns the weights of a side, by the numbers of its trace nodes.
     ConstraintGeometry
     geometry(const bool second) const;
@@ -354,17 +355,17 @@ namespace lamella
     /// Points where gaps are measured. Empty before any motion.
     std::vector<GapPoint> points;
     /// State of the last pair(), as in ContactHistory.
-    BlockVector paired_at;
-    LoadFactor  paired_factor;
+    BlockVector pairing_u;
+    LoadFactor  pairing_factor;
     /// Integrals of the state of the rows. Empty before motion or use of slips.
     std::vector<GapIntegrals> integrals;
     /// State at the beginning of the step, and slip reference of each point;
     /// empty without friction and before a step.
-    BlockVector         begun_at;
-    LoadFactor          begun_factor;
+    BlockVector         step_begin_u;
+    LoadFactor          step_begin_factor;
     SlipReferencePoints held;
     /// Initial overlap removed from the gaps by `adjust`, by node position.
-    std::map<std::array<double, 3>, double> taken_out;
+    std::map<std::array<double, 3>, double> removed_overlap;
   };
 
   /// Contacts of a scene, in order, at fixed addresses.

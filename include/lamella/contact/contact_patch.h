@@ -107,10 +107,10 @@ namespace lamella
     lines_along(const unsigned int axis) const;
     /// Returns the runs of @p line up to their edges.
     static std::vector<Interval>
-    runs_of(const Line &line);
+    loaded_intervals(const Line &line);
     /// Returns the loaded area of @p line in the strip.
     static double
-    pressed_area(const Line &line);
+    loaded_area(const Line &line);
     /// Returns the edge of the pressure beyond the last of the ascending
     /// coordinates @p s with the positive forces @p force; @p next is the first
     /// open point.

@@ -57,13 +57,13 @@ namespace lamella
     /// Returns true for edge contact: gaps are along the normals of the other
     /// side at the projections.
     bool
-    are_of_edges() const
+    is_edge_contact() const
     {
       return pair.discretization == Discretization::edge_to_surface;
     }
 
     bool
-    have_moved() const
+    are_displaced() const
     {
       return undeformed != nullptr;
     }
@@ -95,7 +95,7 @@ namespace lamella
     /// its three displacement rows: computed once for the undeformed body, or
     /// at the state for bodies with rotating rows.
     const std::vector<Location> &
-    trace_places(const bool second) const;
+    trace_locations(const bool second) const;
     const std::vector<std::vector<LinearFunctional>> &
     trace_rows(const bool second) const;
     /// Returns the displacement rows of the nodes @p numbers only.
@@ -106,7 +106,7 @@ namespace lamella
   private:
     /// Returns @p points of a side at their current positions.
     std::vector<SurfacePoint>
-    standing_points(const bool second, std::vector<SurfacePoint> points) const;
+    displaced_points(const bool second, std::vector<SurfacePoint> points) const;
 
     const Region &
     region(const bool second) const

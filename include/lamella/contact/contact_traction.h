@@ -121,7 +121,7 @@ namespace lamella
     const std::shared_ptr<const SlaveSurface> &
     surface() const
     {
-      return carrier;
+      return traction_surface;
     }
 
   private:
@@ -135,10 +135,11 @@ namespace lamella
     bool
     is_point(const unsigned int k) const
     {
-      return carrier == nullptr || carrier->integrals()[k].area == 0.;
+      return traction_surface == nullptr ||
+             traction_surface->integrals()[k].area == 0.;
     }
 
-    std::shared_ptr<const SlaveSurface> carrier;
+    std::shared_ptr<const SlaveSurface> traction_surface;
     std::vector<Row>                    all;
   };
 } // namespace lamella

@@ -27,7 +27,7 @@ namespace lamella
   /// line has a normal that is off by 0.5 spacing / radius, and the force is
   /// off by as much.
   inline bool
-  are_coarse_on(const double spacing, const double radius)
+  are_too_coarse_for(const double spacing, const double radius)
   {
     // [rad] Errors at longer spacings: doc/theory/contact.md.
     constexpr double coarse_angle = 3e-3;
@@ -120,11 +120,11 @@ namespace lamella
 
     /// Returns the place of @p line nearest to the axis of @p roller; @p last
     /// is the previous one.
-    static MeshSurface::FacetPlace
-    nearest_place(const Line                    &line,
-                  const MeshSurface             &now,
-                  const Obstacle                &roller,
-                  const MeshSurface::FacetPlace &last);
+    static MeshSurface::FacetPoint
+    nearest_point_on_line(const Line                    &line,
+                          const MeshSurface             &now,
+                          const Obstacle                &roller,
+                          const MeshSurface::FacetPoint &last);
 
     std::vector<Line> lines;
   };

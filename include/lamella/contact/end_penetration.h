@@ -18,7 +18,7 @@ namespace lamella
     /// faces.
     double depth = 0., cell = 0.;
     /// Closest-point projection of the node.
-    MeshSurface::FacetPlace at = {};
+    MeshSurface::FacetPoint at = {};
   };
 
   /// Returns the deepest node of either body, or of its ends alone, behind the

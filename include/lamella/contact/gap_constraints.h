@@ -179,7 +179,7 @@ namespace lamella
     unsigned int unpaired = 0, unpaired_second = 0;
     /// Unpaired nodes that face the other surface, but none of its
     /// nodes; `node to node` only.
-    unsigned int beside_nodes = 0, beside_nodes_second = 0;
+    unsigned int nonmatching_nodes = 0, nonmatching_nodes_second = 0;
     /// Rows, one per pair of nodes or per slave node that faces something.
     std::vector<GapConstraint> rows;
     std::vector<Point>         points;
@@ -277,7 +277,7 @@ namespace lamella
 
     /// Returns true if any row has friction.
     bool
-    rub() const;
+    has_friction() const;
 
     /// Iterators over the rows, not over pointers.
     auto
@@ -295,7 +295,7 @@ namespace lamella
     /// Returns the contact of @p row, below size(), and its number there, by
     /// binary search.
     std::pair<unsigned int, unsigned int>
-    in_contact(const unsigned int row) const;
+    contact_of_row(const unsigned int row) const;
 
     /// Returns a view of the entries of @p values that belong to @p contact.
     /// @p values has size() entries, or none, and must outlive the view.
@@ -313,7 +313,7 @@ namespace lamella
     /// Returns those of @p some rows that belong to @p contact, by their
     /// numbers there, in the same order.
     std::vector<unsigned int>
-    among_contact(const unsigned int               contact,
+    local_rows_of(const unsigned int               contact,
                   const std::vector<unsigned int> &some) const;
 
   private:
@@ -341,8 +341,8 @@ namespace lamella
    *   2. Discretization::automatic: `node to node` if every node that faces the
    *      other surface faces one of its nodes;
    *   3. the slave side by SlaveSide; `automatic`: the side with more grid
-   * cells where the two face each other (cells_facing()), if equal the body
-   * that comes first in the scene;
+   * cells where the two face each other (count_facing_cells()), if equal the
+   * body that comes first in the scene;
    *   4. gaps, normals, areas and weights: pair_node_to_node(),
    *      pair_node_to_surface() or weighted_gaps();
    *   5. weights times displacement rows; penalties from local stiffnesses;
@@ -364,14 +364,14 @@ namespace lamella
   /// @p search_radius [length] in place of the search distance; the names of
   /// the surfaces must be valid. Throws InputError as make_interface() does.
   ContactInterface
-  interface_within(const ContactPair &contact,
-                   const Bodies      &bodies,
-                   const double       search_radius);
+  make_interface_within(const ContactPair &contact,
+                        const Bodies      &bodies,
+                        const double       search_radius);
 
   /// Creates the interface on the surfaces @p sides. The overlap of displaced
   /// sides is not checked.
   ContactInterface
-  interface_within(const ContactSides &sides, const double search_radius);
+  make_interface_within(const ContactSides &sides, const double search_radius);
 } // namespace lamella
 
 #endif

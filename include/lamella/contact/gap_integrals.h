@@ -5,7 +5,7 @@
 
 #include <lamella/contact/contact_sides.h>
 #include <lamella/contact/gap_constraints.h>
-#include <lamella/contact/slide.h>
+#include <lamella/contact/slip_increment.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -46,7 +46,7 @@ namespace lamella
   /// Determination of the place opposite a material point.
   enum class MasterPoints
   {
-    paired, ///< the paired place; n is the averaged normal
+    paired,   ///< the paired place; n is the averaged normal
     projected ///< current closest-point projection (closest_point_projection())
   };
 
@@ -81,7 +81,7 @@ namespace lamella
                  std::vector<GapPoint> &points,
                  SlipReferencePoints   *held = nullptr);
 
-  /// Returns the held_place() of each of @p points, which become the
+  /// Returns the slip_reference_point() of each of @p points, which become the
   /// projections, on @p sides. Arguments as in integrate_gaps().
   SlipReferencePoints
   slip_reference_points(const ContactSides    &sides,

@@ -58,7 +58,7 @@ namespace lamella
 
   /// Smallest cosine of facing normals, cos 60 degrees. An edge, at which a
   /// surface ends, faces all that opposes the surface at all.
-  constexpr double faces_from_60 = 0.5, edge_faces_from = 0.;
+  constexpr double min_facing_cosine = 0.5, min_facing_cosine_edge = 0.;
 
   /**
    * Returns the place X_2 of @p other that the point @p x with outward normal
@@ -78,7 +78,7 @@ namespace lamella
                     const dealii::Point<3>     &x,
                     const dealii::Tensor<1, 3> &n1,
                     const double                search_radius,
-                    const double                opposed = faces_from_60);
+                    const double                opposed = min_facing_cosine);
 
   /// Exact surface of a rigid obstacle (see meet() of an Obstacle) at its
   /// initial position. Shares the obstacle.

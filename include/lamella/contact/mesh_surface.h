@@ -68,8 +68,9 @@ namespace lamella
       /// Bases of the grid of nodes, and of the traces; static lifetime.
       const GaussLobattoBasis *grid_s = nullptr, *grid_t = nullptr,
                               *trace_s = nullptr, *trace_t = nullptr;
-      /// Bounding ball of the facet [length], the coarse test of meet_facet(),
-      /// and the outward unit normal of the facet at the center (0.5, 0.5).
+      /// Bounding ball of the facet [length], the coarse test of
+      /// intersect_facet(), and the outward unit normal of the facet at the
+      /// center (0.5, 0.5).
       dealii::Point<3>     center;
       double               radius = 0.;
       dealii::Tensor<1, 3> normal;
@@ -82,7 +83,7 @@ namespace lamella
       std::vector<unsigned int> grid_nodes, nodes_of_body;
       /// Existence of an adjacent facet beyond each of the sides s = 0, s = 1,
       /// t = 0 and t = 1, and of an end of the body there.
-      std::array<bool, 4> goes_on{}, body_ends{};
+      std::array<bool, 4> has_neighbor{}, at_body_end{};
       /// True if the facet is a plane parallelogram whose nodes all have its
       /// normal, which then equals smooth_normal(). E_n = n.n : C : n.n of the
       /// ply at the center [force/length^2], and the depth of the cell below
@@ -160,7 +161,7 @@ namespace lamella
     unsigned int
     n_trace_nodes() const
     {
-      return trace_places.size();
+      return trace_locations.size();
     }
 
     /// Returns the location of trace node @p node in the body, on the first
@@ -169,7 +170,7 @@ namespace lamella
     trace_location(const unsigned int node) const;
 
     /// A point on a facet, given by its number.
-    struct FacetPlace
+    struct FacetPoint
     {
       unsigned int     facet = 0;
       dealii::Point<2> st;
@@ -178,7 +179,7 @@ namespace lamella
     /// Returns the point of the surface at @p location, one of
     /// body().surface_points() or a point of a facet. Of several facets, the
     /// one whose normal is closest to @p normal. Empty if on none.
-    std::optional<FacetPlace>
+    std::optional<FacetPoint>
     place_of(const Location             &location,
              const dealii::Tensor<1, 3> &normal) const;
 
@@ -191,17 +192,17 @@ namespace lamella
      * normal and the smooth normal.
      */
     std::optional<SurfaceHit>
-    meet_facet(const unsigned int          facet,
-               const dealii::Point<3>     &x,
-               const dealii::Tensor<1, 3> &d) const;
+    intersect_facet(const unsigned int          facet,
+                    const dealii::Point<3>     &x,
+                    const dealii::Tensor<1, 3> &d) const;
 
     /// Returns the nearest intersection with @p facets, numbers in facets(), at
     /// most @p search_radius away in either direction.
     std::optional<SurfaceHit>
-    meet_among(const std::vector<unsigned int> &facets,
-               const dealii::Point<3>          &x,
-               const dealii::Tensor<1, 3>      &d,
-               const double                     search_radius) const;
+    intersect_facets(const std::vector<unsigned int> &facets,
+                     const dealii::Point<3>          &x,
+                     const dealii::Tensor<1, 3>      &d,
+                     const double                     search_radius) const;
 
     /// Returns the nearest intersection, testing only facets whose boxes meet
     /// that of the segment x +- reach d. @p search_radius must be finite.
@@ -257,11 +258,12 @@ namespace lamella
     const Body        &surface_body;
     std::vector<Facet> all_facets;
     /// A facet and the point on it for each trace node.
-    std::vector<std::pair<unsigned int, dealii::Point<2>>> trace_places;
+    std::vector<std::pair<unsigned int, dealii::Point<2>>> trace_locations;
     /// A facet and the point on it for each grid node.
-    std::vector<std::pair<unsigned int, dealii::Point<2>>> grid_places;
-    std::vector<GridNode>                                  nodes;
-    std::vector<HangingNode>                               hanging;
+    std::vector<std::pair<unsigned int, dealii::Point<2>>>
+                             grid_points_on_facets;
+    std::vector<GridNode>    nodes;
+    std::vector<HangingNode> hanging;
     /// Axes of the boxes, aligned with the surface so that rays along its
     /// normals meet few boxes for any orientation of the body.
     dealii::Tensor<2, 3> frame;
@@ -285,7 +287,7 @@ namespace lamella
          const dealii::Tensor<1, 3> &d,
          const double                search_radius) const override
     {
-      return whole.meet_among(facets, x, d, search_radius);
+      return whole.intersect_facets(facets, x, d, search_radius);
     }
 
     dealii::Tensor<1, 3>

@@ -39,7 +39,7 @@ namespace lamella
       }
     };
 
-    explicit MultiplierBasis(const Sides &sides);
+    explicit MultiplierBasis(const ContactSurfacePair &sides);
 
     const std::vector<Cell> &
     cells() const
@@ -93,16 +93,16 @@ namespace lamella
     void
     close_master(const Cell &cell);
     void
-    share_out(const MeshSurface::HangingNode &hanging);
+    distribute_to_ends(const MeshSurface::HangingNode &hanging);
     void
     add_row(const unsigned int node, Gaps &result);
     std::shared_ptr<const SlaveSurface>
     slave_surface(const std::vector<std::vector<Polygon>> &parts, Gaps &result);
 
-    const Sides       &sides;
-    const MeshSurface &slave;
-    std::vector<Cell>  grid;
-    std::vector<Node>  nodes;
+    const ContactSurfacePair &sides;
+    const MeshSurface        &slave;
+    std::vector<Cell>         grid;
+    std::vector<Node>         nodes;
 
     /// Integrals of hat times trace function times n on the current cell; on
     /// the master side for one facet at a time.

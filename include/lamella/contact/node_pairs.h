@@ -12,7 +12,7 @@ namespace lamella
   /// every node that faces the other surface within @p search_radius [length]
   /// faces one of its nodes, else surface to surface.
   Discretization
-  decided(const ContactSides &sides, const double search_radius);
+  choose_discretization(const ContactSides &sides, const double search_radius);
 
   /// Returns node pairs (pair_node_to_node()) as weighted gaps: one place per
   /// side, w = v = n, and the smaller tributary area. Nodes without a partner

@@ -95,7 +95,7 @@ namespace lamella
   /// A point farther behind the other surface than the depth of the cells
   /// there. It has no row: either the surfaces face away from each other or the
   /// bodies overlap, see make_interface().
-  struct DeepPlace
+  struct DeepPenetration
   {
     dealii::Point<3> position, opposite;
     /// Distance behind the surface, positive [length].
@@ -109,9 +109,9 @@ namespace lamella
   struct GapPoint
   {
     /// Slave point; facet numbers of MeshSurface.
-    MeshSurface::FacetPlace slave;
+    MeshSurface::FacetPoint slave;
     /// Opposite point; its facet is invalid_unsigned_int for an obstacle.
-    MeshSurface::FacetPlace master;
+    MeshSurface::FacetPoint master;
     /// Area a_q of the point [length^2]; 1 for one-point rows.
     double area = 1.;
     /// Number of the facet in the SlaveSurface with the functions phi_i;
@@ -128,8 +128,8 @@ namespace lamella
     std::vector<Location> slave, master;
     /// Number of slave points that face nothing, excluding those that are too
     /// deep.
-    unsigned int           unpaired = 0;
-    std::vector<DeepPlace> too_deep;
+    unsigned int                 unpaired = 0;
+    std::vector<DeepPenetration> deep_penetrations;
     /// Surface of the hat functions; null for nodal functions.
     std::shared_ptr<const SlaveSurface> surface = {};
     /// Integration points of the gaps for hat functions.
@@ -139,7 +139,7 @@ namespace lamella
   /// Slave and master side of a discretization. The master is a mesh, or an
   /// obstacle if master_mesh is null. Refers to the surfaces, which must
   /// outlive it.
-  struct Sides
+  struct ContactSurfacePair
   {
     const MeshSurface   *slave       = nullptr;
     const MasterSurface *master      = nullptr;
@@ -148,22 +148,26 @@ namespace lamella
     double search_radius = 0.;
     /// Edge contact: points are projected onto the nearest places of
     /// master_mesh, along the normals there (closest_point_projection()).
-    bool of_edges = false;
+    bool edge_contact = false;
     /// Permitted depth in an obstacle for any cell depth [length], so that
     /// penetrating points can be pushed out.
-    double inside_obstacle = 0.;
+    double max_obstacle_depth = 0.;
   };
 
   /// Returns true if @p gap is an overlap beyond the depth of the cells, -gap >
   /// min(depth_1, depth_2) [length].
   bool
-  is_too_deep(const double gap, const double depth_1, const double depth_2);
+  exceeds_cell_depth(const double gap,
+                     const double depth_1,
+                     const double depth_2);
 
   /// Returns true if the gap at @p hit is too deep for the slave @p depth and
   /// that of the master; in an obstacle if -gap > max(depth,
-  /// Sides::inside_obstacle).
+  /// ContactSurfacePair::max_obstacle_depth).
   bool
-  is_too_deep(const Sides &sides, const SurfaceHit &hit, const double depth);
+  exceeds_cell_depth(const ContactSurfacePair &sides,
+                     const SurfaceHit         &hit,
+                     const double              depth);
 
   /**
    * Returns node-to-surface gaps: the slave points @p points against the places
@@ -173,13 +177,13 @@ namespace lamella
    * side; rows are in the order of @p points.
    */
   Gaps
-  pair_node_to_surface(const Sides                     &sides,
+  pair_node_to_surface(const ContactSurfacePair        &sides,
                        const std::vector<SurfacePoint> &points);
 
   /// Returns the number of grid nodes of @p a that face no place of @p b within
   /// @p search_radius [length], searching for each.
   unsigned int
-  nodes_facing_nothing(const MeshSurface   &a,
+  count_unpaired_nodes(const MeshSurface   &a,
                        const MasterSurface &b,
                        const double         search_radius);
 
@@ -188,9 +192,9 @@ namespace lamella
   /// are cut as plane quadrilaterals with those opposite (cut()); the area of
   /// overlapping facets of @p b counts up to that of the facet.
   double
-  cells_facing(const MeshSurface &a,
-               const MeshSurface &b,
-               const double       search_radius);
+  count_facing_cells(const MeshSurface &a,
+                     const MeshSurface &b,
+                     const double       search_radius);
 } // namespace lamella
 
 #endif

@@ -12,19 +12,19 @@ namespace lamella
   /// [length]; the message gives the nearest distance of nodes, and for node
   /// pairs the smallest tangential offset.
   [[noreturn]] void
-  fail_without_pairs(const ContactPair &contact,
-                     const Bodies      &bodies,
-                     const double       search_radius);
+  throw_no_pairs(const ContactPair &contact,
+                 const Bodies      &bodies,
+                 const double       search_radius);
 
   /// Throws InputError if a point of @p gaps that is too deep lies inside the
   /// other body, or if all points are too deep. Such points either face away
   /// from each other through their own bodies, and are not paired, or the
   /// bodies overlap. The second side is the slave if @p on_second. Undeformed.
   void
-  check_not_passed(const ContactPair &contact,
-                   const Bodies      &bodies,
-                   const bool         on_second,
-                   const Gaps        &gaps);
+  check_no_penetration(const ContactPair &contact,
+                       const Bodies      &bodies,
+                       const bool         on_second,
+                       const Gaps        &gaps);
 } // namespace lamella
 
 #endif

@@ -11,7 +11,7 @@
 namespace lamella
 {
   /// A row that another search for the same contact finds.
-  struct RowBeside
+  struct AdditionalConstraint
   {
     /// Number of the row in that search.
     unsigned int found = 0;
@@ -22,10 +22,10 @@ namespace lamella
   /// Returns the rows of @p found whose nodes (place_of()) have no row in
   /// @p own, or one with less than @p share of their area. The slave side must
   /// be the same.
-  std::vector<RowBeside>
-  rows_beside(const ContactInterface &own,
-              const ContactInterface &found,
-              const double            share);
+  std::vector<AdditionalConstraint>
+  additional_constraints(const ContactInterface &own,
+                         const ContactInterface &found,
+                         const double            share);
 
   /**
    * Check of a given Search distance. Points farther apart have no row and
@@ -68,7 +68,7 @@ namespace lamella
   private:
     /// Row of a place within the larger search radius, and its partial row, if
     /// any.
-    struct Unseen
+    struct MissingConstraint
     {
       /// Row with its whole area, within the larger radius.
       GapConstraint    row;
@@ -80,14 +80,14 @@ namespace lamella
     /// Fills `unseen` from the rows within @p new_search_radius; the slave side
     /// is that of @p interface.
     void
-    look_within(const double            new_search_radius,
-                const ContactInterface &interface);
+    extend_search(const double            new_search_radius,
+                  const ContactInterface &interface);
 
     const ContactPair &contact;
     const Bodies      &bodies;
     /// Search radius so far [length]; 0 initially, never decreasing.
-    double              search_radius = 0.;
-    std::vector<Unseen> unseen;
+    double                         search_radius = 0.;
+    std::vector<MissingConstraint> missing_constraints;
   };
 } // namespace lamella
 

@@ -183,10 +183,10 @@ namespace lamella
    * lower degree, share their functions with these.
    */
   SlaveSurface
-  surface_of_nodes(const Body                   &body,
-                   const std::string            &surface,
-                   const std::vector<SlaveNode> &nodes,
-                   const bool                    whole);
+  make_nodal_slave_surface(const Body                   &body,
+                           const std::string            &surface,
+                           const std::vector<SlaveNode> &nodes,
+                           const bool                    whole);
 
   /**
    * Returns the intersection (s, t) of the line x + t d with @p map, up to 1e-7
@@ -196,9 +196,9 @@ namespace lamella
    * far behind.
    */
   std::optional<dealii::Point<2>>
-  place_on_line(const FacetMap             &map,
-                const dealii::Point<3>     &x,
-                const dealii::Tensor<1, 3> &d);
+  line_intersection(const FacetMap             &map,
+                    const dealii::Point<3>     &x,
+                    const dealii::Tensor<1, 3> &d);
 } // namespace lamella
 
 #endif

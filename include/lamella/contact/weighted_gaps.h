@@ -36,7 +36,7 @@ namespace lamella
    *   does within the search radius. The nearest of several master facets
    *   counts.
    * - Points behind the other side by more than the depth of the cells are
-   *   omitted and returned in Gaps::too_deep.
+   *   omitted and returned in Gaps::deep_penetrations.
    * - A node whose hat function faces the other side on less than 1e-12 of its
    *   own integral is unpaired.
    * - The hat function of a hanging node is distributed in halves to the nodes
@@ -49,7 +49,7 @@ namespace lamella
    * iteration: 2401 rows with about 10^5 points took 0.25 s.
    */
   Gaps
-  weighted_gaps(const Sides &sides);
+  weighted_gaps(const ContactSurfacePair &sides);
 } // namespace lamella
 
 #endif

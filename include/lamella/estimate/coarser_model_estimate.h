@@ -3,10 +3,10 @@
 #ifndef lamella_estimate_coarser_model_estimate_h
 #define lamella_estimate_coarser_model_estimate_h
 
+#include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/contact_shares.h>
 #include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/goal_dual.h>
-#include <lamella/estimate/other_models.h>
 #include <lamella/estimate/run_goals.h>
 #include <lamella/estimate/surpluses.h>
 
@@ -19,17 +19,17 @@
 namespace lamella
 {
   /// Constants of CoarserModelEstimate.
-  struct BelowRules
+  struct CoarserModelRules
   {
     /// Least degree N of LE-N that has bars: the change from LE-1 to LE-2 does
     /// not bound the error of LE-2.
-    unsigned int least_degree = 3;
+    unsigned int min_degree = 3;
     /// Least value of the last change, as a share of the change before: it may
     /// be small by accident, as between odd and even degrees.
-    double least_of_before = 1. / 8.;
+    double min_share_of_previous = 1. / 8.;
     /// Least error, as a share of the sum of |contributions| of nodes, which
     /// may cancel.
-    double least_of_sizes = 1. / 4.;
+    double min_share_of_sizes = 1. / 4.;
   };
 
   /**
@@ -38,7 +38,7 @@ namespace lamella
    * Goals with a derivative in scenes without contacts: the surpluses of the
    * run's highest functions (Surpluses) approximate the change from a poorer
    * model; two levels of section and axis give the bar
-   * (error_bar_from_below(), BelowRules).
+   * (coarser_model_bar(), CoarserModelRules).
    *
    * All others: the goals J_1 on half of the elements with one degree less and
    * J_2 on a quarter with two less. With J_0 of the run and the surpluses s of
@@ -56,10 +56,10 @@ namespace lamella
     /// Returns why @p run has no such bars, as a sentence without a full stop;
     /// empty if it has.
     static std::string
-    reason_for_none(const Simulation &run);
+    unavailable_reason(const Simulation &run);
 
     /// Solves poorer models if goals need them. @p run is referred to; its last
-    /// step has to be solved and reason_for_none() empty. Prints a line per
+    /// step has to be solved and unavailable_reason() empty. Prints a line per
     /// model to @p out; @p cache keeps the models. Throws what Simulation
     /// throws. Collective, as goals() is.
     CoarserModelEstimate(const Simulation &run,
@@ -73,9 +73,9 @@ namespace lamella
   private:
     /// Returns whether the goal @p number is compared with poorer models.
     bool
-    wants_models_of(const unsigned int number) const;
+    needs_coarser_models(const unsigned int number) const;
     void
-    solve_poorer_models(std::ostream &out, ModelCache &cache);
+    solve_coarser_models(std::ostream &out, ModelCache &cache);
     /// Returns the bar by surpluses alone.
     ErrorBar
     by_surpluses(const NamedQuantity &goal, const SurplusParts &own) const;
@@ -94,7 +94,7 @@ namespace lamella
     goal(const unsigned int number) const;
 
     const Simulation &run;
-    BelowRules        rules;
+    CoarserModelRules rules;
     RunGoals          of_run;
     GoalDual          dual;
     ContactShares     of_contact;

@@ -3,8 +3,8 @@
 #ifndef lamella_estimate_contact_shares_h
 #define lamella_estimate_contact_shares_h
 
+#include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/goal_dual.h>
-#include <lamella/estimate/other_models.h>
 #include <lamella/run/simulation.h>
 
 #include <memory>

@@ -51,8 +51,8 @@ namespace lamella
    *   axis      elements along beams are halved;
    *   fields    EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6; all
    *             of these become LE-2 where that has at most cheap_dofs or
-   *             contacts cover more than long_contact of the body (PlanRules).
-   *             SV-N gets four wave numbers more. LE-N has all fields already;
+   *             contacts cover more than max_contact_share of the body
+   * (PlanRules). SV-N gets four wave numbers more. LE-N has all fields already;
    *   section   the degree of LE-N and the section order of SV-N grow by one.
    *             Where it is 8 already (PlanRules::highest_degree,
    *             corner_degree) a layer of cells is added at the corners of the
@@ -63,7 +63,7 @@ namespace lamella
    *   contact   penalties become exact;
    *   path      substeps are doubled (for_estimates() sets their number).
    * LE-N becomes SV-10 with the same functions if the body, of the size in
-   * @p sizes, would exceed most_dofs_of_layers and may_have_responses() holds.
+   * @p sizes, would exceed max_layerwise_dofs and may_have_responses() holds.
    * The scene is returned unchanged without such a source (has_source()). The
    * axes of @p scene have to be made (grade_axes()).
    */

@@ -3,8 +3,8 @@
 #ifndef lamella_estimate_enrichment_estimate_h
 #define lamella_estimate_enrichment_estimate_h
 
+#include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/contact_shares.h>
-#include <lamella/estimate/other_models.h>
 #include <lamella/estimate/run_goals.h>
 
 #include <optional>
@@ -14,20 +14,20 @@
 namespace lamella
 {
   /// Constants of EnrichmentEstimate.
-  struct SourceRules
+  struct EnrichmentRules
   {
     /// Number of wave numbers that the model with poorer fields lacks.
     unsigned int fewer_waves = 3;
     /// Section order below which runs with tolerances are compared with a
     /// richer section: a comparison with order 1 does not bound the error of
     /// order 2.
-    unsigned int least_order = 3;
+    unsigned int min_order = 3;
     /// Factors from a change to a bar: for poorer fields and sections; for
     /// halved axes, whose error falls by two or more per halving, also at
     /// corners; for richer models.
-    double of_fields = 2., of_axis = 1., of_richer = 2.;
+    double of_fields = 2., of_axis = 1., enriched_factor = 2.;
     /// Largest sum of |changes|, as a share of the scale, that has a bar.
-    double most_changed = 0.1;
+    double max_change_share = 0.1;
   };
 
   /**
@@ -37,8 +37,8 @@ namespace lamella
    *   axis      half of the elements; with tolerances twice as many
    *   fields    three wave numbers less; with tolerances four more
    *   section   one order or degree less; with tolerances one more if the
-   *             order is below SourceRules::least_order.
-   * A bar is the sum of |change| times the factor in SourceRules. Richer
+   *             order is below EnrichmentRules::min_order.
+   * A bar is the sum of |change| times the factor in EnrichmentRules. Richer
    * models give much shorter bars where fields converge fast; poorer ones cost
    * half as much. The estimate sums the changes by richer models only.
    * Penalties and load steps: see ContactShares.
@@ -49,7 +49,7 @@ namespace lamella
     /// Returns why @p run has no such bars, as a sentence without a full stop;
     /// empty if it has.
     static std::string
-    reason_for_none(const Simulation &run);
+    unavailable_reason(const Simulation &run);
 
     /// Solves the other models; arguments, exceptions and collectivity are
     /// those of CoarserModelEstimate().
@@ -66,15 +66,15 @@ namespace lamella
     struct Other
     {
       Source        source;
-      bool          is_richer = false;
-      double        factor    = 0.;
+      bool          is_enriched = false;
+      double        factor      = 0.;
       ResultNumbers numbers;
     };
 
     void
-    compare_with_poorer(ComparisonModels &models, const Scene &scene);
+    compare_with_coarser(ComparisonModels &models, const Scene &scene);
     void
-    compare_with_richer(ComparisonModels &models, const Scene &scene);
+    compare_with_enriched(ComparisonModels &models, const Scene &scene);
     void
     compare_sections(ComparisonModels &models, const Scene &scene);
     /// Returns the change of @p goal between the run and @p other: richer less
@@ -82,12 +82,12 @@ namespace lamella
     double
     change_by(const Other &other, const NamedQuantity &goal) const;
     ErrorBar
-    bar_of(const NamedQuantity &goal) const;
+    error_bar_of(const NamedQuantity &goal) const;
     GoalResult
     goal(const unsigned int number) const;
 
     const Simulation  &run;
-    SourceRules        rules;
+    EnrichmentRules    rules;
     RunGoals           of_run;
     ContactShares      of_contact;
     std::vector<Other> others;

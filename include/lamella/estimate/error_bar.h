@@ -13,7 +13,7 @@ namespace lamella
   struct BarRules
   {
     /// Largest ratio of successive changes that is extrapolated.
-    double most_left = 2. / 3.;
+    double max_remaining_share = 2. / 3.;
     /// Share of the scale below which the spread of the values is taken for the
     /// error.
     double small = 1e-2;
@@ -47,7 +47,7 @@ namespace lamella
   /// Returns the end of the sentence "it changes by so many per cent" for
   /// values without a limit: where they occur, and the remedy.
   std::string
-  where_it_grows();
+  describe_growth();
 
   /// Estimated error of a run's value.
   struct ErrorBar
@@ -103,10 +103,10 @@ namespace lamella
    * estimate is the sum of last q / (1 - q), an extrapolation.
    */
   ErrorBar
-  error_bar_from_below(const std::vector<Levels> &sources,
-                       const double               scale,
-                       const double               rounding = 0.,
-                       const BarRules            &rules    = {});
+  coarser_model_bar(const std::vector<Levels> &sources,
+                    const double               scale,
+                    const double               rounding = 0.,
+                    const BarRules            &rules    = {});
 } // namespace lamella
 
 #endif

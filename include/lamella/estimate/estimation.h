@@ -9,9 +9,9 @@
 #ifndef lamella_estimate_estimation_h
 #define lamella_estimate_estimation_h
 
+#include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/error_bar.h>
-#include <lamella/estimate/other_models.h>
 #include <lamella/estimate/run_goals.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
@@ -29,7 +29,7 @@ namespace lamella
   {
     /// Least share of a tolerance with which a source matters, and without
     /// tolerances least share of the sum of all shares.
-    double least_of_tolerance = 0.1, least_of_all = 0.02;
+    double min_tolerance_share = 0.1, min_total_share = 0.02;
   };
 
   /**
@@ -68,7 +68,7 @@ namespace lamella
     /// Returns why goals() is empty (no bars wanted, or too expensive), as a
     /// sentence without a full stop; empty if there are goals.
     std::string
-    reason_for_none() const;
+    unavailable_reason() const;
 
   private:
     /// Returns the run as the first model.
@@ -85,15 +85,15 @@ namespace lamella
     void
     climb();
     /// Solves M_r: the model M_j, or the one after the only source that
-    /// matters, with less of sources_that_matter() once more.
+    /// matters, with less of significant_sources() once more.
     void
-    climb_once_more();
+    solve_richest_model();
     void
     add_step(const Source source);
     /// Returns the sources that M_r enriches: those of weight 1 or more, or the
     /// heaviest one; never contact, which has one step only.
     std::vector<Source>
-    sources_that_matter() const;
+    significant_sources() const;
     /// Returns the largest share of @p step in a goal over the threshold at
     /// which it matters: a tenth of the tolerance, or a fiftieth of the sum of
     /// all shares.
@@ -106,7 +106,7 @@ namespace lamella
     Refinements
     first_refinement(const NamedQuantity &quantity) const;
     ErrorBar
-    bar_of(const NamedQuantity &quantity) const;
+    error_bar_of(const NamedQuantity &quantity) const;
     /// Returns the goal @p number, @p quantity, from all models.
     GoalResult
     goal(const NamedQuantity &quantity, const unsigned int number) const;

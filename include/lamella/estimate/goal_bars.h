@@ -3,7 +3,7 @@
 #ifndef lamella_estimate_goal_bars_h
 #define lamella_estimate_goal_bars_h
 
-#include <lamella/estimate/other_models.h>
+#include <lamella/estimate/comparison_models.h>
 #include <lamella/run/simulation.h>
 
 #include <iosfwd>
@@ -17,7 +17,7 @@ namespace lamella
   struct GoalBars
   {
     std::vector<GoalResult> goals;
-    std::string             why_none;
+    std::string             missing_reason;
   };
 
   /**
@@ -25,12 +25,12 @@ namespace lamella
    * them (ErrorBars): by CoarserModelEstimate, EnrichmentEstimate or
    * HalvedAxisEstimate, the first that is possible, or else, and for `richer`,
    * by Estimation. The former are at least twice the change by
-   * missed_at_held_places(). Bars at large rotations cover the axis alone
+   * support_refinement_changes(). Bars at large rotations cover the axis alone
    * (HalvedAxisEstimate). Goals with tolerances have bars at any cost. Prints a
    * line per model to @p out; @p cache keeps the models. Collective.
    */
   GoalBars
-  bars_of(const Simulation &run, std::ostream &out, ModelCache &cache);
+  error_bars_of(const Simulation &run, std::ostream &out, ModelCache &cache);
 } // namespace lamella
 
 #endif

@@ -3,9 +3,9 @@
 #ifndef lamella_estimate_halved_axis_estimate_h
 #define lamella_estimate_halved_axis_estimate_h
 
+#include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/contact_shares.h>
 #include <lamella/estimate/error_bar.h>
-#include <lamella/estimate/other_models.h>
 #include <lamella/estimate/run_goals.h>
 
 #include <optional>
@@ -16,24 +16,24 @@
 namespace lamella
 {
   /// Constants of HalvedAxisEstimate.
-  struct HalfRules
+  struct HalvedAxisRules
   {
     /// Bounds for a trusted bar: there is none if a richer section changes a
-    /// goal by more than `most_left` of the change by the degree before, and by
-    /// more than `small` of the scale.
-    double most_left = 0.8, small = 1e-2;
+    /// goal by more than `max_remaining_share` of the change by the degree
+    /// before, and by more than `small` of the scale.
+    double max_remaining_share = 0.8, small = 1e-2;
     /// Least bar, as a share of the change by the degree before.
-    double least_of_before = 1. / 8.;
+    double min_share_of_previous = 1. / 8.;
     /// Cost limits of bars that are not asked for: a share of the run's
     /// multiplications, and a number of them (about a second) that is always
     /// free.
-    double most_of_run = 0.5, free_operations = 5e9;
+    double max_share_of_run = 0.5, free_operations = 5e9;
   };
 
   /// Models that a run is compared with: number of times that the axis is
   /// halved, and degree of the LE that stands in for theories other than LE (0:
   /// sections are not compared).
-  struct HalfPlan
+  struct HalvedAxisPlan
   {
     unsigned int times = 1, degree = 2;
   };
@@ -41,10 +41,10 @@ namespace lamella
   /**
    * Error bars of runs without poorer models of their own kind: LE-1 and LE-2,
    * EBBT, TBT, TE-N and SV. The models have half of the elements (or a
-   * quarter: HalfPlan) and
+   * quarter: HalvedAxisPlan) and
    *   H_p  the run's theories and degrees;
    *   H_r  LE with one degree more, other theories replaced by
-   *        LE-HalfPlan::degree;
+   *        LE-HalvedAxisPlan::degree;
    *   H_l  one degree less than H_p if all bodies are LE, else than H_r.
    * With s = J(H_r) - J(H_p) the bar is
    *   2 |s| + |J(run) - J(H_p)|,
@@ -62,20 +62,20 @@ namespace lamella
     /// Returns why @p run has no such bars, as a sentence without a full stop;
     /// empty if it has.
     static std::string
-    reason_for_none(const Simulation &run);
+    unavailable_reason(const Simulation &run);
 
     /// Returns the best plan that costs at most @p most multiplications, if
     /// there is one. LE-1 stands in for EBBT, TBT and TE-1 only: it is not
     /// richer than other theories.
-    static std::optional<HalfPlan>
+    static std::optional<HalvedAxisPlan>
     plan(const Simulation &run, const double most);
 
     /// Solves the models of @p plan; other arguments, exceptions and
     /// collectivity are those of CoarserModelEstimate().
-    HalvedAxisEstimate(const Simulation &run,
-                       const HalfPlan   &plan,
-                       std::ostream     &out,
-                       ModelCache       &cache);
+    HalvedAxisEstimate(const Simulation     &run,
+                       const HalvedAxisPlan &plan,
+                       std::ostream         &out,
+                       ModelCache           &cache);
 
     std::vector<GoalResult>
     goals() const;
@@ -86,7 +86,7 @@ namespace lamella
     static double
     operations(const Scene                 &scene,
                const std::vector<BodySize> &sizes,
-               const HalfPlan              &plan);
+               const HalvedAxisPlan        &plan);
     void
     solve_levels(ComparisonModels &others, const Scene &scene);
     GoalResult
@@ -95,8 +95,8 @@ namespace lamella
     by_levels(const NamedQuantity &goal) const;
 
     const Simulation &run;
-    HalfPlan          chosen;
-    HalfRules         rules;
+    HalvedAxisPlan    chosen;
+    HalvedAxisRules   rules;
     RunGoals          of_run;
     ContactShares     of_contact;
     /// True if all bodies are LE.

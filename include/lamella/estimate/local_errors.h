@@ -16,7 +16,7 @@ namespace lamella
   /// Returns @p errors of the elements of a coarser model divided equally among
   /// the elements of @p finer inside each of them.
   LocalErrors
-  by_pairs(const LocalErrors &errors, const Simulation &finer);
+  distribute_to_finer(const LocalErrors &errors, const Simulation &finer);
 
   /**
    * Errors of a goal by elements, by dual-weighted residuals. With u_H of the
@@ -60,9 +60,9 @@ namespace lamella
     /// Returns displacements of the coarser model on the nodes of the finer
     /// one.
     BlockVector
-    on_fine(const BlockVector &u) const;
+    interpolate_to_fine(const BlockVector &u) const;
     BlockVector
-    on_coarse(const BlockVector &u) const;
+    interpolate_to_coarse(const BlockVector &u) const;
 
     /// Adds the errors of the elements of @p body, from the products @p share
     /// of its DoFs.

@@ -18,22 +18,23 @@ namespace lamella
   {
     /// Share of a goal's largest error that may be left to sources that are not
     /// refined.
-    double small_share = 0.5;
+    double max_unrefined_share = 0.5;
     /// Bounds for dropping a goal: `patience` passes in succession without a
     /// bar while it still changes by more than its tolerance, or `slow_passes`
-    /// in which bar over tolerance did not fall by the factor `least_progress`.
+    /// in which bar over tolerance did not fall by the factor `min_progress`.
     unsigned int patience = 2, slow_passes = 3;
-    double       least_progress = 0.5;
+    double       min_progress = 0.5;
     /// Largest ratio of the section's shares from one degree to the next for
     /// raising the degree further: with a higher one a corner limits
     /// convergence.
-    double most_of_degree = 0.5;
+    double max_degree_ratio = 0.5;
     /// Largest number of passes; more indicate that none would suffice.
-    unsigned int most_passes = 8;
+    unsigned int max_passes = 8;
     /// Shares of a tolerance for the errors of elements that stay and of
     /// elements that are merged; least share of the total error for bisected
     /// elements.
-    double most_left = 0.25, most_merged = 0.05, least_done = 0.65;
+    double max_remaining_share = 0.25, max_merged_share = 0.05,
+           min_bisected_share = 0.65;
     /// Relative difference allowed between the loads of successive passes.
     double loads_agree = 1e-7;
   };
@@ -48,7 +49,7 @@ namespace lamella
   };
 
   /// Refinement of a pass relative to the one before.
-  struct Refined
+  struct PassRefinement
   {
     std::vector<Source> sources;
     /// Bisected elements if the axis is refined; empty: all elements.
@@ -57,10 +58,10 @@ namespace lamella
 
   /// Results of a goal in the two passes before, and the refinements of the
   /// last two passes.
-  struct Course
+  struct PassHistory
   {
-    const GoalResult &first, &before;
-    const Refined    &then, &now;
+    const GoalResult     &first, &before;
+    const PassRefinement &then, &now;
   };
 
   /// Shortens the bar of @p goal by the changes of the last two passes, d_1 and
@@ -70,12 +71,14 @@ namespace lamella
   ///   max(d, 2 d q / (1 - q), b / 8) + errors of elements not bisected
   /// if that is less and q <= 2/3. The parts of other sources are added.
   void
-  shorten(GoalResult &goal, const Course &course, const BarRules &rules = {});
+  shorten(GoalResult        &goal,
+          const PassHistory &course,
+          const BarRules    &rules = {});
 
   /// Raises the share of @p source in the bar of @p goal to @p least, if it is
   /// less.
   void
-  hold_share(GoalResult &goal, const Source source, const double least);
+  raise_share(GoalResult &goal, const Source source, const double least);
 
   /**
    * Passes of a run to a tolerance, and the refinement that the next one
@@ -84,7 +87,7 @@ namespace lamella
    *           more than the bar of that pass;
    *   left    not refined any further: a number without a limit, as at a point
    *           load, grows forever and would take all elements
-   *           (PassRules::patience, least_progress);
+   *           (PassRules::patience, min_progress);
    *   open    all others. The next pass is for those with a bar, or for all if
    *           none has one.
    */
@@ -95,7 +98,7 @@ namespace lamella
 
     /// Adds a pass; @p refined is its refinement, empty for the first one.
     void
-    add(const Pass &pass, const Refined &refined = {});
+    add(const Pass &pass, const PassRefinement &refined = {});
 
     const std::vector<Pass> &
     all() const
@@ -110,11 +113,11 @@ namespace lamella
     }
 
     bool
-    all_met() const;
+    all_goals_met() const;
 
     /// Returns the goals that the next pass is for; none if no goal is open.
     std::vector<GoalResult>
-    next_goals() const;
+    open_goals() const;
 
     /// Returns the goals that have not left.
     std::vector<GoalResult>
@@ -124,23 +127,23 @@ namespace lamella
     std::vector<std::string>
     dropped_goals() const;
 
-    /// Returns the sources of error to refine for next_goals(): the largest of
-    /// each goal, and others until the rest is at most PassRules::small_share
-    /// of its tolerance.
+    /// Returns the sources of error to refine for open_goals(): the largest of
+    /// each goal, and others until the rest is at most
+    /// PassRules::max_unrefined_share of its tolerance.
     std::vector<Source>
     wanted() const;
 
     /// Returns whether raising degrees does not reduce the section's share: for
-    /// one of next_goals() the ratio of shares exceeds
-    /// PassRules::most_of_degree after a pass that refined the section.
+    /// one of open_goals() the ratio of shares exceeds
+    /// PassRules::max_degree_ratio after a pass that refined the section.
     bool
     degrees_stall() const;
 
     /// Returns whether an additional error @p lost of each goal is acceptable:
-    /// at most PassRules::small_share of the largest error of each goal that
-    /// has not left.
+    /// at most PassRules::max_unrefined_share of the largest error of each goal
+    /// that has not left.
     bool
-    can_lose(const std::vector<double> &lost) const;
+    is_loss_acceptable(const std::vector<double> &lost) const;
 
     /// Returns the largest change of a goal since the last pass, over its
     /// tolerance (a plain mesh check); 0 in the first pass.
@@ -159,14 +162,14 @@ namespace lamella
     bool
     is_met(const unsigned int number) const;
     bool
-    has_to_leave(const unsigned int number) const;
+    must_be_dropped(const unsigned int number) const;
 
     PassRules         rules;
     std::vector<Pass> made;
     /// Refinement of each pass.
-    std::vector<Refined> refinements;
+    std::vector<PassRefinement> refinements;
     /// Pass, from 1 on, in which each goal has left; 0 if it has not.
-    std::vector<unsigned int> left_in;
+    std::vector<unsigned int> dropped_in_pass;
   };
 } // namespace lamella
 

@@ -20,11 +20,11 @@ namespace lamella
     /// Returns why no goals of @p run need bars, as a sentence without a full
     /// stop; empty if some do.
     static std::string
-    reason_for_none(const Simulation &run);
+    unavailable_reason(const Simulation &run);
 
     /// Returns whether @p run has contacts and none is active in its last step.
     static bool
-    touches_nothing(const Simulation &run);
+    has_no_active_contact(const Simulation &run);
 
     explicit RunGoals(const Simulation &run, const GoalRules &rules = {});
 
@@ -42,10 +42,10 @@ namespace lamella
     }
 
     /// Returns why @p quantity, a strain or stress of a probe or a measure of
-    /// such, has no limit at its place (lamella::reason_for_no_limit()); empty
+    /// such, has no limit at its place (lamella::singularity_reason()); empty
     /// for all others. The mean over a box has a limit.
     std::string
-    reason_for_no_limit(const NamedQuantity &quantity) const;
+    singularity_reason(const NamedQuantity &quantity) const;
 
     /// Returns |value| of @p quantity, or if it is near zero the largest of its
     /// kind, of strains and stresses the largest in its material
@@ -62,7 +62,7 @@ namespace lamella
     /// Returns the goal @p number with @p bar. A goal without a limit is not
     /// checked; a goal that is zero since no contact touches is not met.
     GoalResult
-    with_bar(const unsigned int number, const ErrorBar &bar) const;
+    with_error_bar(const unsigned int number, const ErrorBar &bar) const;
 
     /// Returns the goal @p number without a bar: name, value, unit, scale,
     /// tolerance, and the reason if it has no limit.

@@ -59,9 +59,9 @@ namespace lamella
   public:
     /// Returns why @p run has no surpluses, as a sentence without a full stop;
     /// empty if it has. Every body has to be a beam of LE-N, N >= 2 and
-    /// N >= @p least_degree, with all fields of the section at all nodes.
+    /// N >= @p min_degree, with all fields of the section at all nodes.
     static std::string
-    reason_for_none(const Simulation &run, const unsigned int least_degree);
+    unavailable_reason(const Simulation &run, const unsigned int min_degree);
 
     explicit Surpluses(const Simulation &run);
 
@@ -87,7 +87,7 @@ namespace lamella
       Vector      rows;
     };
     Answer
-    answer_to(const BlockVector &v) const;
+    forces_of_part(const BlockVector &v) const;
     /// Returns the work of @p answer along @p z.
     double
     work(const Answer &answer, const BlockVector &z) const;

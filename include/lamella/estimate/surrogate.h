@@ -3,7 +3,7 @@
 #ifndef lamella_estimate_surrogate_h
 #define lamella_estimate_surrogate_h
 
-#include <lamella/estimate/other_models.h>
+#include <lamella/estimate/comparison_models.h>
 
 #include <iosfwd>
 #include <vector>

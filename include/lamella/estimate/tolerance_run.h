@@ -3,7 +3,7 @@
 #ifndef lamella_estimate_tolerance_run_h
 #define lamella_estimate_tolerance_run_h
 
-#include <lamella/estimate/other_models.h>
+#include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/passes.h>
 #include <lamella/run/simulation.h>
 
@@ -17,7 +17,7 @@ namespace lamella
   /**
    * Run to a tolerance: solves successively refined models of one scene until
    * the bars of all goals are within their tolerances. A pass
-   *   1. solves the model and makes the bars of its goals (bars_of());
+   *   1. solves the model and makes the bars of its goals (error_bars_of());
    *   2. writes its results, so that an interrupted run leaves those of its
    *      last complete pass;
    *   3. ends the run if all goals are met, or refines the model in each source
@@ -52,7 +52,7 @@ namespace lamella
   private:
     /// Stores the element ends that stay, from the first pass @p first.
     void
-    keep_ends(const Scene &first);
+    store_element_ends(const Scene &first);
     /// Returns the built `scene`, with its messages to @p progress and within
     /// the budget.
     std::unique_ptr<Simulation>
@@ -64,7 +64,7 @@ namespace lamella
     /// no other model could be solved: the results of the pass before are
     /// better then.
     void
-    require_some_bar(const std::vector<GoalResult> &goals) const;
+    check_any_bar(const std::vector<GoalResult> &goals) const;
     /// Throws NumericsError unless the load sums of @p next agree with those of
     /// the last pass to 1e-7 of their size.
     void
@@ -72,15 +72,15 @@ namespace lamella
     /// Refines `scene` for the open goals: elements that matter are bisected
     /// (marked_elements()), others are merged (merged()). Sections' own fields
     /// replace large LE only if the error is acceptable (surrogate_error(),
-    /// Passes::can_lose()).
+    /// Passes::is_loss_acceptable()).
     void
     refine();
     /// Returns @p next refined in the selected sources.
     Scene
-    with_less_of(Scene next, const PlanRules &plan_rules) const;
+    refined_in_sources(Scene next, const PlanRules &plan_rules) const;
     /// Returns whether the budget of seconds is spent.
     bool
-    is_late() const;
+    is_time_exceeded() const;
     /// Writes the results of the last pass and the table of all passes into the
     /// folder @p directory; an interrupted run reports that folder from then
     /// on.
@@ -100,9 +100,9 @@ namespace lamella
 
     Scene scene;
     /// Flag of each body that begins with equal elements by default
-    /// (start_of()), and element ends that are not merged: for all other bodies
-    /// those of the first pass.
-    std::vector<bool>                begins_equal;
+    /// (initial_model()), and element ends that are not merged: for all other
+    /// bodies those of the first pass.
+    std::vector<bool>                starts_with_equal_elements;
     std::vector<std::vector<double>> kept;
     std::ostream                    &out;
     std::unique_ptr<Simulation>      simulation;
@@ -111,11 +111,11 @@ namespace lamella
     FieldRules rules;
     PassRules  pass_rules;
     /// Error of each goal by SV-N in place of LE; empty without such bodies.
-    std::vector<double> lost_by_fields;
+    std::vector<double> surrogate_errors;
     /// Refinement of the next pass.
-    Refined       refined;
-    Passes        passes;
-    dealii::Timer wall;
+    PassRefinement refined;
+    Passes         passes;
+    dealii::Timer  wall;
   };
 } // namespace lamella
 

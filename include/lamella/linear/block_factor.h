@@ -4,7 +4,7 @@
 #define lamella_linear_block_factor_h
 
 #include <lamella/linear/block_pattern.h>
-#include <lamella/linear/half_solved_rows.h>
+#include <lamella/linear/forward_solved_rows.h>
 
 #include <string>
 #include <utility>
@@ -35,7 +35,7 @@ namespace lamella
     /// the rows of block @p block would begin if that began with DoF 0; nullptr
     /// above the diagonal. The two must couple.
     double *
-    begin_of(const DofIndex column, const unsigned int block);
+    column_begin(const DofIndex column, const unsigned int block);
     double &
     diagonal(const DofIndex dof);
 
@@ -80,9 +80,9 @@ namespace lamella
     void
     update(const unsigned int s);
     [[noreturn]] void
-    break_down(const unsigned int            s,
-               const dealii::types::blas_int pivot,
-               const std::string            &what) const;
+    throw_not_definite(const unsigned int            s,
+                       const dealii::types::blas_int pivot,
+                       const std::string            &what) const;
 
     BlockPattern        pattern;
     std::vector<double> entry;

@@ -27,9 +27,9 @@ namespace lamella
    * Collective, as are all functions of the result.
    */
   std::unique_ptr<LinearSolver>
-  iterate(std::shared_ptr<const SharedMatrix> matrix,
-          const std::vector<Vector>          &near_null_space,
-          const std::string                  &what);
+  make_conjugate_gradients(std::shared_ptr<const SharedMatrix> matrix,
+                           const std::vector<Vector>          &near_null_space,
+                           const std::string                  &what);
 } // namespace lamella
 
 #endif

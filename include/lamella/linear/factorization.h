@@ -30,7 +30,7 @@ namespace lamella
    * CHOLMOD's supernodal Cholesky factorization A = P^T L L^T P (AMD or METIS
    * ordering, serial). The condition estimate is the square of the ratio of the
    * largest to the smallest diagonal entry of L, accurate to an order of
-   * magnitude. The solved rows are HalfSolvedRows.
+   * magnitude. The solved rows are ForwardSolvedRows.
    *
    * The matrix is copied without exact zeros, which would only cause fill, and
    * not referred to. @p monitor is called between symbolic analysis and

@@ -73,7 +73,7 @@ namespace lamella
     /// Called on all processes when the matrix is assembled.
     std::function<void()> assembled;
     /// Called between analysis and factorization; never for `cg`.
-    FactorMonitor sized;
+    FactorMonitor factor_sized;
   };
 
   /// Effort of a solver so far.
@@ -85,7 +85,7 @@ namespace lamella
     double non_zeros = 0.;
     /// Number of right-hand sides, of their total iterations and those of the
     /// slowest; no iterations with a factor.
-    unsigned int solutions = 0, iterations = 0, most_iterations = 0;
+    unsigned int solutions = 0, iterations = 0, max_iterations_per_solve = 0;
   };
 
   /// Returns a text for the user: "MUMPS on 2 processes, factor of 2.3e6

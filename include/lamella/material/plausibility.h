@@ -17,13 +17,13 @@ namespace lamella
   /// plane. The sentence has no full stop. Empty without doubt or without
   /// units.
   std::string
-  doubt_of_moduli(const std::string &name,
-                  const Material    &material,
-                  const Units       &units);
+  moduli_warning(const std::string &name,
+                 const Material    &material,
+                 const Units       &units);
 
   /**
    * Returns warnings about the numbers of @p material whose unit is probably
-   * not that of @p units or of each other: doubt_of_moduli(), and
+   * not that of @p units or of each other: moduli_warning(), and
    *
    *   number                      usual range of solids
    *   strength / modulus          1e-4 to 0.3 (whiskers)
@@ -36,9 +36,9 @@ namespace lamella
    * Ratios are checked without units, too. The worst of each kind is named.
    */
   std::vector<std::string>
-  doubts_of_material(const std::string &name,
-                     const Material    &material,
-                     const Units       &units);
+  material_warnings(const std::string &name,
+                    const Material    &material,
+                    const Units       &units);
 
   /// Returns the largest Young's modulus of @p material, with its name.
   std::pair<const char *, double>

@@ -86,15 +86,15 @@ namespace lamella
     private:
       /// A contact with points on the face: the distance of its two sides there
       /// [length], and its side (1: second, -1: first).
-      struct Pressing
+      struct ContactOnFace
       {
         const ContactTraction *traction;
         double                 reach, side;
       };
 
-      const FaceTractions  &all;
-      Face                  face;
-      std::vector<Pressing> contacts;
+      const FaceTractions       &all;
+      Face                       face;
+      std::vector<ContactOnFace> contacts;
     };
 
   private:

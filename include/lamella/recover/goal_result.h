@@ -64,7 +64,7 @@ namespace lamella
     bool        trusted = false;
     std::string why;
     /// True if refinement converges to a limit. False for, say, stresses at an
-    /// edge of a clamp (reason_for_no_limit()).
+    /// edge of a clamp (singularity_reason()).
     bool has_limit = true;
     /// Reference of percentages: |value|, or if that is near zero the largest
     /// value of its kind (RunGoals::scale_of()).
@@ -87,7 +87,7 @@ namespace lamella
     /// Returns the largest admissible error in the unit of the goal. Requires a
     /// tolerance.
     double
-    most_error() const
+    allowed_error() const
     {
       return tolerance->size * (tolerance->is_absolute ? 1. : scale);
     }
@@ -96,7 +96,7 @@ namespace lamella
     bool
     met() const
     {
-      return trusted && tolerance && bar <= most_error();
+      return trusted && tolerance && bar <= allowed_error();
     }
   };
 } // namespace lamella

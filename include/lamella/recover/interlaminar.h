@@ -120,7 +120,7 @@ namespace lamella
 
     /// Returns the closure error of the columns sampled since the last call.
     EquilibriumDefect
-    take_defect();
+    reset_defect();
 
   private:
     /// Order of stress components (Eq. 4).
@@ -206,37 +206,37 @@ namespace lamella
     Sources
     sources(const std::vector<Layer> &layers, const double x, const double y);
     /// phi of a side and its derivative along x.
-    struct EdgeShape
+    struct FreeEdgeDecay
     {
       double value, slope;
     };
-    EdgeShape
-    edge_shape(const unsigned int side, const double x) const;
+    FreeEdgeDecay
+    free_edge_decay(const unsigned int side, const double x) const;
     /// Corrections at free sides of sigma_xy and of its derivative along x,
     /// each with derivatives along y.
-    struct EdgeShare
+    struct FreeEdgeCorrection
     {
       dealii::Tensor<1, 5> of_value, of_slope;
     };
     /// Returns the corrections at the sampling points of each of @p layers.
-    std::vector<EdgeShare>
-    edge_shares(const std::vector<Layer> &layers,
-                const double              x,
-                const double              y);
+    std::vector<FreeEdgeCorrection>
+    free_edge_corrections(const std::vector<Layer> &layers,
+                          const double              x,
+                          const double              y);
     /// Returns e at a side less its mean through the thickness, with
     /// derivatives along y, at the sampling points.
     const std::vector<dealii::Tensor<1, 5>> &
-    edge_stress(const unsigned int        side,
-                const std::vector<Layer> &layers,
-                const double              y);
+    free_edge_stress(const unsigned int        side,
+                     const std::vector<Layer> &layers,
+                     const double              y);
     /// Adds the integrands of layer @p k to @p all, less @p edges_here.
     void
-    add_sources(const unsigned int            k,
-                const Layer                  &layer,
-                const std::vector<EdgeShare> &edges_here,
-                const Stencil                &along_x,
-                const Stencil                &along_y,
-                Sources                      &all);
+    add_sources(const unsigned int                     k,
+                const Layer                           &layer,
+                const std::vector<FreeEdgeCorrection> &edges_here,
+                const Stencil                         &along_x,
+                const Stencil                         &along_y,
+                Sources                               &all);
     /// sigma_xx, yy, xy and gamma_xz, yz of the element.
     using Sampled = std::array<double, 5>;
     /// Derivatives of Sampled, by their order along x and along y.
@@ -317,7 +317,7 @@ namespace lamella
     std::vector<Triad> ply_frames;
 
     std::map<std::array<long, 2>, Column> columns;
-    /// Cache of edge_stress(), by side and y.
+    /// Cache of free_edge_stress(), by side and y.
     std::map<std::array<long, 2>, std::vector<dealii::Tensor<1, 5>>> edges;
     std::map<std::array<long, 3>, Sampled>                           sampled;
     EquilibriumDefect                                                defect;

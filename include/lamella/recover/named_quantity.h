@@ -24,7 +24,7 @@ namespace lamella
   struct NamedQuantity
   {
     /// Kind of object that the quantity belongs to.
-    enum class Of
+    enum class ObjectKind
     {
       undefined,
       probe,
@@ -32,7 +32,7 @@ namespace lamella
       contact, ///< the resultant on the second side
       measure  ///< a difference of two quantities of probes
     };
-    Of of = Of::undefined;
+    ObjectKind of = ObjectKind::undefined;
     /// Name of the probe, support, contact or measure.
     std::string name;
     /// Ply of a probe on an interface, from 1 at the bottom; 0 if not given.
@@ -51,7 +51,7 @@ namespace lamella
     std::vector<NamedQuantity> terms = {};
     double                     over  = 1.;
     /// True if `over` is 1 and no distance, so that the unit is unchanged.
-    bool is_plain = true;
+    bool keeps_unit = true;
 
     /// Returns the scene's text: `upper_top: uz`, with a ply `middle/2: syz`,
     /// with a strip `roller: fz in y 40 60`.
@@ -89,8 +89,8 @@ namespace lamella
   /// Throws InputError with the entry of @p quantity, of a probe in @p plies
   /// (from 1; "0" for a mean over several), if it names another ply.
   void
-  require_ply(const NamedQuantity            &quantity,
-              const std::vector<std::string> &plies);
+  check_ply(const NamedQuantity            &quantity,
+            const std::vector<std::string> &plies);
 
   /// Throws InputError: the probe of @p quantity has several values in
   /// @p plies.
@@ -122,7 +122,7 @@ namespace lamella
   /// Returns the column of one of @p probes in @p text, PROBE: COLUMN or
   /// PROBE/PLY: COLUMN. Throws InputError for anything else.
   NamedQuantity
-  parse_of_probe(const Entry &text, const std::vector<Probe> &probes);
+  parse_probe_quantity(const Entry &text, const std::vector<Probe> &probes);
 
   /// Throws InputError, with the path of @p quantity, unless the contact with
   /// @p points has its strip and its width: across the axis that the contact

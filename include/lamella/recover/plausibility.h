@@ -39,7 +39,9 @@ namespace lamella
     /// displacements @p u and their @p checks. The @p last load step has
     /// further checks, since no later step can close a gap.
     std::vector<std::string>
-    doubts(const BlockVector &u, const Checks &checks, const bool last);
+    plausibility_warnings(const BlockVector &u,
+                          const Checks      &checks,
+                          const bool         last);
 
   private:
     /// The largest of some values, and its place.
@@ -70,18 +72,18 @@ namespace lamella
 
     /// Returns at most some 500 surface nodes of body @p b, evenly chosen.
     std::vector<SurfacePoint>
-    some_nodes(const unsigned int b) const;
+    sample_nodes(const unsigned int b) const;
     /// Returns as many points in the interior of its surface facets.
     std::vector<SurfacePoint>
     face_points(const unsigned int b) const;
     CurrentBody
-    moved_by(const Vector                    &u,
-             const unsigned int               b,
-             const std::vector<SurfacePoint> &points) const;
+    make_current_body(const Vector                    &u,
+                      const unsigned int               b,
+                      const std::vector<SurfacePoint> &points) const;
     void
-    add_doubts_of_units(const std::vector<CurrentBody> &moved,
-                        const bool                      is_rigid,
-                        std::vector<std::string>       &sentences) const;
+    add_unit_warnings(const std::vector<CurrentBody> &moved,
+                      const bool                      is_rigid,
+                      std::vector<std::string>       &sentences) const;
     /// Adds a sentence on rigid motion. For bodies without strain.
     void
     add_rigid_motion(const std::vector<CurrentBody> &moved,
@@ -116,8 +118,8 @@ namespace lamella
     Units            units;
     /// Pairs of bodies that a contact joins, the lower number first.
     std::set<std::pair<unsigned int, unsigned int>> contacts;
-    /// some_nodes() and face_points() of each body, filled at their first use,
-    /// since making them takes long on large sections.
+    /// sample_nodes() and face_points() of each body, filled at their first
+    /// use, since making them takes long on large sections.
     std::vector<std::vector<SurfacePoint>> nodes, faces;
   };
 } // namespace lamella

@@ -179,7 +179,7 @@ namespace lamella
     std::array<std::vector<double>, 3> node_coordinates;
 
     /// Caches: patches of corners, values at Gauss points, fits and sources.
-    std::map<Key, std::vector<Place>>              meetings;
+    std::map<Key, std::vector<Place>>              element_patches;
     std::map<Key, std::vector<PatchPoint>>         gauss_points;
     std::map<Key, std::unique_ptr<const PatchFit>> fits;
     std::map<Key, Source>                          sources;

@@ -164,7 +164,7 @@ namespace lamella
     /// Goals of the last step; none if no errors were estimated.
     std::vector<GoalResult> goals;
     /// Reason why there are no goals; empty if there are.
-    std::string why_no_goals;
+    std::string no_goals_reason;
     /// Condition number of the condensed stiffnesses, the largest of all
     /// bodies; a lower bound, 0 if unknown (only CHOLMOD estimates it).
     double condition_estimate = 0.;
@@ -191,8 +191,8 @@ namespace lamella
 
     /// Returns the largest stiffening and smallest buckling factor of all
     /// steps.
-    BeyondLinear
-    worst_beyond() const;
+    NonlinearityEstimate
+    worst_nonlinearity() const;
 
     /// Returns the last solved step. Throws InputError if there is none.
     const StepResults &

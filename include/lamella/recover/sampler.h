@@ -84,7 +84,7 @@ namespace lamella
                                const std::string &column) const;
 
     /// A sample of a line and its arc length from the start [length].
-    struct LinePlace
+    struct LinePoint
     {
       double   s;
       Location location;
@@ -92,7 +92,7 @@ namespace lamella
 
     /// Returns Line::samples equally spaced places, ends included, in each ply
     /// that the line crosses. Throws InputError for places outside of the body.
-    std::vector<LinePlace>
+    std::vector<LinePoint>
     places_of(const Line &line) const;
     /// Throws InputError if the body has no section there.
     void
@@ -133,7 +133,7 @@ namespace lamella
 
     /// Points of each row of each probe, and places of each line, in order.
     std::vector<std::vector<BoxPoints>> probe_points;
-    std::vector<std::vector<LinePlace>> line_places;
+    std::vector<std::vector<LinePoint>> line_sample_points;
   };
 
   /**

@@ -84,13 +84,13 @@ namespace lamella
 
     /// Returns the rows of StepResults::plies and plies_along for the
     /// displacements @p u (one block per body) and @p tractions on faces. For
-    /// heated bodies, @p cured are the displacements of heat alone: their
-    /// stresses are constant, and the reserve factor multiplies the rest.
+    /// heated bodies, @p thermal_part are the displacements of heat alone:
+    /// their stresses are constant, and the reserve factor multiplies the rest.
     /// Collective.
     Found
     sweep(const BlockVector   &u,
-          const FaceTractions &tractions = FaceTractions(),
-          const BlockVector   *cured     = nullptr) const;
+          const FaceTractions &tractions    = FaceTractions(),
+          const BlockVector   *thermal_part = nullptr) const;
 
     /// Returns the largest 1/R of ply @p ply of body @p body under
     /// @p ply_stress (ply axes); 0 if no R is finite or nothing is swept. Omits
@@ -113,7 +113,7 @@ namespace lamella
     };
 
     /// A body with its tasks and other data that do not change.
-    struct Swept
+    struct SweptBody
     {
       unsigned int      body;
       std::vector<Task> tasks;
@@ -133,12 +133,12 @@ namespace lamella
     /// Returns whether @p task uses point @p k of an element whose faces are
     /// @p touched.
     static bool
-    looks_at(const Task                &task,
-             const std::array<bool, 4> &touched,
-             const unsigned int         k);
+    uses_point(const Task                &task,
+               const std::array<bool, 4> &touched,
+               const unsigned int         k);
     /// Returns whether @p x is in a box that is left out.
     bool
-    is_left_out(const dealii::Point<3> &x) const;
+    is_excluded(const dealii::Point<3> &x) const;
 
     /// Largest 1/R of a beam along its axis, by ply and station.
     class Along;
@@ -147,14 +147,14 @@ namespace lamella
     struct Displacements
     {
       const Vector &u;
-      const Vector *cured;
+      const Vector *thermal_part;
     };
     /// Stresses of an element, and those of heat alone or null; its faces as in
     /// Swept.
     struct SweptCell
     {
       const OutputCell   &loaded;
-      const OutputCell   *cured;
+      const OutputCell   *thermal_part;
       std::array<bool, 4> touched;
     };
     /// Points of a task that may be near failure.
@@ -162,33 +162,33 @@ namespace lamella
     /// Adds the points of @p cell, of the ply of @p task, to @p along and
     /// @p candidates.
     void
-    look_at(const SweptCell &cell,
-            const Task      &task,
-            Along           &along,
-            Candidates      &candidates) const;
+    evaluate_cell(const SweptCell &cell,
+                  const Task      &task,
+                  Along           &along,
+                  Candidates      &candidates) const;
     /// Returns for each task the points of this process near failure.
     std::vector<std::vector<dealii::Point<3>>>
-    near_failure(const Swept         &swept,
-                 const Displacements &at,
-                 Along               &along) const;
+    find_candidates(const SweptBody     &swept,
+                    const Displacements &at,
+                    Along               &along) const;
     /// Source of the stresses of a body with the displacements @p u: recovered
     /// fields, and the recovery of those of heat alone, or null.
     struct Stresses
     {
       const Vector                                &u;
       std::function<FieldSample(const Location &)> recovered;
-      StressRecovery                              *cure;
+      StressRecovery                              *thermal_recovery;
     };
     /// Returns the worst row of @p task at @p points.
     std::optional<PlyReserve>
-    worst_row(const Swept                         &swept,
+    worst_row(const SweptBody                     &swept,
               const Task                          &task,
               const std::vector<dealii::Point<3>> &points,
               const Stresses                      &stresses) const;
     /// Adds the worst row of each task, if any, at its @p points of all
     /// processes to @p plies. Collective.
     void
-    add_worst_rows(const Swept                                      &swept,
+    add_worst_rows(const SweptBody                                  &swept,
                    const std::vector<std::vector<dealii::Point<3>>> &points,
                    const Stresses                                   &stresses,
                    std::vector<PlyReserve> &plies) const;
@@ -197,7 +197,7 @@ namespace lamella
     std::vector<Criterion>                       criteria;
     std::vector<std::array<dealii::Point<3>, 2>> excluded_boxes;
     StressValues                                 stress;
-    std::vector<Swept>                           all;
+    std::vector<SweptBody>                       all;
   };
 
   /// Returns whether @p a is nearer to failure than @p b: by reserve factor,
@@ -209,9 +209,9 @@ namespace lamella
   /// Returns whether @p a comes before @p b, by x, y, z; coordinates closer
   /// than @p same [length] are equal.
   bool
-  comes_before(const dealii::Point<3> &a,
-               const dealii::Point<3> &b,
-               const double            same);
+  is_before(const dealii::Point<3> &a,
+            const dealii::Point<3> &b,
+            const double            same);
 
   /// Returns the worst of @p rows; null if there are none.
   const PlyReserve *
@@ -222,10 +222,10 @@ namespace lamella
   /// and recovered stresses differ by more than a tenth. The stress may then be
   /// singular and R decrease with each refinement. Empty if there is no doubt.
   std::string
-  doubt_of_worst(const std::vector<PlyReserve> &rows,
-                 const std::vector<Support>    &supports,
-                 const std::vector<Load>       &loads,
-                 const Bodies                  &bodies);
+  worst_reserve_warning(const std::vector<PlyReserve> &rows,
+                        const std::vector<Support>    &supports,
+                        const std::vector<Load>       &loads,
+                        const Bodies                  &bodies);
 } // namespace lamella
 
 #endif

@@ -35,7 +35,7 @@ namespace lamella
 
     /// Numbers of the points in no quadrilateral.
     const std::vector<unsigned int> &
-    lone_points() const
+    isolated_points() const
     {
       return alone;
     }
@@ -61,16 +61,16 @@ namespace lamella
   private:
     /// Returns the location of each point on the slave body.
     std::vector<Location>
-    places_of_points() const;
+    point_locations() const;
 
     const ContactInterface &contact;
     const Structure        &structure;
-    /// quadrilaterals() and lone_points().
+    /// quadrilaterals() and isolated_points().
     std::vector<Quadrilateral> quads;
     std::vector<unsigned int>  alone;
     /// Locations of the points on the first body, and on the second if it
     /// deforms.
-    std::vector<Location> first_places, second_places;
+    std::vector<Location> first_locations, second_locations;
   };
 } // namespace lamella
 

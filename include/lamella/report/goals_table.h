@@ -17,7 +17,7 @@ namespace lamella
    * those of the quantities; trusted and met are 0 or 1; the tolerance is a
    * length of the bar. Bar, tolerance and buckling factor are empty if there
    * are none. Stiffening and buckling factor are those of the last step
-   * (BeyondLinear), which refinement does not show.
+   * (NonlinearityEstimate), which refinement does not show.
    */
   std::string
   goals_csv(const Results &results);

@@ -46,7 +46,7 @@ namespace lamella
     void
     keep()
     {
-      has_room = true;
+      is_cleared = true;
     }
 
     /// Returns whether the summary of an earlier run exists; false after
@@ -60,11 +60,11 @@ namespace lamella
     lock();
     /// Returns whether the folder of that name is still the locked one.
     bool
-    is_still_there() const;
+    still_exists() const;
 
     std::string folder;
     /// True if created here, and true if earlier results are dealt with.
-    bool is_new = false, has_room = false;
+    bool is_new = false, is_cleared = false;
     /// Descriptor of the locked folder; -1 except on the root process.
     int descriptor = -1;
   };

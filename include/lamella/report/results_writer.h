@@ -38,7 +38,7 @@ namespace lamella
   {
   public:
     /// Objects that pictures are made from, besides results.
-    struct Scenery
+    struct OutputSources
     {
       /// Bodies to be drawn.
       const Structure &structure;
@@ -55,10 +55,10 @@ namespace lamella
     };
 
     /// Writes results into the folder @p directory, which is reserved for this
-    /// run during the lifetime of the object. Calls @p scenery at each step.
-    /// Throws InputError (ResultsFolder).
-    ResultsWriter(const std::string              &directory,
-                  const std::function<Scenery()> &scenery);
+    /// run during the lifetime of the object. Calls @p output_sources at each
+    /// step. Throws InputError (ResultsFolder).
+    ResultsWriter(const std::string                    &directory,
+                  const std::function<OutputSources()> &output_sources);
 
     /// Returns the completed steps of the run in the folder (Restart) and cuts
     /// the tables to them. Has to be called before any step is written. Throws
@@ -104,10 +104,10 @@ namespace lamella
     write_vtu_files(const StepResults &step);
     /// Writes the summary and the restart.
     void
-    write_standing(const Results &results);
+    write_progress(const Results &results);
 
-    std::function<Scenery()> scenery;
-    ResultsFolder            place;
+    std::function<OutputSources()> output_sources;
+    ResultsFolder                  place;
     /// Surface of each contact; none without VTU files.
     std::vector<ContactSurface> surfaces;
     /// Restart data so far.

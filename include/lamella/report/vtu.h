@@ -24,7 +24,7 @@ namespace lamella
    * stresses (StrengthSweep::inverse_reserve()). ParaView shows @p factor as
    * the time and @p step as the cycle.
    *
-   * Cells have the degrees Body::picture_degrees(), at most 4. Values are for
+   * Cells have the degrees Body::output_degrees(), at most 4. Values are for
    * pictures: single precision, displacements and positions rounded to 2^-24
    * of the largest in the file, components of strains and stresses to 2^-11 of
    * their largest in the element, or 2^-24 of the largest component in the

@@ -106,7 +106,7 @@ namespace lamella
     /// Updates the pairing in @p found: numbers of rows and of unpaired points,
     /// and slave surfaces. Initial gaps stay.
     void
-    tell_pairs(std::vector<ContactSummary> &found) const;
+    update_pairing_facts(std::vector<ContactSummary> &found) const;
 
     /// Returns the contacts, each of which updates its interface.
     const Contacts &
@@ -141,7 +141,7 @@ namespace lamella
     /// two. Throws InputError for a ply that its probe is not in, and for a
     /// missing one where plies differ (Sampler::check()).
     std::vector<NamedQuantity>
-    in_plies(std::vector<NamedQuantity> quantities) const;
+    with_resolved_plies(std::vector<NamedQuantity> quantities) const;
 
     /// Returns the tractions on faces in @p state at load factor @p factor.
     FaceTractions
@@ -167,19 +167,19 @@ namespace lamella
     /// Finds the motions of @p bodies that isostatic supports remove. Contacts
     /// are made once more, to find which bodies may touch.
     void
-    hold_bodies(const Bodies &bodies);
+    set_isostatic_motions(const Bodies &bodies);
     /// Searches and pairs the gap rows of all contacts, without duplicates.
     void
     build_contacts();
     /// Returns the initial overlap of contact number @p contact at @p at
     /// [length] if supports hold both sides there, else zero.
     double
-    held_overlap(const unsigned int             contact,
-                 const ContactInterface::Point &at) const;
+    constrained_overlap(const unsigned int             contact,
+                        const ContactInterface::Point &at) const;
     /// Throws InputError if bodies overlap from the start where supports hold
     /// both sides, since no contact force can separate them there.
     void
-    check_held_overlaps() const;
+    check_constrained_overlaps() const;
     /// Appends the notes on the scene to @p found.
     void
     add_notes(Results &found) const;

@@ -19,8 +19,8 @@ namespace lamella
   /// nonzero load (temperatures do not grow), weight, or displacement of a
   /// support or an obstacle.
   void
-  require_growth(const Structure                     &structure,
-                 const std::vector<ContactInterface> &contacts);
+  check_load_growth(const Structure                     &structure,
+                    const std::vector<ContactInterface> &contacts);
 
   /**
    * Search for the load factor at which the smallest reserve factor is 1. The
@@ -39,12 +39,12 @@ namespace lamella
     /// (beyond the last one if there is none of that number) and sets the
     /// reserve factors in the third argument. Throws NumericsError without a
     /// solution.
-    using Try = std::function<FailureTrial(const double,
-                                           const unsigned int,
-                                           std::vector<PlyReserve> &)>;
+    using TrySolve = std::function<FailureTrial(const double,
+                                                const unsigned int,
+                                                std::vector<PlyReserve> &)>;
 
     /// Prints a line per trial to @p out, which is referred to.
-    FirstFailureSearch(const Try &try_load, std::ostream &out);
+    FirstFailureSearch(const TrySolve &try_load, std::ostream &out);
 
     /// Returns the first failure after the run's @p steps with reserve factors.
     FirstFailure
@@ -60,18 +60,18 @@ namespace lamella
     /// @p plies.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
-    /// Solves at @p factor within load step @p leg and narrows the interval;
-    /// without a solution, @p factor is an upper end.
+    /// Solves at @p factor within load step @p load_step and narrows the
+    /// interval; without a solution, @p factor is an upper end.
     void
-    attempt(const double factor, const unsigned int leg);
+    attempt(const double factor, const unsigned int load_step);
     /// Returns the smaller one of the two upper ends, if any.
     std::optional<double>
     upper() const;
     /// Returns whether the interval is narrow enough.
     bool
-    is_narrow() const;
+    is_interval_narrow() const;
 
-    Try           try_load;
+    TrySolve      try_load;
     std::ostream &out;
     FirstFailure  result;
     /// Load factor without a solution, and the reason.

@@ -13,14 +13,15 @@ namespace lamella
   /**
    * Choice for `Rotations = auto`. The scene is solved with linear kinematics,
    * and the effect of large deflections is estimated as the largest of
-   *   r        stiffening by tension (BeyondLinear::stiffening),
+   *   r        stiffening by tension (NonlinearityEstimate::stiffening),
    *   theta^2  square of the largest rotation [rad], the order of the error of
    *            deflections; theta with follower loads,
-   *   a        amplification by compression (BeyondLinear::amplification)
-   * over all load steps. Large rotations are chosen if it exceeds
-   * `needs_finite_rotations` = 2e-3, if loads exceed buckling loads, if
-   * rotations exceed their limit, or if the linear solution fails. Linear ones
-   * are kept if large ones are refused when the scene is built.
+   *   a        amplification by compression
+   * (NonlinearityEstimate::amplification) over all load steps. Large rotations
+   * are chosen if it exceeds `needs_finite_rotations` = 2e-3, if loads exceed
+   * buckling loads, if rotations exceed their limit, or if the linear solution
+   * fails. Linear ones are kept if large ones are refused when the scene is
+   * built.
    */
   class LinearTrial
   {
@@ -32,9 +33,9 @@ namespace lamella
 
     /// Returns whether the linear run is the result.
     bool
-    suffices() const
+    is_linear_sufficient() const
     {
-      return is_enough;
+      return linear_suffices;
     }
 
     /// Returns the linear run, solved, if it suffices, else the run with large
@@ -42,7 +43,7 @@ namespace lamella
     Simulation &
     chosen() const
     {
-      return is_enough ? *linear : *large;
+      return linear_suffices ? *linear : *large;
     }
 
     /// Calls @p bars and writes the linear run, which must suffice, into
@@ -59,7 +60,7 @@ namespace lamella
     judge(const Scene &scene);
 
     std::unique_ptr<Simulation> linear, large;
-    bool                        is_enough = false;
+    bool                        linear_suffices = false;
     std::string                 why;
   };
 } // namespace lamella

@@ -88,7 +88,8 @@ namespace lamella
     /// Adds the goals of the last step with their errors, or why there are
     /// none.
     void
-    set_goals(std::vector<GoalResult> goals, const std::string &why_none = "");
+    set_goals(std::vector<GoalResult> goals,
+              const std::string      &missing_reason = "");
 
     /// Adds a note on the scene as a whole, a sentence without a full stop.
     void
@@ -100,11 +101,11 @@ namespace lamella
     /// Gives back the memory of what solves: results() is all that is left to
     /// ask for.
     void
-    forget_solver();
+    release_solver();
 
     /// Seconds, memory and solvers so far, into the results.
     void
-    count_costs();
+    record_costs();
 
     /// Returns the scene's model, which solve() may build anew.
     const BuiltScene &
@@ -147,7 +148,7 @@ namespace lamella
     /// Builds all anew with all fields of the section for bodies that had fewer
     /// of its own. False, and nothing is done, where there are none.
     bool
-    take_all_fields();
+    rebuild_with_all_fields();
     /// Rebuilds the scene with shorter elements where contact points @p missed
     /// a penetrating body. Returns false, without any change, if the user
     /// prescribed the axis.
@@ -180,7 +181,7 @@ namespace lamella
     /// Numbers the contact constraints again, after contacts of large rotations
     /// have been paired anew.
     void
-    number_moved_rows();
+    renumber_rows();
     void
     make_solver(const MemoryBudget &budget);
     /// Returns the stiffness with a solver for each body; prints the sizes of
@@ -190,7 +191,7 @@ namespace lamella
     /// Returns the state of heated bodies at load factor zero, whose stresses
     /// do not grow with loads; null if nothing needs it.
     std::shared_ptr<const BlockVector>
-    cured_state(Step &step);
+    solve_thermal_state(Step &step);
     /// Computes checks and contact results of the last step of an earlier run,
     /// of which only the state is known.
     void
@@ -224,8 +225,8 @@ namespace lamella
     /// of a run to a tolerance.
     std::vector<bool> may_refine;
     /// True if the last step comes from an earlier run and has its state only.
-    bool last_is_bare = false;
-    bool revised      = false;
+    bool last_has_state_only = false;
+    bool revised             = false;
   };
 } // namespace lamella
 

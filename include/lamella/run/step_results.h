@@ -38,11 +38,11 @@ namespace lamella
   {
   public:
     /// Refers to @p facts, which has the names of @p built's probes, lines and
-    /// cuts. @p cured is the state of heated bodies at load factor zero, whose
-    /// stresses stay when loads grow; null if nothing is heated.
+    /// cuts. @p thermal_part is the state of heated bodies at load factor zero,
+    /// whose stresses stay when loads grow; null if nothing is heated.
     StepRecorder(const BuiltScene                  &built,
                  const Results                     &facts,
-                 std::shared_ptr<const BlockVector> cured = nullptr);
+                 std::shared_ptr<const BlockVector> thermal_part = nullptr);
 
     /// Returns the results of step number @p step, from 1, without measures and
     /// the strategy's data. @p previous, the state of the step before, shows
@@ -54,7 +54,7 @@ namespace lamella
 
     /// Adds the measures of the last step to @p results.
     void
-    take_measures(Results &results) const;
+    add_measures(Results &results) const;
 
     /// Returns a sentence on contacts without a force in all steps so far: on
     /// all if none has one, else on those of unstrained bodies and moving
@@ -70,8 +70,8 @@ namespace lamella
     /// Returns the warnings of @p solved, a state beside the load path, with
     /// the reserve factors @p plies.
     std::vector<std::string>
-    warnings_beside(const SolvedStep       &solved,
-                    std::vector<PlyReserve> plies) const;
+    warnings_off_path(const SolvedStep       &solved,
+                      std::vector<PlyReserve> plies) const;
 
     /// Returns the largest change of the scene's goals between @p one and
     /// @p other, two ends of a step from @p before, each over its scale
@@ -85,21 +85,21 @@ namespace lamella
     /// Returns results of a run with @p solved as its only step, to evaluate
     /// goals.
     Results
-    bare_results(const SolvedStep &solved, const State &before) const;
+    minimal_results(const SolvedStep &solved, const State &before) const;
     /// Returns whether @p row of @p contact was active in the @p previous
     /// state.
     bool
-    has_touched(const State       &previous,
-                const unsigned int contact,
-                const unsigned int row) const;
+    was_active(const State       &previous,
+               const unsigned int contact,
+               const unsigned int row) const;
     /// Writes the pairs of all contacts into @p results.
     void
-    take_contacts(const SolvedStep &solved,
-                  const State      &previous,
-                  StepResults      &results) const;
+    record_contacts(const SolvedStep &solved,
+                    const State      &previous,
+                    StepResults      &results) const;
     /// Writes reserve factors of plies into @p results.
     void
-    take_strength(StepResults &results, const FaceTractions &tractions) const;
+    record_strength(StepResults &results, const FaceTractions &tractions) const;
     /// Returns warnings about the state, the assumptions of contact (small
     /// sliding, collinear normals), and the step, equilibrium defects and plies
     /// in @p sampled.
@@ -133,7 +133,7 @@ namespace lamella
     /// Returns @p checks with the resultants of contacts that are parts of
     /// others (ContactPair::part_of) in those others.
     Checks
-    with_parts(Checks checks) const;
+    with_part_resultants(Checks checks) const;
     /// Returns the largest couple of a load, or force of a load, support or
     /// contact times the size of the scene; if these are rounding, the largest
     /// nodal force times that size.
@@ -157,7 +157,7 @@ namespace lamella
     const BuiltScene                  &built;
     const Scene                       &scene;
     const Structure                   &structure;
-    std::shared_ptr<const BlockVector> cured;
+    std::shared_ptr<const BlockVector> thermal_part;
     const Results                     &facts;
   };
 } // namespace lamella

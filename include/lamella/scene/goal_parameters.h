@@ -42,7 +42,7 @@ namespace lamella
     /// Quantities named; by default those with References or named by Trade.
     std::vector<NamedQuantity> quantities;
     /// Probes whose largest displacement and stress are the goals by default.
-    std::vector<std::string> whole_probes;
+    std::vector<std::string> probes_as_goals;
     /// Tolerance of each quantity, or one for all; empty if there is none.
     std::vector<Tolerance> tolerances;
     ErrorBars              bars = ErrorBars::undefined;
@@ -51,9 +51,9 @@ namespace lamella
     double       budget_seconds = 0.;
     /// True if the scene sets no Theory, so that a run to a tolerance may
     /// choose the first one.
-    bool theory_is_assumed = false;
+    bool theory_is_default = false;
     /// Names of the bodies whose axis elements the scene leaves open.
-    std::set<std::string> axes_are_assumed;
+    std::set<std::string> axes_are_default;
 
     /// Declares the entries in `subsection Goals`, which must be entered.
     static void

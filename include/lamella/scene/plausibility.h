@@ -13,7 +13,7 @@ namespace lamella
   /**
    * Returns sentences, without a full stop, on numbers of @p scene whose unit
    * is probably not that of the scene. Materials have their own check
-   * (doubts_of_material()). @p meshes are those of the scene's sections.
+   * (material_warnings()). @p meshes are those of the scene's sections.
    *
    *   number                    warning if
    *   layup                     no angle exceeds 3.2, and one is pi/2, pi/3,
@@ -28,7 +28,7 @@ namespace lamella
    * Lengths and stresses are checked with `Units` only.
    */
   std::vector<std::string>
-  doubts_of_magnitude(const Scene &scene, const SectionMeshes &meshes);
+  magnitude_warnings(const Scene &scene, const SectionMeshes &meshes);
 } // namespace lamella
 
 #endif

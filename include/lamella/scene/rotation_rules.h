@@ -28,7 +28,7 @@ namespace lamella
   /// Returns whether `line to roller` is possible for @p contact of @p body:
   /// contact at the line of a beam that is nearest to a roller across the beam.
   bool
-  can_be_line(const ContactPair &contact, const BodyDescription &body);
+  allows_line_contact(const ContactPair &contact, const BodyDescription &body);
 
   /// Returns whether @p scene has entries that need large rotations: follower
   /// loads.
@@ -41,7 +41,7 @@ namespace lamella
   /// throws, and InputError for linear rotations with entries that need large
   /// ones.
   void
-  take_rotations(Scene &scene);
+  apply_rotations(Scene &scene);
 } // namespace lamella
 
 #endif

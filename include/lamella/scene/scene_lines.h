@@ -15,7 +15,7 @@ namespace lamella
 
   /// Returns the beginning of messages about line @p line of @p file.
   std::string
-  place_in(const std::string &file, const unsigned int line);
+  line_prefix(const std::string &file, const unsigned int line);
 
   /// Returns @p text without a UTF-8 byte order mark. Throws InputError, with
   /// @p file first, for bytes that are invalid in a scene.

@@ -104,7 +104,7 @@ namespace lamella
 
     /// Sets the entry @p path to @p value unless it has a value.
     void
-    assume(const std::string &path, const std::string &value);
+    set_default(const std::string &path, const std::string &value);
 
     /// Sets the entry @p path to @p value.
     void
@@ -158,8 +158,8 @@ namespace lamella
 
     /// Throws InputError for the subsection @p item, not among @p declared.
     [[noreturn]] void
-    fail_on_subsection(const Item              &item,
-                       const std::vector<Item> &declared) const;
+    throw_unknown_subsection(const Item              &item,
+                             const std::vector<Item> &declared) const;
 
     /// Adds @p entry with its subsections, or replaces the one with its path.
     void

@@ -26,7 +26,7 @@ namespace lamella
    * 1000, lengths that are not positive, and generated names that exist.
    */
   void
-  write_out_stacks(SceneText &text);
+  expand_stacks(SceneText &text);
 } // namespace lamella
 
 #endif

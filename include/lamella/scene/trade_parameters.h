@@ -53,7 +53,7 @@ namespace lamella
     /// Probes in empty Quantities, without columns: the largest displacement
     /// and stress are taken there. None with the reference `given`, which has
     /// no numbers for them.
-    std::vector<std::string> whole_probes;
+    std::vector<std::string> probes_as_goals;
     /// Names of the bodies that the variants change; all by default.
     std::vector<std::string> bodies;
     /// Reference of the errors: `finest`, the last variant that succeeds;

@@ -17,7 +17,7 @@ namespace lamella
   /// Returns d Phi / dx and d Phi / dz [1 / length] of field number @p a at
   /// @p point of a section.
   std::array<dealii::Tensor<1, 3>, 2>
-  derivatives_of_field(const SectionPoint &point, const unsigned int a);
+  field_derivatives(const SectionPoint &point, const unsigned int a);
 
   /// Returns H at @p point with the coefficients @p q of its fields, in their
   /// order, at station @p k.
@@ -78,7 +78,7 @@ namespace lamella
     /// sigma = F S F^T / det F in axes that rotate with the material. @p second
     /// is the second Piola-Kirchhoff stress S.
     Voigt
-    turned_stress(const Voigt &second) const;
+    corotated_stress(const Voigt &second) const;
 
   private:
     dealii::Tensor<2, 3> U, R;

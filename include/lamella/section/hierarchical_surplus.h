@@ -41,7 +41,7 @@ namespace lamella
     /// Removes the part in LE-@p q, @p q from 1 to degree() - 1, from the
     /// coefficients @p c of the section's fields.
     void
-    keep_beyond(const unsigned int q, Vector &c) const;
+    remove_lower_degree(const unsigned int q, Vector &c) const;
 
   private:
     /// Returns the displacement at a place of @p cell, one row per component,

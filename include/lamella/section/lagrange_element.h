@@ -68,14 +68,14 @@ namespace lamella
 
     /// Ratio of the sides of a grid from which columns are used. Below it they
     /// only cost, as their functions couple with more.
-    static constexpr double usual_column_aspect = 100.;
+    static constexpr double default_column_aspect = 100.;
 
     /// Constructs LE of @p degree from 1; shares @p mesh. @p column_aspect is
     /// the ratio of long to short side of a rectangular grid from which a nodal
     /// basis is built in columns.
     LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree,
-                    const double column_aspect = usual_column_aspect,
+                    const double column_aspect = default_column_aspect,
                     const Basis  basis         = Basis::nodal);
 
     /// Returns true for a basis in columns.

@@ -33,22 +33,23 @@ namespace lamella
 
     /// Returns true if the law of @p ply depends on the point.
     bool
-    varies(const unsigned int ply) const
+    has_varying_law(const unsigned int ply) const
     {
       return bool(plies[ply].plane.normal_at);
     }
 
     /// Returns true if the law of any ply depends on the point.
     bool
-    vary() const;
+    has_varying_laws() const;
 
     /// Returns the law of @p ply at the point @p x of the section. Rotates a
     /// varying law at each call, some microseconds.
     ElasticLaw
     at(const unsigned int ply, const dealii::Point<2> &x) const
     {
-      return varies(ply) ? rotated(ply, plies[ply].plane.normal_at(x)) :
-                           everywhere[ply];
+      return has_varying_law(ply) ?
+               law_with_normal(ply, plies[ply].plane.normal_at(x)) :
+               everywhere[ply];
     }
 
     /// Returns the law of @p ply, which does not vary.
@@ -78,7 +79,7 @@ namespace lamella
   private:
     /// Returns the law of @p ply where its normal is @p normal.
     ElasticLaw
-    rotated(const unsigned int ply, const dealii::Tensor<1, 2> &normal) const;
+    law_with_normal(const unsigned int ply, const dealii::Tensor<1, 2> &normal) const;
 
     std::vector<Ply> plies;
     double           shear_factor;

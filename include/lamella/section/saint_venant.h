@@ -112,7 +112,7 @@ namespace lamella
     /// Returns v of S_00 v = @p load with translations and the rotation about y
     /// fixed, for any resultant of the load.
     Vector
-    held_response(Vector load) const;
+    constrained_response(Vector load) const;
 
   private:
     /// Returns a of S_00 a = E @p v + S_11 @p w, the fixed fields zero.

@@ -220,13 +220,14 @@ namespace lamella
 
     /// A callback with a section point, its strains completed, and its weight
     /// in integrals over the section [length^2].
-    using UseOfPoint = std::function<void(const SectionPoint &, const double)>;
+    using PointCallback =
+      std::function<void(const SectionPoint &, const double)>;
 
     /// Calls @p use with n_gauss_points()^2 points per cell, cell by cell: the
     /// integration_points() if these have weights, so that integrals agree with
     /// S_pq to the last bit.
     void
-    for_each_point(const UseOfPoint &use) const;
+    for_each_point(const PointCallback &use) const;
 
     /// Returns true if the theory's fields span all cells with uncompleted
     /// strains (TE-2 and higher). Then moments() replace integrals over points,

@@ -130,7 +130,7 @@ namespace lamella
     /// Returns true if the fields are solutions on the section, chosen by what
     /// excites them in a scene; the order numbers their waves.
     bool
-    is_of_solutions() const
+    is_saint_venant() const
     {
       return kind == Kind::SV;
     }
@@ -138,7 +138,7 @@ namespace lamella
     bool
     has_responses() const
     {
-      return is_of_solutions() && order > 0;
+      return is_saint_venant() && order > 0;
     }
     /// Returns true if sections stay normal to the axis: rotations are those of
     /// deflections, without shear strain.
@@ -153,7 +153,7 @@ namespace lamella
     bool
     has_rotating_sections() const
     {
-      return is_classical() || is_of_solutions();
+      return is_classical() || is_saint_venant();
     }
     /// Returns the theory for finite rotations: TBT that twists for the
     /// classical theories (EBBT with shear factor 1), else this one.
@@ -178,14 +178,14 @@ namespace lamella
     /// Returns true if the theory's own functions describe contraction of
     /// sections and coupling of plies: u_x and u_z are more than linear.
     bool
-    contracts_by_itself() const
+    describes_contraction() const
     {
       return !is_single_layer() || order > 1;
     }
 
     /// Returns the SV of @p waves wave numbers made of this LE-N.
     Theory
-    from_solutions(const unsigned int waves) const;
+    to_saint_venant(const unsigned int waves) const;
 
     /// Returns true if the theory contains the displacements of @p other: one
     /// family, TE including EBBT and then TBT as its least, and no lower order.
@@ -197,7 +197,7 @@ namespace lamella
     static Theory
     layerwise(const unsigned int order);
     static Theory
-    of_solutions(const unsigned int waves, const unsigned int degree);
+    make_saint_venant(const unsigned int waves, const unsigned int degree);
     static Theory
     taylor(const unsigned int order);
     static Theory

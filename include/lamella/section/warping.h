@@ -78,14 +78,14 @@ namespace lamella
   private:
     /// Fields without their rigid parts and the warpings, one per column, their
     /// metric() and their norms (strengths()).
-    struct Freed
+    struct WarpingFields
     {
       FieldColumns        fields, metrics;
       std::vector<double> norms;
     };
-    Freed
-    freed(const std::vector<Vector> &snapshots,
-          const FieldColumns        &warpings) const;
+    WarpingFields
+    remove_rigid_parts_of(const std::vector<Vector> &snapshots,
+                          const FieldColumns        &warpings) const;
 
     const Section &section;
     double         smaller_extent;
@@ -112,8 +112,8 @@ namespace lamella
 
   /// Returns the columns @p numbers, in their order.
   FieldColumns
-  these_of(const FieldColumns              &columns,
-           const std::vector<unsigned int> &numbers);
+  selected_columns(const FieldColumns              &columns,
+                   const std::vector<unsigned int> &numbers);
 
   /// Returns [a, b]: the columns of @p a and then those of @p b.
   FieldColumns

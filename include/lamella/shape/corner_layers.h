@@ -21,7 +21,7 @@ namespace lamella
     double ratio = 0.15;
     /// Angle above which a corner is re-entrant, in degrees. Fillets meshed by
     /// a few straight edges are below it.
-    double least_angle = 225.;
+    double min_reentrant_angle = 225.;
   };
 
   /// Returns the vertices of @p section with singular stresses, ascending:
@@ -38,7 +38,7 @@ namespace lamella
    * all edges that face it across cells. Plies and side names are inherited.
    * Edges have to be straight. Throws InputError, of the entry `Corner layers`
    * of the subsection @p what, if there are no corners or more than
-   * most_section_cells result.
+   * max_section_cells result.
    */
   std::shared_ptr<const SectionMesh>
   graded_to_corners(const SectionMesh &section,

@@ -33,7 +33,7 @@ namespace lamella
   /// Keeps those of @p mesh's lines that are sides at the boundary. Throws
   /// InputError if a line is inside, or belongs to two boundaries.
   void
-  sift_lines(GmshMesh &mesh, const Entry &entry);
+  keep_boundary_lines(GmshMesh &mesh, const Entry &entry);
 } // namespace lamella
 
 #endif

@@ -79,7 +79,7 @@ namespace lamella
 
     /// Advances to the next line, which a count announced.
     void
-    go_on(const std::string &due);
+    next_line(const std::string &due);
 
     /// Throws InputError if there is another line.
     void

@@ -16,9 +16,9 @@ namespace lamella
   struct SectionParameters
   {
     /// Upper limit of `Cells divided`.
-    static constexpr unsigned int most_divisions = 4;
+    static constexpr unsigned int max_divisions = 4;
     /// Upper limit of `Corner layers`.
-    static constexpr unsigned int most_corner_layers = 6;
+    static constexpr unsigned int max_corner_layers = 6;
 
     /// Declares the entries in the subsection that @p prm is in.
     static void

@@ -17,9 +17,9 @@ namespace lamella
   {
     /// Largest number of cells in a mesh line, against typing errors that
     /// exhaust the memory.
-    static constexpr unsigned int most_in_line = 10000;
+    static constexpr unsigned int max_cells_in_line = 10000;
     /// Largest number of refinements of an ellipse: 49152 cells.
-    static constexpr unsigned int most_refinements = 6;
+    static constexpr unsigned int max_ellipse_refinements = 6;
 
     const Entries &in;
     /// Names that a material may have.
@@ -39,8 +39,8 @@ namespace lamella
     std::string
     material(const Entry &entry, const std::string &name) const;
     /// Returns the fabric of a section of one material.
-    Fabric
-    fabric() const;
+    OrientedMaterial
+    oriented_material() const;
 
     Laminate
     laminate() const;
@@ -61,9 +61,9 @@ namespace lamella
   /// Returns @p items for @p n plies, one each, repeating a single one.
   template <typename T>
   std::vector<T>
-  one_a_ply(const std::vector<T> &items,
-            const unsigned int    n,
-            const Entry          &entry)
+  one_per_ply(const std::vector<T> &items,
+              const unsigned int    n,
+              const Entry          &entry)
   {
     if (items.size() == 1)
       return std::vector<T>(n, items[0]);

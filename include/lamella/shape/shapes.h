@@ -48,7 +48,7 @@ namespace lamella
   };
 
   /// Material and angle of a homogeneous section or part.
-  struct Fabric
+  struct OrientedMaterial
   {
     /// Name of the material in the scene.
     std::string material;
@@ -62,7 +62,7 @@ namespace lamella
   {
     /// Material with the angle in the wall's plane (PlyPlane) in degrees: 0
     /// along +y.
-    Fabric fabric;
+    OrientedMaterial oriented_material;
     /// Thickness [length].
     double thickness = 0.;
   };
@@ -96,7 +96,7 @@ namespace lamella
     /// if P is not on top, for enough cells at the far end of the arc.
     unsigned int sectors = 8;
     /// Fabric of the whole section.
-    Fabric fabric;
+    OrientedMaterial oriented_material;
   };
 
   /// A full ellipse in the box [0, width] x [0, height], with the boundary
@@ -106,8 +106,8 @@ namespace lamella
     /// Axes, twice the semi-axes [length].
     double width = 0., height = 0.;
     /// Number n of refinements: 12 4^n cells.
-    unsigned int refinements = 1;
-    Fabric       fabric;
+    unsigned int     refinements = 1;
+    OrientedMaterial oriented_material;
   };
 
   /**
@@ -132,12 +132,12 @@ namespace lamella
     /// Outer dimensions [length].
     double width = 0., height = 0.;
     /// Thicknesses [length] from left to right and from bottom to top,
-    /// count_of_walls() each. Their sums must be less than the width and the
+    /// wall_counts() each. Their sums must be less than the width and the
     /// height.
     std::vector<double> webs, flanges;
     /// Number of cells through each wall, and along it between corners.
-    unsigned int cells_per_wall = 1, cells_along_wall = 4;
-    Fabric       fabric;
+    unsigned int     cells_per_wall = 1, cells_along_wall = 4;
+    OrientedMaterial oriented_material;
     /// Layup of each wall, webs first, which adds up to its thickness; or none,
     /// and all walls are of the fabric.
     std::vector<WallLayup> layups = {};
@@ -167,13 +167,13 @@ namespace lamella
   /// each of a box, one and two of a double-T, one each of a T. Throws
   /// std::out_of_range for other shapes.
   std::pair<unsigned int, unsigned int>
-  count_of_walls(const ShapeKind form);
+  wall_counts(const ShapeKind form);
 
   /// Returns the names of the walls of @p form in the order of
   /// ThinWalled::layups: `left`, `right`, `bottom`, `top`, or `web` or `flange`
-  /// if there is one. Throws as count_of_walls() does.
+  /// if there is one. Throws as wall_counts() does.
   std::vector<std::string>
-  names_of_walls(const ShapeKind form);
+  wall_names(const ShapeKind form);
 
   /// The ply plane of a part of a section from a file.
   struct PartPlane
@@ -199,7 +199,7 @@ namespace lamella
     double scale = 1.;
     /// Fabric by name of a physical surface. Others are of the material with
     /// their name, at 0 degrees.
-    std::map<std::string, Fabric> parts;
+    std::map<std::string, OrientedMaterial> parts;
     /// Subsection for messages, `Section NAME`. Errors in the mesh are those of
     /// `Section NAME/File`.
     std::string what;
@@ -209,7 +209,7 @@ namespace lamella
 
   /// Largest number of cells of a section, against typing errors that exhaust
   /// the memory.
-  constexpr double most_section_cells = 50000.;
+  constexpr double max_section_cells = 50000.;
 
   /// A section as described in the scene. Plain data: make_section_mesh() makes
   /// the mesh and reads files.
@@ -237,7 +237,7 @@ namespace lamella
   /// Returns @p section with all cells divided into four, @p times times, at
   /// the middles of their edges (on arcs by their manifold). Plies and side
   /// names are inherited. Throws InputError, of the entry `Cells divided` of
-  /// the subsection @p what, if more than most_section_cells result.
+  /// the subsection @p what, if more than max_section_cells result.
   std::shared_ptr<const SectionMesh>
   divided(const SectionMesh &section,
           const unsigned int times,

@@ -67,13 +67,13 @@ namespace lamella
     /// Replaces the forces of @p state, displaced to @p u at @p factor, by
     /// lambda', and back; rows that would be tensile are deactivated.
     void
-    take_springs_off(const BlockVector &u,
-                     const LoadFactor  &factor,
-                     State             &state) const;
+    remove_shift(const BlockVector &u,
+                 const LoadFactor  &factor,
+                 State             &state) const;
     void
-    put_springs_on(const BlockVector &u,
-                   const LoadFactor  &factor,
-                   State             &state) const;
+    apply_shift(const BlockVector &u,
+                const LoadFactor  &factor,
+                State             &state) const;
 
   private:
     struct ShiftedConstraint

@@ -46,7 +46,7 @@ namespace lamella
     /// freedom.
     template <typename Work>
     Wrench
-    felt(const Work &work) const
+    resultant_of_work(const Work &work) const
     {
       Wrench about_center;
       for (unsigned int c = 0; c < 3; ++c)
@@ -59,7 +59,7 @@ namespace lamella
 
     /// Returns @p about_center with its moment about the origin of the scene.
     Wrench
-    at_origin(const Wrench &about_center) const;
+    about_origin(const Wrench &about_center) const;
 
     void
     add(const Wrench &about_center);

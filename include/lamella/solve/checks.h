@@ -3,9 +3,9 @@
 #ifndef lamella_solve_checks_h
 #define lamella_solve_checks_h
 
-#include <lamella/solve/beyond_linear.h>
 #include <lamella/solve/contact_solver.h>
 #include <lamella/solve/kkt_residual.h>
+#include <lamella/solve/nonlinearity_estimate.h>
 
 #include <vector>
 
@@ -64,7 +64,7 @@ namespace lamella
            shape_change = 0.;
     /// Estimates of the effects of large deflections; not set by check_state(),
     /// which solves nothing.
-    BeyondLinear beyond;
+    NonlinearityEstimate beyond;
     /// Largest component of all displacements, including those of obstacles.
     double max_displacement = 0.;
   };
@@ -72,7 +72,7 @@ namespace lamella
   /// Returns the rounding error of the displacements @p u of a body [length];
   /// forces and energies that result from it have no meaning.
   double
-  rounding_of_places(const Vector &u);
+  displacement_rounding(const Vector &u);
 
   /**
    * Returns the checks of @p state at load factor @p factor. The stiffness of

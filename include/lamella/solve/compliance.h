@@ -42,7 +42,7 @@ namespace lamella
     /// Returns the included rows, grouped by the calls that included them.
     /// Including the same groups again reproduces the compliance bit for bit.
     const std::vector<std::vector<unsigned int>> &
-    batches() const
+    row_groups() const
     {
       return included;
     }
@@ -50,7 +50,7 @@ namespace lamella
     /// Returns true if @p row was included. The functions below accept included
     /// rows only.
     bool
-    knows(const unsigned int row) const
+    is_included(const unsigned int row) const
     {
       return place[row] != dealii::numbers::invalid_unsigned_int;
     }

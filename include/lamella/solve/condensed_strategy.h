@@ -66,7 +66,7 @@ namespace lamella
     restore(const StrategyHistory &memory) override;
 
     bool
-    forces_stand_alone() const override
+    forces_are_accurate() const override
     {
       return true;
     }
@@ -91,12 +91,13 @@ namespace lamella
 
     /// Returns R K^-1 C + d of @p closed, column by column.
     std::vector<double>
-    system_of(const ActiveConstraints &closed);
+    contact_system(const ActiveConstraints &closed);
     /// Replaces @p lambda by (R K^-1 C + d)^-1 lambda. The matrix has a
     /// Cholesky factor, which is kept, if nothing slips. Throws NumericsError
     /// if it is singular.
     void
-    solve_closed(const ActiveConstraints &closed, std::vector<double> &lambda);
+    solve_on_active_set(const ActiveConstraints &closed,
+                        std::vector<double>     &lambda);
 
     /// Pairs of negative gap and row, the smallest gap first.
     using Violations = std::vector<std::pair<double, unsigned int>>;
@@ -105,7 +106,7 @@ namespace lamella
     /// or estimated force, and those already included, unless most of them
     /// would be idle. Empty if no gap is closed and no row is active.
     std::vector<unsigned int>
-    first_part(const ContactProblem &problem) const;
+    initial_working_set(const ContactProblem &problem) const;
 
     /// Returns the rows outside @p part that have no compliance of their own (a
     /// = 0) and touch under the gaps @p g, to within a hundred times the
@@ -119,11 +120,11 @@ namespace lamella
     /// from their active rows in @p solution; all other rows keep their forces.
     /// Sets du, the forces of @p part and the active rows.
     void
-    solve_part(const ContactProblem            &problem,
-               const std::vector<unsigned int> &part,
-               ContactSolution                 &solution);
+    solve_working_set(const ContactProblem            &problem,
+                      const std::vector<unsigned int> &part,
+                      ContactSolution                 &solution);
 
-    /// Solves @p problem as solve_part() does, with Coulomb's law on the
+    /// Solves @p problem as solve_working_set() does, with Coulomb's law on the
     /// compliance (solve_coulomb()) and no regularization but the compliance of
     /// the contact law. Throws NumericsError if no forces, or only unstable
     /// ones, satisfy the law.
@@ -142,10 +143,10 @@ namespace lamella
     /// them to @p left, if they are most of it. Rows that were removed before
     /// stay.
     static void
-    drop_idle(const ContactProblem      &problem,
-              const ContactSolution     &solution,
-              std::vector<unsigned int> &part,
-              std::set<unsigned int>    &left);
+    remove_idle_rows(const ContactProblem      &problem,
+                     const ContactSolution     &solution,
+                     std::vector<unsigned int> &part,
+                     std::set<unsigned int>    &left);
 
     /// Compliance of all rows that were ever in the working set.
     Compliance compliance;

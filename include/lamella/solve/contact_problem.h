@@ -114,7 +114,7 @@ namespace lamella
     /// Factor of NumericalCompliance: a power of ten from 1 to 1000.
     double stiffening = 1.;
     /// `condensed`: the rows of the compliance, grouped as they were included
-    /// (Compliance::batches()). `full`: one list, the rows in the matrix
+    /// (Compliance::row_groups()). `full`: one list, the rows in the matrix
     /// pattern.
     std::vector<std::vector<unsigned int>> rows;
   };

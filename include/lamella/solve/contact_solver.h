@@ -15,7 +15,8 @@
 namespace lamella
 {
   /// Tolerances and limits of the iterations of ContactSolver. Values without a
-  /// unit are relative to the displacements (ContactSolver::size_of()).
+  /// unit are relative to the displacements
+  /// (ContactSolver::displacement_scale()).
   struct SolverParameters
   {
     /// Limit of the contact iterations; more are a failure.
@@ -32,20 +33,20 @@ namespace lamella
     double rounding = arithmetic::rounding;
     /// Tolerance of the contact law in active constraints, and the weaker one
     /// that is accepted if a further round hardly improves it.
-    double law_tolerance = arithmetic::rounding_of_results,
-           good_enough   = arithmetic::rounding_of_solutions;
+    double law_tolerance      = arithmetic::rounding_of_results,
+           weak_law_tolerance = arithmetic::rounding_of_solutions;
     /// A round is slow if it leaves more than this share of the previous
     /// violation.
     double slow = 0.1;
-    /// Limit of the rounds of ContactSolver::correct_set().
+    /// Limit of the rounds of ContactSolver::correct_active_set().
     unsigned int max_set_corrections = 20;
 
     /// Relative change of the spring offsets that ends their release, or the
     /// remaining spring force over the largest load or contact force. (A motion
     /// without load and constraint drifts by rounding, with negligible force.)
-    double springs_at_rest       = arithmetic::rounding_of_results,
-           springs_without_force = arithmetic::rounding_of_sums;
-    unsigned int max_releases    = 60;
+    double spring_offset_tolerance = arithmetic::rounding_of_results,
+           spring_force_tolerance  = arithmetic::rounding_of_sums;
+    unsigned int max_releases      = 60;
   };
 
   /**
@@ -94,7 +95,7 @@ namespace lamella
     /// at least two corrections (the first is the solution itself). Throws
     /// NumericsError if the result is not finite.
     State
-    solve_free(const LoadFactor &factor, const SpringRest &rest = {});
+    solve_free(const LoadFactor &factor, const SpringOffsets &rest = {});
 
     /**
      * Returns the solution with contact, starting from @p free, the state of
@@ -112,7 +113,7 @@ namespace lamella
      * the current forces as estimates (proximal point iteration, method of
      * multipliers). The loop ends if no active constraint is tensile, no other
      * penetrates beyond rounding, and active constraints satisfy the law to
-     * law_tolerance, or to good_enough after a slow round.
+     * law_tolerance, or to weak_law_tolerance after a slow round.
      *
      * Termination: each round counts as at least one of the max_iterations, as
      * it has an active constraint or a force. Convergence in exact arithmetic:
@@ -161,7 +162,7 @@ namespace lamella
     /// symmetric matrix: the constraints against a small disturbance, as a
     /// sliding point resists until its slip is reversed.
     ActiveConstraints
-    held_rows(const State &state) const;
+    sticking_equations(const State &state) const;
 
     /// Returns the data of the strategy that a resumed run needs.
     StrategyHistory
@@ -207,15 +208,16 @@ namespace lamella
       std::vector<unsigned int> opening, closing;
       /// Sticking constraints beyond mu lambda_n, and slipping ones whose slip
       /// is not opposite to the shear force.
-      std::vector<unsigned int> rubbing;
+      std::vector<unsigned int> friction_violations;
       /// Largest |g + a lambda| of the other active constraints, and |v| of the
       /// sticking ones [length].
       double gap = 0.;
 
       bool
-      is_right_set() const
+      is_active_set_correct() const
       {
-        return opening.empty() && closing.empty() && rubbing.empty();
+        return opening.empty() && closing.empty() &&
+               friction_violations.empty();
       }
     };
 
@@ -229,12 +231,12 @@ namespace lamella
     /// Adds to @p found the violation of Coulomb's law in row @p r of @p state.
     /// Forces below @p small and lengths below @p closed are rounding.
     void
-    add_misses_of_friction(const State       &state,
-                           const LoadFactor  &factor,
-                           const unsigned int r,
-                           const double       closed,
-                           const double       small,
-                           ContactViolations &found) const;
+    add_friction_violations(const State       &state,
+                            const LoadFactor  &factor,
+                            const unsigned int r,
+                            const double       closed,
+                            const double       small,
+                            ContactViolations &found) const;
 
     /// Returns r_lambda, the residual of the contact law for each number of
     /// @p closed.
@@ -265,7 +267,7 @@ namespace lamella
     /// Returns the next problem, about the refined @p state with its forces as
     /// estimates.
     ContactProblem
-    problem_about(const State &state, const LoadFactor &factor) const;
+    problem_at(const State &state, const LoadFactor &factor) const;
 
     /// Replaces @p state by the state of the forces of @p settled, and returns
     /// true if that satisfies the contact law. Used for dependent constraints,
@@ -285,7 +287,7 @@ namespace lamella
      * failure.
      */
     bool
-    correct_set(State &state, const LoadFactor &factor);
+    correct_active_set(State &state, const LoadFactor &factor);
 
     /// Corrects u and the forces of the active constraints once, against r_u =
     /// t f + B^T lambda - integral B^T C (B u) and r_lambda = -(g + a lambda),
@@ -310,9 +312,10 @@ namespace lamella
     /// Returns the reference length of the rounding in @p state: the largest
     /// displacement, including that of moving obstacles along the normals.
     double
-    size_of(const State &state, const LoadFactor &factor) const;
+    displacement_scale(const State &state, const LoadFactor &factor) const;
 
-    /// Returns the tolerance @p share of size_of(), at least State::rounding().
+    /// Returns the tolerance @p share of displacement_scale(), at least
+    /// State::rounding().
     double
     length_of(const double      share,
               const State      &state,
@@ -340,11 +343,11 @@ namespace lamella
     /// springs are too stiff, and the message gives the share for a rate of
     /// 0.1.
     [[noreturn]] void
-    fail_running_away(const std::string &body,
-                      const std::string &motion,
-                      const double       rate) const;
+    throw_unconstrained_motion(const std::string &body,
+                               const std::string &motion,
+                               const double       rate) const;
     [[noreturn]] void
-    fail_on_springs(const State &state, const double rate) const;
+    throw_spring_failure(const State &state, const double rate) const;
 
     const std::shared_ptr<const TangentOperator> tangent_operator;
     const Structure                             &structure;

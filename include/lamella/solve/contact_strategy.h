@@ -108,7 +108,7 @@ namespace lamella
     /// compliance, so that a state may be computed from them alone. False with
     /// K + K^p, where penalties cost digits.
     virtual bool
-    forces_stand_alone() const = 0;
+    forces_are_accurate() const = 0;
 
     /// Returns what to try if the search does not converge, besides a finer
     /// mesh and more iterations: a part of a sentence.

@@ -74,7 +74,7 @@ namespace lamella
     /// Regularization for the stability test of a solution that is unstable
     /// without it. (A section that hardly bends across has 3e-9, against 1e-6
     /// of the sliding points.)
-    double firm = 1e-4;
+    double stability_regularization = 1e-4;
     /// Limits of the proximal iteration. It ends after `idle` successive steps
     /// without improvement, at rounding, or a step with an error above
     /// `failed`.
@@ -86,20 +86,21 @@ namespace lamella
     /// Limit of iterations after the tolerance is met, while each leaves at
     /// most a tenth of the error: small values beside the largest q gain
     /// digits.
-    unsigned int polish = 3;
-    double       digits = 1e-15;
+    unsigned int extra_iterations = 3;
+    double       digits           = 1e-15;
     /// First iteration with shortened steps.
     unsigned int damped_from = 4;
     unsigned int sweeps      = 20;
     unsigned int cone_rounds = 6;
     /// Smallest friction coefficient of a cone.
-    double least_friction = 1e-4;
+    double min_friction = 1e-4;
     /// Decreasing regularization: initial shares of the diagonal, starting from
     /// the current forces and from zero; factors of decrease and increase;
     /// tolerance of each solution; limits of rounds and sweeps.
-    double       first_compliance = 0.1, second_compliance = 1.;
-    double       falls = 0.1, falls_slowly = 0.3, rises = 5., solved = 1e-9;
-    unsigned int max_softened = 60, soft_sweeps = 200;
+    double first_compliance = 0.1, second_compliance = 1.;
+    double falls = 0.1, slow_decrease_factor = 0.3, increase_factor = 5.,
+           solved                       = 1e-9;
+    unsigned int max_regularized_rounds = 60, regularized_sweeps = 200;
   };
 
   /**

@@ -127,9 +127,9 @@ namespace lamella
               const Iterate        &from,
               Iterate               to) const;
     Round
-    wrong_rows(const Iterate &at,
-               const Trial   &trial,
-               const Scales  &scale) const;
+    violating_rows(const Iterate &at,
+                   const Trial   &trial,
+                   const Scales  &scale) const;
     ContactSolution
     solution(const ContactProblem &problem,
              Iterate               at,

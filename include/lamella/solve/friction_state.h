@@ -56,16 +56,16 @@ namespace lamella
     /// Returns the state of @p rows without force or slip, for undeformed
     /// bodies.
     static FrictionState
-    at_rest(const GapConstraints &rows);
+    unloaded(const GapConstraints &rows);
   };
 
   /// End of the message if a solution with friction is unstable or not found.
-  constexpr const char *remedy_with_friction =
+  constexpr const char *friction_remedy =
     ". Try more Substeps, a smaller step in Load factors, or a softer penalty.";
 
   /// Throws NumericsError: the solution found is unstable.
   [[noreturn]] void
-  fail_as_unstable();
+  throw_unstable();
 
   /// Converts a vector along the tangents into components, and back.
   dealii::Tensor<1, 2>

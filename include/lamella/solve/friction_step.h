@@ -33,13 +33,13 @@ namespace lamella
 
   /// Stores the forces @p found by a strategy in @p state.
   void
-  take_forces(const GapConstraints  &rows,
-              const ContactSolution &found,
-              State                 &state);
+  store_forces(const GapConstraints  &rows,
+               const ContactSolution &found,
+               State                 &state);
 
   /// Returns the closed constraints of @p state.
   ActiveConstraints
-  closed_rows(const GapConstraints &rows, const State &state);
+  active_equations(const GapConstraints &rows, const State &state);
 
   /// Adds @p dlambda to the forces of @p state; the shear forces of slipping
   /// rows follow.

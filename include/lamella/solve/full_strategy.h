@@ -51,7 +51,7 @@ namespace lamella
     restore(const StrategyHistory &memory) override;
 
     bool
-    forces_stand_alone() const override
+    forces_are_accurate() const override
     {
       return false;
     }
@@ -59,8 +59,8 @@ namespace lamella
     std::string
     remedy() const override
     {
-      return rows.rub() ? "the condensed strategy" :
-                          "a softer penalty, the condensed strategy";
+      return rows.has_friction() ? "the condensed strategy" :
+                                   "a softer penalty, the condensed strategy";
     }
 
     /// Returns a warning if the penalties are too hard for doubles
@@ -103,31 +103,31 @@ namespace lamella
     /// Returns the tensile active rows, and the inactive rows that overlap by
     /// more than @p closed.
     static Round
-    wrong_rows(const Iterate             &at,
-               const std::vector<double> &overlap,
-               const double               closed);
+    violating_rows(const Iterate             &at,
+                   const std::vector<double> &overlap,
+                   const double               closed);
     /// Returns the next active set, ascending: the rows that stay, and the
     /// worst of those that overlap by more than @p closed, at most eight or as
     /// many as are active.
     static std::vector<unsigned int>
-    next_set(const Iterate             &at,
-             const std::vector<double> &overlap,
-             const double               closed);
+    next_active_set(const Iterate             &at,
+                    const std::vector<double> &overlap,
+                    const double               closed);
     /// Returns the point at the fraction @p t from @p from to @p to, with the
     /// forces of the law there.
     Iterate
-    part_of_the_way(const ContactProblem &problem,
-                    const Iterate        &from,
-                    const Iterate        &to,
-                    const double          t) const;
+    interpolate_iterate(const ContactProblem &problem,
+                        const Iterate        &from,
+                        const Iterate        &to,
+                        const double          t) const;
     /// Returns the minimum of the convex energy between @p from and @p to,
     /// whose active set was there before: the point where the forces do no more
     /// work, by bisection to a hundredth of the initial work. The energy falls,
     /// so no set returns forever.
     Iterate
-    lowest_point(const ContactProblem &problem,
-                 const Iterate        &from,
-                 const Iterate        &to) const;
+    energy_minimum(const ContactProblem &problem,
+                   const Iterate        &from,
+                   const Iterate        &to) const;
 
     PenaltyMatrix matrix;
   };

@@ -50,7 +50,7 @@ namespace lamella
     /// Difference between the initial gaps of active rows, possibly element
     /// averages, and those between their points: surface curvature that the
     /// mesh does not resolve.
-    double averaged_away = 0.;
+    double unresolved_curvature = 0.;
     /// Friction: resultant on the second side, scene components; areas of the
     /// sticking and slipping rows [length^2]; dissipated energy so far.
     dealii::Tensor<1, 3> shear;

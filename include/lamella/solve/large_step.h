@@ -36,12 +36,14 @@ namespace lamella
           const bool        last = true) override;
 
     void
-    go_on_from(const State &last, const LoadFactor &factor) override;
+    resume_from(const State &last, const LoadFactor &factor) override;
 
   private:
     /// Returns the start of the path from @p before, at @p from, to @p to.
     Equilibrium
-    start_at(const State &before, const LoadFactor &from, const LoadFactor &to);
+    make_start(const State      &before,
+               const LoadFactor &from,
+               const LoadFactor &to);
 
     const Structure &structure;
     Newton           newton;

@@ -73,7 +73,7 @@ namespace lamella
     /// Continues from @p last, a state at @p factor from another run. No effect
     /// for linear kinematics.
     virtual void
-    go_on_from(const State &, const LoadFactor &)
+    resume_from(const State &, const LoadFactor &)
     {}
   };
 
@@ -133,9 +133,9 @@ namespace lamella
   public:
     /// Additional measure of the distance between two results of a load step,
     /// beside change_of(), such as a quantity of interest.
-    using Watch = std::function<double(const SolvedStep &one,
-                                       const SolvedStep &other,
-                                       const State      &before)>;
+    using ChangeMeasure = std::function<double(const SolvedStep &one,
+                                               const SolvedStep &other,
+                                               const State      &before)>;
 
     /// Starts from the unloaded state with the load @p factors, each reached in
     /// @p substeps. @p branches enables the storage of states for branches.
@@ -146,9 +146,9 @@ namespace lamella
 
     /// Adds @p more as a criterion for automatic substeps.
     void
-    watch(Watch more)
+    watch(ChangeMeasure more)
     {
-      watches = std::move(more);
+      change_measure = std::move(more);
     }
 
     /// Resumes after the first @p n_done >= 1 steps, of which the last gave
@@ -184,12 +184,13 @@ namespace lamella
     SolvedStep
     advance();
 
-    /// Returns and stores the state at @p factor on the way of step @p leg, or
-    /// beyond the last step. Starts from the nearest stored state, or with
-    /// friction from the nearest one already passed, with as many substeps as a
-    /// step. States missing after a resume are solved for again.
+    /// Returns and stores the state at @p factor on the way of step @p
+    /// load_step, or beyond the last step. Starts from the nearest stored
+    /// state, or with friction from the nearest one already passed, with as
+    /// many substeps as a step. States missing after a resume are solved for
+    /// again.
     SolvedStep
-    branch(const double factor, const unsigned int leg);
+    branch(const double factor, const unsigned int load_step);
 
     /// Returns the checks of the last completed step, evaluated again.
     Checks
@@ -201,53 +202,55 @@ namespace lamella
   private:
     /// Solves from @p before, at @p from, to @p to in @p n substeps.
     SolvedStep
-    in_parts(const State       &before,
-             const LoadFactor  &from,
-             const LoadFactor  &to,
-             const unsigned int n) const;
+    solve_substeps(const State       &before,
+                   const LoadFactor  &from,
+                   const LoadFactor  &to,
+                   const unsigned int n) const;
     /// Solves from @p before, at @p from, to @p to in the number of substeps
     /// that the scene requests.
     SolvedStep
-    as_wanted(const State      &before,
-              const LoadFactor &from,
-              const LoadFactor &to) const;
+    solve_requested_substeps(const State      &before,
+                             const LoadFactor &from,
+                             const LoadFactor &to) const;
 
     /// Stored state from which branches start: its factor, and the first step
     /// with that factor.
-    struct Stored
+    struct StoredState
     {
-      double       factor = 0.;
-      unsigned int leg    = 0;
+      double       factor    = 0.;
+      unsigned int load_step = 0;
       State        state;
     };
 
     /// Stores @p state if branches are enabled; the first one per factor and
     /// step.
     void
-    store(const double factor, const unsigned int leg, const State &state);
+    store(const double       factor,
+          const unsigned int load_step,
+          const State       &state);
     /// Returns the stored state nearest to @p factor; the newer of two equally
     /// near ones, whose rows are known.
-    Stored
+    StoredState
     nearest(const double factor) const;
-    /// Returns the stored state nearest to @p factor of those that step @p leg
-    /// has passed there.
-    Stored
-    passed(const double factor, const unsigned int leg);
-    /// Returns the state at the end of step @p leg.
-    Stored
-    end_of(const unsigned int leg);
+    /// Returns the stored state nearest to @p factor of those that step @p
+    /// load_step has passed there.
+    StoredState
+    nearest_passed(const double factor, const unsigned int load_step);
+    /// Returns the state at the end of step @p load_step.
+    StoredState
+    end_of(const unsigned int load_step);
 
     const std::shared_ptr<Step>   step;
     const std::vector<LoadFactor> factors;
     const Substeps                substeps;
     const bool                    branches;
-    Watch                         watches;
+    ChangeMeasure                 change_measure;
     unsigned int                  done = 0;
     State                         last;
     /// Largest force of supports and contacts in the last state.
     double last_force = 0.;
 
-    std::vector<Stored> stored;
+    std::vector<StoredState> stored;
   };
 } // namespace lamella
 

@@ -28,12 +28,12 @@ namespace lamella
     /// Returns a text on the matrices of @p structure: DoFs, nonzeros, required
     /// and available gigabytes. Throws InputError if they do not fit.
     std::string
-    require_matrices(const Structure &structure) const;
+    check_matrix_memory(const Structure &structure) const;
 
     /// Returns a text on the factor of @p body and the total of the run. Throws
     /// InputError if it does not fit. @p size holds the bytes of this process.
     std::string
-    require_factor(const Body &body, const FactorSize &size) const;
+    check_factor_memory(const Body &body, const FactorSize &size) const;
 
   private:
     /// Throws InputError if the processes of a machine lack @p bytes each;

@@ -27,7 +27,8 @@ namespace lamella
     /// Assigns the stored values to the rows of @p contacts in @p state; zero
     /// for points that are not stored.
     void
-    give(const std::vector<ContactInterface> &contacts, State &state) const;
+    transfer_to(const std::vector<ContactInterface> &contacts,
+                State                               &state) const;
 
   private:
     /// Contact, cell, and position in the cell.
@@ -45,8 +46,8 @@ namespace lamella
     /// Adds the dissipation of rows that are no longer in @p contacts to the
     /// first row of their contact, so that its sum is kept.
     void
-    keep_dissipated(const std::vector<ContactInterface> &contacts,
-                    FrictionState                       &of) const;
+    preserve_dissipation(const std::vector<ContactInterface> &contacts,
+                         FrictionState                       &of) const;
 
     /// Stored rows: all with friction in any contact, else those with a force.
     std::map<Key, Pressed> places;
@@ -182,11 +183,11 @@ namespace lamella
     /// Returns true if another contact has rows for the ends of the body that
     /// faces the points of contact @p c.
     bool
-    ends_have_rows(const unsigned int c) const;
+    ends_have_constraints(const unsigned int c) const;
     /// Returns true if a row between the bodies of contact @p c has a force in
     /// @p state.
     bool
-    is_pressed(const unsigned int c, const State &state) const;
+    has_contact_force(const unsigned int c, const State &state) const;
     /// Pairs contact @p c anew.
     void
     pair(const unsigned int c, const State &state, const LoadFactor &factor);

@@ -22,16 +22,16 @@ namespace lamella
     unsigned int max_iterations = 30;
     /// Tolerance of equilibrium: Euclidean norm of the unbalanced forces over
     /// the larger one of internal forces and loads.
-    double balanced = arithmetic::rounding_of_solutions;
+    double force_tolerance = arithmetic::rounding_of_solutions;
     /// Limits for slender bodies, whose forces have a rounding of about (L /
     /// h)^3 1e-16. Below `floor`, iterations end once two successive ones leave
     /// more than `stalls` of the residual; below `near`, if the correction is
     /// at most `still` of the size of the scene.
-    double floor = arithmetic::alike, stalls = 0.5, near = 1e-3,
-           still = arithmetic::same_place;
+    double floor = arithmetic::alike, stall_ratio = 0.5, near = 1e-3,
+           still = arithmetic::same_position;
     /// Residual growth, relative to the start of the step, that is a failure;
     /// below `nothing` of that start, forces are rounding.
-    double diverged = 1e12, nothing = arithmetic::rounding_of_sums;
+    double divergence_ratio = 1e12, nothing = arithmetic::rounding_of_sums;
     /// Tolerance of the contact law: the larger of `law` times the largest
     /// displacement and `touching` times the size of the scene. With more rows
     /// than surface DoFs it may be finer than the accuracy of the forces: below
@@ -39,11 +39,11 @@ namespace lamella
     double law = arithmetic::negligible, touching = arithmetic::rounding;
     /// Relative step of the differences in Newton::rotation_of_constraints(),
     /// and the share of a correction at which its iteration ends, in at most
-    /// `max_follows` back substitutions.
+    /// `max_rotation_corrections` back substitutions.
     double       difference = arithmetic::alike, follows = 1e-3;
-    unsigned int max_follows = 20;
+    unsigned int max_rotation_corrections = 20;
     /// Largest factor between corrections without and with stabilizing springs.
-    double released = 10.;
+    double max_spring_influence = 10.;
     /// Correction, relative to the size of the scene, that is small if springs
     /// determine it.
     double converged_change = 1e-7;
@@ -60,7 +60,7 @@ namespace lamella
     /// shortened.
     double spin = 1.;
     /// Limit of the bisections of a step.
-    unsigned int max_cuts = 6;
+    unsigned int max_bisections = 6;
     /// Largest rotation of a support in a step [rad], since a position does not
     /// determine the number of revolutions.
     double rotation = 2.;
@@ -121,13 +121,13 @@ namespace lamella
 
     /// Creates a solver without contact.
     explicit Newton(const Structure        &structure,
-                    const SolverKind        asked      = SolverKind::automatic,
+                    const SolverKind        requested  = SolverKind::automatic,
                     const NewtonParameters &parameters = NewtonParameters());
 
     /// Creates a solver with @p contacts, whose rows stay at the last state.
     Newton(const Structure        &structure,
            const MovingContacts   &contacts,
-           const SolverKind        asked,
+           const SolverKind        requested,
            const NewtonParameters &parameters);
 
     /// Callback for a line of text per iteration; no output by default.
@@ -137,7 +137,7 @@ namespace lamella
 
     /// Returns the unloaded state of a path to @p factor.
     Equilibrium
-    at_rest(const LoadFactor &factor = 1.) const;
+    unloaded(const LoadFactor &factor = 1.) const;
 
     /// Restores the contacts of @p state at @p factor
     /// (MovingContacts::restore()).
@@ -149,7 +149,7 @@ namespace lamella
 
     /// Returns the equilibrium at load factor @p to, from @p start, to which
     /// the current rows of the contacts belong. Throws NumericsError with the
-    /// last factor reached if it fails in 2^max_cuts parts.
+    /// last factor reached if it fails in 2^max_bisections parts.
     Equilibrium
     advance(const Equilibrium &start, const LoadFactor &to);
 
@@ -163,13 +163,13 @@ namespace lamella
   private:
     /// Start of a step: support motion, unbalanced forces including its effect,
     /// and reference force.
-    struct Beginning
+    struct StepStart
     {
       BlockVector moved, r;
       double      size = 0.;
     };
-    Beginning
-    beginning(const LoadFactor &to, const Equilibrium &at) const;
+    StepStart
+    step_start(const LoadFactor &to, const Equilibrium &at) const;
 
     /// Returns the largest rotation angle of a support between the factors.
     double
@@ -178,9 +178,9 @@ namespace lamella
     /// Updates the friction history at the end of a step to @p state at @p to;
     /// the step @p began with these forces.
     void
-    end_friction(const MultiplierTransfer &began,
-                 const LoadFactor         &to,
-                 State                    &state) const;
+    update_friction(const MultiplierTransfer &began,
+                    const LoadFactor         &to,
+                    State                    &state) const;
 
     /// Performs one step from the forces @p pressed, with predicted stresses if
     /// @p predicted. Returns true on convergence. Counts its iterations in
@@ -201,7 +201,7 @@ namespace lamella
     struct Correction
     {
       BlockVector du;
-      bool        leans = false, is_unstable = false;
+      bool        uses_constraint_shift = false, is_unstable = false;
     };
 
     /// Performs one iteration: adds to @p state the correction due to the
@@ -275,12 +275,12 @@ namespace lamella
     ///   K du - B^T dlambda = r + (H + S) du
     /// for the active rows by GMRES; returns @p du if that does not converge.
     BlockVector
-    follow_rows(ContactStrategy   &strategy,
-                const BlockVector &u,
-                const BlockVector &du,
-                const double       regularization_factor,
-                const LoadFactor  &to,
-                State             &state) const;
+    correct_row_rotation(ContactStrategy   &strategy,
+                         const BlockVector &u,
+                         const BlockVector &du,
+                         const double       regularization_factor,
+                         const LoadFactor  &to,
+                         State             &state) const;
 
     /// Adds the forces S w of the stabilizing springs, scaled by @p
     /// regularization_factor, to
@@ -354,12 +354,12 @@ namespace lamella
 
     /// Throws NumericsError with the factor reached and the cause of failure.
     [[noreturn]] void
-    fail_beyond(const LoadFactor &reached, const LoadFactor &to) const;
+    throw_not_converged(const LoadFactor &reached, const LoadFactor &to) const;
 
     /// Returns true if a displacement @p way, remaining support motion or a
     /// correction, is negligible.
     bool
-    is_still(const BlockVector &way) const;
+    is_negligible(const BlockVector &way) const;
 
     /// Returns true if the gap violations @p missed [length] satisfy the
     /// contact law at displacements of that @p size.
@@ -368,13 +368,13 @@ namespace lamella
                           const double           size) const;
 
     const Structure &structure;
-    /// Body::dof_sizes() of bodies with rotating rows, empty for all others.
+    /// Body::dof_scales() of bodies with rotating rows, empty for all others.
     std::vector<std::vector<double>> sizes;
     MovingContacts                   contacts;
     /// Message of the last failed attempt, and why a contact was lost in it;
     /// empty if none was.
     std::string            last_failure, lost_contact;
-    const SolverKind       asked;
+    const SolverKind       requested;
     const NewtonParameters parameters;
   };
 } // namespace lamella

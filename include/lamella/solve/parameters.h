@@ -101,7 +101,7 @@ namespace lamella
     /// Enables the estimates of large-deflection effects and the check for
     /// inconsistent units. Not an entry of the scene; reference models disable
     /// it.
-    bool is_judged = true;
+    bool computes_estimates = true;
 
     /// Declares the entries with their defaults and documentation.
     static void

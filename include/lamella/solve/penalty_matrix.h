@@ -117,7 +117,7 @@ namespace lamella
     /// Updates the hardest penalty of @p terms relative to the stiffness of the
     /// DoFs of its row, k = 1 / sum(b_i^2 / K_ii).
     void
-    measure_hardness(const std::vector<PenaltyTerm> &terms);
+    update_penalty_ratio(const std::vector<PenaltyTerm> &terms);
 
     const Structure     &structure;
     const GapConstraints rows;
@@ -139,7 +139,7 @@ namespace lamella
     bool                     is_factorized = false;
 
     /// Largest eps / k so far, and its eps (force / length).
-    double hardest = 0., hardest_penalty = 0.;
+    double largest_penalty_ratio = 0., penalty_of_largest_ratio = 0.;
   };
 } // namespace lamella
 

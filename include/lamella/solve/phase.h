@@ -18,7 +18,7 @@ namespace lamella
     factorization, ///< factorization, or setup of iterative solvers
     solve,         ///< linear solution, refinement, checks
     contact,       ///< search, pairing and active set
-    beyond,        ///< effects of large deflections (BeyondLinear)
+    beyond,        ///< effects of large deflections (NonlinearityEstimate)
     output         ///< fields at probes, lines and cuts; files
   };
 

@@ -38,7 +38,7 @@ namespace lamella
     std::vector<ContactHistory> pairings;
 
     /// Offsets of the stabilizing springs; empty: zero force at u = 0.
-    SpringRest rest;
+    SpringOffsets rest;
 
     /// Rounds of the active-set search, summed over all releases of the
     /// springs.

@@ -24,7 +24,7 @@ namespace lamella
   /// Offsets r_0 of the stabilizing springs in f = -k (r(u) - r_0): the value
   /// of each spring row at zero force [length], as [body][spring]. Empty: all
   /// zero.
-  using SpringRest = std::vector<std::vector<double>>;
+  using SpringOffsets = std::vector<std::vector<double>>;
 
   /**
    * The linear part of a scene, the discrete principle of virtual displacements
@@ -119,7 +119,7 @@ namespace lamella
 
     /// Returns r_k(u) of the springs of all bodies at @p u: offsets that make
     /// them free of force there.
-    SpringRest
+    SpringOffsets
     spring_lengths(const BlockVector &u) const;
 
     /// Returns the load vector f(t, u) at load factor t = @p factor, not
@@ -141,7 +141,7 @@ namespace lamella
 
     /// Returns true if a follower load has an unsymmetric derivative.
     bool
-    has_skew_loads() const;
+    has_unsymmetric_loads() const;
 
     /// Adds df(t, u)/du @p w of the follower loads to @p f.
     void
@@ -161,11 +161,11 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// Returns the thermal load vector f_0 (Body::add_heat()), which is
+    /// Returns the thermal load vector f_0 (Body::add_thermal_load()), which is
     /// independent of the load factor. Zero without heat, and for bodies with
     /// finite rotations, where load() includes it.
     const BlockVector &
-    heat_load() const
+    thermal_load() const
     {
       return initial_load;
     }
@@ -182,7 +182,7 @@ namespace lamella
     /// Returns integral epsilon_0 . C epsilon_0 / 2 dV over all bodies: the
     /// energy if they were heated and fully constrained.
     double
-    heat_energy() const
+    thermal_energy() const
     {
       return std::accumulate(initial_energies.begin(),
                              initial_energies.end(),
@@ -191,7 +191,7 @@ namespace lamella
 
     /// Returns the heat energy of @p body alone.
     double
-    heat_energy(const unsigned int body) const
+    thermal_energy(const unsigned int body) const
     {
       return initial_energies[body];
     }
@@ -218,7 +218,7 @@ namespace lamella
 
     /// Returns u_p(t) at load factor t = @p factor: the prescribed values, and
     /// zero in free DoFs. For small rotations; see
-    /// TangentOperator::way_to_supports() for finite ones.
+    /// TangentOperator::support_increment() for finite ones.
     BlockVector
     particular(const LoadFactor &factor) const;
 
@@ -236,21 +236,21 @@ namespace lamella
      * Returns the unbalanced forces without contact,
      *   r = f(t) + f_0 - integral B^T C (B u) dV
      *       - sum_k s_k (r_k(u) - r_0k) r_k^T,
-     * with t = @p factor, f_0 = heat_load() and the spring offsets @p rest; not
-     * condensed. Strains B u are formed at each quadrature point and their
+     * with t = @p factor, f_0 = thermal_load() and the spring offsets @p rest;
+     * not condensed. Strains B u are formed at each quadrature point and their
      * stresses integrated, instead of K u: unlike an assembled K, this loses no
      * digits to cancellation in slender bodies, so solutions are refined
      * against it. Costs a loop over all elements; collective.
      */
     BlockVector
-    residual(const BlockVector &u,
-             const LoadFactor  &factor,
-             const SpringRest  &rest = {}) const;
+    residual(const BlockVector   &u,
+             const LoadFactor    &factor,
+             const SpringOffsets &rest = {}) const;
 
     /// Returns integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T,
     /// evaluated as in residual(); linear in @p u without @p rest.
     BlockVector
-    internal_forces(const BlockVector &u, const SpringRest &rest = {}) const;
+    internal_forces(const BlockVector &u, const SpringOffsets &rest = {}) const;
 
     /// Returns the state @p u updated by @p change (Body::retract()).
     BlockVector
@@ -275,10 +275,10 @@ namespace lamella
     void
     take(const Load &load);
     void
-    take_weight(const dealii::Tensor<1, 3> &gravity);
+    assemble_weight(const dealii::Tensor<1, 3> &gravity);
     /// Adds the thermal loads of the bodies, which know their temperatures.
     void
-    take_heat();
+    assemble_thermal_load();
 
     /// Throws InputError, with the @p names of supports, if one prescribes a
     /// finite rotation of points that another holds elsewhere.
@@ -288,7 +288,7 @@ namespace lamella
     /// Throws InputError for the first body with a free rigid motion and no
     /// stabilization.
     void
-    check_held(const std::vector<Stabilization> &stabilizations) const;
+    check_rigid_motions(const std::vector<Stabilization> &stabilizations) const;
 
     Bodies all_bodies;
     /// prescribed().

@@ -31,7 +31,7 @@ namespace lamella
     {
       std::function<void(const Body &)>                     begins, assembled;
       std::function<void(const Body &)>                     ends;
-      std::function<void(const Body &, const FactorSize &)> sized;
+      std::function<void(const Body &, const FactorSize &)> factor_sized;
     };
 
     /// Creates the tangent at @p u without solvers, for assembly by the `full`
@@ -40,16 +40,17 @@ namespace lamella
                     const BlockVector &u,
                     const LoadFactor  &factor = LoadFactor());
 
-    /// Creates the tangent at @p u with solvers of the kind @p asked for the
-    /// condensed stiffness of each body, after the @p correction that led to u,
-    /// if any (Body::make_tangent_solver()). Follower loads at load factor
+    /// Creates the tangent at @p u with solvers of the kind @p requested for
+    /// the condensed stiffness of each body, after the @p correction that led
+    /// to u, if any (Body::make_tangent_solver()). Follower loads at load
+    /// factor
     /// @p factor and additional @p springs of each body contribute to the
     /// solvers only. Throws IllConditioned if a stiffness is not positive
     /// definite in doubles, InputError as Body::solver_kind() does, and what @p
     /// monitor throws.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
-                    const SolverKind   asked,
+                    const SolverKind   requested,
                     const BodyMonitor &monitor    = {},
                     const BlockVector &correction = BlockVector(),
                     const LoadFactor  &factor     = LoadFactor(),
@@ -86,11 +87,11 @@ namespace lamella
     /// (RigidRotation) this is the first-order increment to the new supports:
     /// second-order terms would compress a beam that has not bent yet.
     BlockVector
-    way_to_supports(const LoadFactor &from, const LoadFactor &to) const;
+    support_increment(const LoadFactor &from, const LoadFactor &to) const;
 
     /// Point of a support that misses its prescribed value, with the error as a
     /// share of the tolerance.
-    struct Missed
+    struct SupportError
     {
       dealii::Point<3> place;
       double           share = 0.;
@@ -98,8 +99,8 @@ namespace lamella
     /// Returns the largest error at load factor @p at of the rows that no
     /// correction follows. The tolerance accounts for the effect of rotations
     /// on warping.
-    Missed
-    missed_most(const LoadFactor &at) const;
+    SupportError
+    largest_support_error(const LoadFactor &at) const;
 
     /// Returns the terms of K(u) of @p body, springs included.
     StiffnessTerms
@@ -142,7 +143,7 @@ namespace lamella
     /// Returns the solver for the stiffness of @p body with its @p springs.
     std::unique_ptr<LinearSolver>
     make_solver(const unsigned int             body,
-                const SolverKind               asked,
+                const SolverKind               requested,
                 const Vector                  &correction,
                 const std::vector<SpringTerm> &springs,
                 const SolverMonitor           &monitor) const;
@@ -152,7 +153,7 @@ namespace lamella
     solve_symmetric(BlockVector r) const;
     /// Returns A @p w.
     BlockVector
-    skew_part(const BlockVector &w) const;
+    unsymmetric_part(const BlockVector &w) const;
 
     const Structure                           &structure;
     const BlockVector                          state;
@@ -170,8 +171,8 @@ namespace lamella
   /// Returns the tangent at u = 0 with solvers, valid for all states of linear
   /// bodies.
   std::shared_ptr<const TangentOperator>
-  linearized(const Structure                    &structure,
-             const SolverKind                    asked = SolverKind::automatic,
+  linearized(const Structure &structure,
+             const SolverKind requested = SolverKind::automatic,
              const TangentOperator::BodyMonitor &monitor = {});
 
   /// Returns the tangent at u = 0 without solvers, for the `full` strategy.

@@ -91,21 +91,21 @@ namespace lamella
     /// its record: `values` (VariantValues), and `seconds_of_bars` for bars
     /// that the run itself does not need.
     nlohmann::json
-    answer_of(const Job &job, const std::string &output) const;
-    /// Runs answer_of() in a process of its own; its output goes into the
+    run_job(const Job &job, const std::string &output) const;
+    /// Runs run_job() in a process of its own; its output goes into the
     /// folder.
     ProcessEnd
     run_scene(const Job &job, const std::string &output) const;
     /// Runs @p work in a process of its own with its own MPI, and returns its
     /// result as ProcessEnd::answer.
     ProcessEnd
-    run_in_child(const std::function<nlohmann::json()> &work,
-                 const std::string                     &output,
-                 const std::string                     &errors,
-                 const double                           time_limit) const;
+    run_in_process(const std::function<nlohmann::json()> &work,
+                   const std::string                     &output,
+                   const std::string                     &errors,
+                   const double                           time_limit) const;
     /// Sets quantities that only References request to the ply of these. Throws
-    /// InputError for one that the scene cannot give (Simulation::in_plies()),
-    /// before any variant is run.
+    /// InputError for one that the scene cannot give
+    /// (Simulation::with_resolved_plies()), before any variant is run.
     void
     check_quantities(const std::string &directory);
     /// Runs @p job, three times if that takes less than a second, and returns
@@ -120,7 +120,9 @@ namespace lamella
     /// @p answer and @p seconds, and its results in the folder unless the
     /// variant makes bars.
     void
-    try_again(const Job &job, nlohmann::json &answer, double &seconds) const;
+    repeat_short_run(const Job      &job,
+                     nlohmann::json &answer,
+                     double         &seconds) const;
     /// Reads the record in the variant's folder, or makes one; adds the variant
     /// to results and numbers.
     void
@@ -135,7 +137,7 @@ namespace lamella
     /// Writes the values and bars of all quantities into the results of
     /// variants that succeeded.
     void
-    take_values();
+    store_values();
 
     std::string scene_file;
     /// Overrides of the command line; those of a variant are appended.

@@ -17,7 +17,7 @@ namespace lamella
 {
   /// Error bar of a value by the run itself, in the unit of the value:
   /// GoalResult without reasons.
-  struct OwnBar
+  struct RunErrorBar
   {
     /// Estimated error, to be added to the value, and its bound.
     double estimate = 0., bar = 0.;
@@ -52,8 +52,8 @@ namespace lamella
     std::optional<double> tolerance = {};
     /// Bar of each quantity, if the variant makes one; empty if it makes none
     /// at all.
-    std::vector<std::optional<OwnBar>> bars = {};
-    /// Worst values of BeyondLinear of all load steps.
+    std::vector<std::optional<RunErrorBar>> bars = {};
+    /// Worst values of NonlinearityEstimate of all load steps.
     double                stiffening      = 0.;
     std::optional<double> buckling_factor = {};
   };
@@ -85,7 +85,7 @@ namespace lamella
     tell(VariantResult &result) const;
 
     /// Returns the bar of @p quantity; none if it was no goal of the run.
-    std::optional<OwnBar>
+    std::optional<RunErrorBar>
     bar(const NamedQuantity &quantity) const;
 
     /// Returns whether the run made any bars.
@@ -97,8 +97,8 @@ namespace lamella
 
   private:
     /// Bars by the label of the goal.
-    std::map<std::string, OwnBar> bars;
-    unsigned int                  dofs = 0;
+    std::map<std::string, RunErrorBar> bars;
+    unsigned int                       dofs = 0;
     /// Peak memory [MB], and wall seconds by phase.
     double                        memory = 0.;
     std::map<std::string, double> seconds;

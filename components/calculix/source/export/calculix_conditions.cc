@@ -135,7 +135,7 @@ namespace lamella
 
     std::vector<Load> loads = scene.loads;
     check_loads_are_dead(scene);
-    spread_totals(loads, mesh.bodies());
+    distribute_total_forces(loads, mesh.bodies());
     for (const Load &load : loads)
       for (const Region &region : load.on)
         {
@@ -223,7 +223,8 @@ namespace lamella
 
 
   double
-  CalculixConditions::load_on(const unsigned int s, const unsigned int c) const
+  CalculixConditions::load_vector_on(const unsigned int s,
+                                     const unsigned int c) const
   {
     double sum = 0.;
     for (const auto &[node, force] : nodal_forces)

@@ -61,7 +61,7 @@ namespace lamella
 
     /// Where the normals of @p contact's first surface meet its obstacle.
     std::vector<Point<3>>
-    facing_places(const ContactPair &contact, const Bodies &bodies)
+    facing_points_on_surface(const ContactPair &contact, const Bodies &bodies)
     {
       const Body           &body          = *bodies[contact.first.body];
       const double          search_radius = contact.search_distance ?
@@ -188,7 +188,8 @@ namespace lamella
     contact.slave     = mesh.faces(pair.first.body, pair.first.surface);
     contact.stiffness = first.stiffness;
     if (pair.obstacle != nullptr)
-      add_layer(make_layer(*pair.obstacle, facing_places(pair, mesh.bodies())),
+      add_layer(make_layer(*pair.obstacle,
+                           facing_points_on_surface(pair, mesh.bodies())),
                 contact);
     else
       {

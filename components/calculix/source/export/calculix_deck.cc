@@ -247,7 +247,7 @@ namespace lamella
               support[std::string(1, "xyz"[c])] = {
                 {"set", CalculixConditions::set_name(s, c)},
                 {"nodes", conditions.nodes(s, c).size()},
-                {"load", conditions.load_on(s, c)}};
+                {"load", conditions.load_vector_on(s, c)}};
         }
       return json;
     }
@@ -314,7 +314,7 @@ namespace lamella
       if (text.empty() || text == "auto")
         return {};
       const std::string place = "--contact-stiffness " + text + ": ";
-      const TextFault   fault = fault_of_number(text);
+      const TextError   fault = number_error(text);
       if (!fault.rule.empty())
         throw InputError(fault.rule + ". " + fault.remedy).at(place);
       const double value = to_number(text);
@@ -343,7 +343,7 @@ namespace lamella
       OutputFile first(deck.string()), second(meaning.string());
       const bool written = (first.stream() << deck_text << std::flush) &&
                            (second.stream() << meaning_text << std::flush) &&
-                           first.put_in_place() && second.put_in_place();
+                           first.commit() && second.commit();
       if (!written)
         throw InputError("it cannot be written. Name a file in a folder that "
                          "can be created and written.")

@@ -49,7 +49,7 @@ namespace lamella
     /// factor 1, a force. CalculiX adds it to the reactions; readers subtract
     /// it.
     double
-    load_on(const unsigned int s, const unsigned int c) const;
+    load_vector_on(const unsigned int s, const unsigned int c) const;
 
     /// Returns the name of the set of nodes(s, c): SUPPORT1_X, ...
     static std::string

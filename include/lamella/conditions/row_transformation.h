@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_conditions_row_transformation_h
+#define lamella_conditions_row_transformation_h
+
+#include <lamella/body/body.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <map>
+#include <vector>
+
+namespace lamella
+{
+  /// Transforms forms of the displacements of some places to forms of the DoFs
+  /// in their three rows each.
+  class RowTransformation
+  {
+  public:
+    explicit RowTransformation(
+      std::vector<std::vector<LinearFunctional>> of_places)
+      : rows(std::move(of_places))
+    {
+      for (const auto &of_place : rows)
+        for (const LinearFunctional &row : of_place)
+          for (const auto &[dof, weight] : row.entries())
+            places.emplace(dof, 0);
+      for (auto &[dof, place] : places)
+        {
+          place = block.rows.size();
+          block.rows.push_back(dof);
+        }
+      block.columns        = block.rows;
+      block.columns_ascend = true;
+    }
+
+    const StiffnessBlock &
+    pattern() const
+    {
+      return block;
+    }
+
+    /// Returns the block of the quadratic form @p of_rows of the displacements.
+    /// Row and column 3 k + c belong to component c at place k.
+    StiffnessBlock
+    operator()(const dealii::FullMatrix<double> &of_rows) const
+    {
+      const unsigned int         n = block.rows.size(), m = of_rows.m();
+      dealii::FullMatrix<double> to_rows(m, n), half(m, n), values(n, n);
+      for (unsigned int i = 0; i < m; ++i)
+        for (const auto &[dof, weight] : rows[i / 3][i % 3].entries())
+          to_rows(i, places.at(dof)) += weight;
+      of_rows.mmult(half, to_rows);
+      to_rows.Tmmult(values, half);
+      StiffnessBlock result = block;
+      for (unsigned int i = 0; i < n; ++i)
+        result.values.insert(result.values.end(),
+                             values.begin(i),
+                             values.end(i));
+      return result;
+    }
+
+    /// Returns the linear form sum_k weights[k] . u_k of the displacements of
+    /// the places, in the block's DoFs.
+    std::vector<double>
+    form(const std::vector<dealii::Tensor<1, 3>> &weights) const
+    {
+      std::vector<double> result(block.rows.size(), 0.);
+      for (unsigned int p = 0; p < rows.size(); ++p)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (const auto &[dof, weight] : rows[p][c].entries())
+            result[places.at(dof)] += weights[p][c] * weight;
+      return result;
+    }
+
+  private:
+    const std::vector<std::vector<LinearFunctional>> rows;
+    std::map<DofIndex, unsigned int>                 places;
+    StiffnessBlock                                   block;
+  };
+} // namespace lamella
+
+#endif

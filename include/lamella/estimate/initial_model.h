@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_estimate_initial_model_h
+#define lamella_estimate_initial_model_h
+
+#include <lamella/adapt/plan_rules.h>
+#include <lamella/run/simulation.h>
+
+namespace lamella
+{
+  /// Returns the first model of a run to a tolerance if @p scene does not set
+  /// its Theory: plan() applied to SV-6. If @p why is not null, a sentence
+  /// without a full stop is added for each body that begins with another
+  /// theory. Nothing is solved; rows are made with the fields of TE-1. Throws
+  /// what building a scene throws.
+  Scene
+  initial_model(Scene                     scene,
+                std::vector<std::string> *why   = nullptr,
+                const PlanRules          &rules = {});
+
+  /// Sets LE-3 (first_degree) in @p scene, which @p model was made of, for
+  /// bodies of SV-N that keep all fields of their section
+  /// (PlanRules::max_fields_share) since they are compact. Returns whether any
+  /// changed.
+  bool
+  start_with_layerwise(Scene            &scene,
+                       const BuiltScene &model,
+                       const PlanRules  &rules = {});
+
+  /// Returns @p scene with LE-3 (first_degree) for LE of a lower degree.
+  Scene
+  with_min_degree(Scene scene, const PlanRules &rules = {});
+} // namespace lamella
+
+#endif

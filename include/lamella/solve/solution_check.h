@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_solve_solution_check_h
+#define lamella_solve_solution_check_h
+
+#include <lamella/solve/checks.h>
+#include <lamella/solve/tangent_operator.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /**
+   * Throws NumericsError if the state is not reliable, checked in this order:
+   * stabilizing springs with more than a tenth of the energy; last corrections
+   * above 1e-6 of the displacements; balance of forces or moments, residual or
+   * energy balance above 1e-3; a contact force below zero or gaps off the
+   * contact law by more than 1e-6 of the displacements; values that are not
+   * finite; a rotation above @p rotation_limit [rad]. A check that is not a
+   * number fails.
+   */
+  void
+  check_solution(const State  &state,
+                 const Checks &checks,
+                 const double  rotation_limit);
+
+  /**
+   * Throws NumericsError if a support of rotating sections misses its
+   * prescribed position at load factor @p at in the state of @p here, because
+   * other supports hold the same points and agree with it to first order only.
+   * (With warping, dependent rows deviate to second order: ten times the effect
+   * of rotated warping on the displacements is accepted.)
+   */
+  void
+  check_followed(const TangentOperator &here, const LoadFactor &at);
+
+  /**
+   * Returns warnings about a reliable state, one sentence each without a full
+   * stop: penetrations above 1e-3 of the displacements; gap averages that miss
+   * more than 1e-2 of them; initial overlaps; rotations beyond 0.1 rad;
+   * stabilizing springs with more than 1e-3 of the energy; balances worse than
+   * 1e-7; and digits lost by the assembled matrix (a first correction above
+   * 1e-7). @p contacts are those of check_state().
+   */
+  std::vector<std::string>
+  warnings_of(const State                         &state,
+              const Checks                        &checks,
+              const std::vector<ContactInterface> &contacts);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/adapt/section_fields.h>
+#include <lamella/base/arithmetic.h>
+#include <lamella/section/section_response.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// @p n numbers from @p first to @p last in equal ratios.
+    std::vector<double>
+    geometric_sequence(const double       first,
+                       const double       last,
+                       const unsigned int n)
+    {
+      std::vector<double> numbers;
+      for (unsigned int k = 0; k < n; ++k)
+        numbers.push_back(
+          n == 1 ? std::sqrt(first * last) :
+                   first * std::pow(last / first, double(k) / (n - 1)));
+      return numbers;
+    }
+
+
+
+    /// Loads that answers are wanted to, and the fields that each of these
+    /// joins.
+    struct ResponseTakers
+    {
+      std::vector<Vector>                loads;
+      std::vector<std::vector<Vector> *> fields_of;
+
+      /// Refers to @p fields.
+      void
+      add(const std::vector<Vector> &some, std::vector<Vector> &fields)
+      {
+        for (const Vector &load : some)
+          {
+            loads.push_back(load);
+            fields_of.push_back(&fields);
+          }
+      }
+
+      /// The @p answers to the loads, some fields each.
+      void
+      take(const std::vector<std::vector<Vector>> &answers) const
+      {
+        for (unsigned int i = 0; i < loads.size(); ++i)
+          fields_of[i]->insert(fields_of[i]->end(),
+                               answers[i].begin(),
+                               answers[i].end());
+      }
+    };
+  } // namespace
+
+
+
+  SectionFields::SectionFields(
+    std::shared_ptr<const Section>               section_,
+    const Theory                                &theory,
+    const FieldRules                            &rules,
+    const std::vector<Beam::SectionThermalLoad> &heat,
+    const std::vector<Vector>                   &weights)
+    : section(std::move(section_))
+    , theory(theory)
+    , rules(rules)
+    , states(*section)
+    , warping(*section)
+    , warpings(saint_venant_warpings(states, warping))
+    , modes(warpings)
+  {
+    std::vector<Vector> answers;
+    for (const Beam::SectionThermalLoad &one : heat)
+      {
+        heated.emplace_back(states, one);
+        answers.push_back(heated.back().answer);
+      }
+    for (const Vector &load : weights)
+      if (load.l2_norm() > 0.)
+        answers.push_back(states.response_to_constant(load));
+    if (answers.empty())
+      return;
+    warpings =
+      beside(warpings,
+             warping.basis(answers, warpings, warpings, arithmetic::alike));
+    modes = warpings;
+  }
+
+
+
+  bool
+  SectionFields::Group::has_same_loads(const Group &other) const
+  {
+    bool same =
+      loads.size() == other.loads.size() && influence_length == 0. &&
+      std::abs(element - other.element) < arithmetic::alike * other.element;
+    for (unsigned int k = 0; same && k < loads.size(); ++k)
+      {
+        Vector difference = other.loads[k];
+        difference -= loads[k];
+        same =
+          difference.l2_norm() < arithmetic::alike * other.loads[k].l2_norm();
+      }
+    return same;
+  }
+
+
+
+  std::vector<Vector>
+  SectionFields::tractions_of_warpings() const
+  {
+    std::vector<Vector> tractions;
+    for (unsigned int j = 0; j < warpings.n(); ++j)
+      for (const unsigned int q : {0, 1})
+        {
+          Vector traction(section->n_fields());
+          section->S(1, q).vmult(traction, column_of(warpings, j));
+          tractions.push_back(traction);
+        }
+    return tractions;
+  }
+
+
+
+  unsigned int
+  SectionFields::group_of(const LocalInteraction &interaction)
+  {
+    Group group{interaction.loads,
+                interaction.smooth,
+                interaction.element,
+                interaction.holds && !interaction.constrains_section,
+                {},
+                {},
+                0.,
+                interaction.constrains_section};
+    if (interaction.constrains_section)
+      {
+        group.loads = tractions_of_warpings();
+        group.smooth.clear();
+      }
+    for (unsigned int g = 0; g < groups.size(); ++g)
+      if (groups[g].has_same_loads(group))
+        {
+          groups[g].is_held = groups[g].is_held || group.is_held;
+          return g;
+        }
+    groups.push_back(group);
+    return groups.size() - 1;
+  }
+
+
+
+  const std::vector<unsigned int> &
+  SectionFields::zones_of(const ConstrainedSection &held)
+  {
+    End                end{held, {}, {}};
+    ConstrainedSection opposite = held;
+    opposite.extends_forward    = !held.extends_forward;
+    for (const End &known : ends)
+      {
+        if (!are_sufficient(known.zones, held))
+          continue;
+        if (alike(known.held, held))
+          return known.groups;
+        if (alike(known.held, opposite))
+          end.zones = mirrored(known.zones, *section, held);
+      }
+    if (end.zones.empty())
+      end.zones =
+        rules.ends->zones(section, states, warping, warpings, held, heated);
+    for (const BoundaryLayerZone &zone : end.zones)
+      {
+        Group group;
+        group.element          = held.element;
+        group.influence_length = zone.influence_length;
+        group.holds            = true;
+        for (unsigned int j = 0; j < zone.fields.n(); ++j)
+          group.near.push_back(column_of(zone.fields, j));
+        end.groups.push_back(groups.size());
+        groups.push_back(group);
+      }
+    ends.push_back(std::move(end));
+    return ends.back().groups;
+  }
+
+
+
+  std::vector<unsigned int>
+  SectionFields::groups_of(const LocalInteraction                &interaction,
+                           const std::vector<ConstrainedSection> &held)
+  {
+    std::vector<unsigned int> result;
+    for (const ConstrainedSection &one : held)
+      {
+        const auto &zones = zones_of(one);
+        result.insert(result.end(), zones.begin(), zones.end());
+      }
+    if (!interaction.is_free && result.empty())
+      result.push_back(group_of(interaction));
+    return result;
+  }
+
+
+
+  double
+  SectionFields::influence_length_of(const unsigned int g) const
+  {
+    const auto [smaller, larger] = section->extents();
+    return groups[g].influence_length > 0. ? groups[g].influence_length :
+           groups[g].holds ? rules.influence_length_of_clamp * larger :
+                             rules.influence_length * smaller;
+  }
+
+
+
+  bool
+  SectionFields::has_thin_walls() const
+  {
+    const auto [smaller, larger] = section->extents();
+    return section->area() < rules.thin_walls * smaller * larger;
+  }
+
+
+
+  std::vector<double>
+  SectionFields::wave_numbers(const double highest) const
+  {
+    const double larger = section->extents().second,
+                 lowest = rules.lowest_wave / larger,
+                 last   = std::max(highest, rules.min_wave_ratio * lowest);
+    if (!has_thin_walls())
+      return geometric_sequence(lowest, last, theory.order);
+    // Down to what walls need in no larger steps.
+    const double first = rules.lowest_wave_of_walls / larger;
+    const double steps =
+      (theory.order - 1) * std::log(last / first) / std::log(last / lowest);
+    return geometric_sequence(first, last, 1 + std::ceil(steps));
+  }
+
+
+
+  void
+  SectionFields::find_responses()
+  {
+    if (std::exchange(responses_are_known, true))
+      return;
+    double shortest = groups[0].element;
+    bool   any      = false;
+    for (const Group &group : groups)
+      {
+        shortest = std::min(shortest, group.element);
+        any      = any || !group.loads.empty() || !group.smooth.empty();
+      }
+    if (!any)
+      return;
+    const SectionResponse response(*section);
+    double                last = 0.;
+    for (const double k : wave_numbers(rules.highest_wave / shortest))
+      {
+        // Up to the first one above what each of them can show.
+        const double   before = std::exchange(last, k);
+        ResponseTakers takers;
+        for (Group &group : groups)
+          {
+            if (before < rules.highest_wave / group.element)
+              takers.add(group.loads, group.near);
+            if (before < rules.highest_wave_far / warping.height())
+              takers.add(group.smooth, group.far);
+          }
+        takers.take(response.at(k, takers.loads));
+      }
+    for (Group &group : groups)
+      for (const Vector &load : group.smooth)
+        group.far.push_back(states.response_to_constant(load));
+  }
+
+
+
+  const std::vector<unsigned int> &
+  SectionFields::list(const std::set<unsigned int> &near)
+  {
+    if (const auto known = lists.find(near); known != lists.end())
+      return known->second;
+    if (uses_responses())
+      find_responses();
+    std::vector<unsigned int> list;
+    FieldColumns              fresh(section->n_fields(), 0);
+    if (near.empty())
+      {
+        list = saint_venant_list();
+        if (uses_responses())
+          fresh = far_fields();
+      }
+    else
+      {
+        // What the others there have, and what the smallest group adds to
+        // it: lists that differ little share most of their modes.
+        const unsigned int last =
+          *std::min_element(near.begin(),
+                            near.end(),
+                            [this](const unsigned int a, const unsigned int b) {
+                              return groups[a].order() < groups[b].order();
+                            });
+        std::set<unsigned int> others = near;
+        others.erase(last);
+        list = this->list(others);
+        if (uses_responses())
+          fresh = warping.basis(groups[last].near,
+                                warpings,
+                                columns_of(list),
+                                near_tolerance());
+      }
+    for (unsigned int j = 0; j < fresh.n(); ++j)
+      list.push_back(section->n_fields() + modes.n() + j);
+    modes              = beside(modes, fresh);
+    return lists[near] = list;
+  }
+
+
+
+  FieldColumns
+  SectionFields::far_fields() const
+  {
+    std::vector<Vector> smooth;
+    for (const Group &group : groups)
+      smooth.insert(smooth.end(), group.far.begin(), group.far.end());
+    return warping.basis(smooth, warpings, warpings, rules.far_tolerance);
+  }
+
+
+
+  std::vector<unsigned int>
+  SectionFields::saint_venant_list() const
+  {
+    std::vector<unsigned int> list(6 + warpings.n());
+    std::iota(list.begin(), list.begin() + 6, 0);
+    std::iota(list.begin() + 6, list.end(), section->n_fields());
+    return list;
+  }
+
+
+
+  FieldColumns
+  SectionFields::columns_of(const std::vector<unsigned int> &list) const
+  {
+    std::vector<unsigned int> numbers;
+    for (unsigned int j = 6; j < list.size(); ++j)
+      numbers.push_back(list[j] - section->n_fields());
+    return selected_columns(modes, numbers);
+  }
+} // namespace lamella

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/contact/closest_point_projection.h>
+#include <lamella/contact/pairing.h>
+#include <lamella/contact/pass_through.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// From the axis to a place, across it, and whether the axis is ahead
+    /// there.
+    struct Beside
+    {
+      Tensor<1, 3> r;
+      bool         is_ahead;
+    };
+
+
+
+    Beside
+    beside(const Obstacle &roller, const FacetMap &map, const Point<2> &st)
+    {
+      const auto         place = map(st);
+      const Tensor<1, 3> r = roller.across_axis(place.position - roller.point);
+      return {r, r * map.outward(place) < 0.};
+    }
+
+
+
+    /// How near the chord from @p a to @p b comes to the origin.
+    double
+    chord_distance(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
+    {
+      const Tensor<1, 3> d      = b - a;
+      const double       length = d * d;
+      const double t = length > 0. ? std::clamp(-(a * d) / length, 0., 1.) : 0.;
+      return (a + t * d).norm();
+    }
+
+
+
+    /// Into how many parts a facet is divided each way.
+    unsigned int
+    parts_of(const FacetMap &map, const double longest)
+    {
+      constexpr double most = 40.;
+      double           size = 0.;
+      for (const Point<2> &st : {Point<2>(1., 0.), Point<2>(0., 1.)})
+        size =
+          std::max(size, map(st).position.distance(map({0., 0.}).position));
+      return std::clamp(std::ceil(size / longest), 2., most);
+    }
+  } // namespace
+
+
+
+  bool
+  passes_through(const SurfaceAndRoller &before, const SurfaceAndRoller &after)
+  {
+    const Obstacle &roller = before.roller;
+    if (roller.shape != Obstacle::Shape::cylinder)
+      return false;
+    for (unsigned int f = 0; f < before.surface.facets().size(); ++f)
+      {
+        const FacetMap &from = before.surface.facets()[f].map,
+                       &to   = after.surface.facets()[f].map;
+        const unsigned int n = parts_of(from, 0.5 * roller.radius);
+        for (unsigned int i = 0; i <= n; ++i)
+          for (unsigned int j = 0; j <= n; ++j)
+            {
+              const Point<2> st(double(i) / n, double(j) / n);
+              const Beside   was = beside(roller, from, st),
+                           is    = beside(after.roller, to, st);
+              if (was.is_ahead && !is.is_ahead &&
+                  chord_distance(was.r, is.r) < roller.radius)
+                return true;
+            }
+      }
+    return false;
+  }
+
+
+
+  namespace
+  {
+    /// The longest way from one of @p before to the same of @p after.
+    double
+    largest_displacement_between(const std::vector<SurfacePoint> &before,
+                                 const std::vector<SurfacePoint> &after)
+    {
+      double longest = 0.;
+      for (unsigned int k = 0; k < before.size(); ++k)
+        longest =
+          std::max(longest, before[k].position.distance(after[k].position));
+      return longest;
+    }
+
+
+
+    /// The shallowest and the deepest of the cells below @p points.
+    std::pair<double, double>
+    depths(const std::vector<SurfacePoint> &points)
+    {
+      const auto [least, most] =
+        std::minmax_element(points.begin(),
+                            points.end(),
+                            [](const SurfacePoint &a, const SurfacePoint &b) {
+                              return a.depth < b.depth;
+                            });
+      return {least->depth, most->depth};
+    }
+
+
+
+    /// Whether @p point is behind @p surface, by more than cells are deep if it
+    /// is to be @p deep_penetrations and by less otherwise; projections @p
+    /// search_radius away at most.
+    bool
+    faces(const MeshSurface  &surface,
+          const SurfacePoint &point,
+          const double        search_radius,
+          const bool          deep_penetrations)
+    {
+      const auto projection = closest_point_projection(
+        surface, point.position, point.normal, search_radius, {});
+      return projection &&
+             exceeds_cell_depth(projection->distance,
+                                point.depth,
+                                surface.facets()[projection->facet].depth) ==
+               deep_penetrations;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /// The nodes of both surfaces before and after, how far they move towards
+    /// each other at most, and the shallowest and the deepest cell below them.
+    struct Passage
+    {
+      Passage(const ContactSides &before, const ContactSides &after)
+      {
+        for (const bool second : {false, true})
+          {
+            were[second] = before.points(second);
+            are[second]  = after.points(second);
+            way += largest_displacement_between(were[second], are[second]);
+            if (were[second].empty())
+              continue;
+            const auto [shallow, deep] = depths(were[second]);
+            least                      = std::min(least, shallow);
+            most                       = std::max(most, deep);
+          }
+      }
+
+      std::array<std::vector<SurfacePoint>, 2> were, are;
+      double way = 0., least = std::numeric_limits<double>::max(), most = 0.;
+    };
+  } // namespace
+
+
+
+  bool
+  may_pass_through(const ContactSides &before, const ContactSides &after)
+  {
+    const Passage passage(before, after);
+    return passage.way >= passage.least;
+  }
+
+
+
+  bool
+  passes_through(const ContactSides &before, const ContactSides &after)
+  {
+    const Passage passage(before, after);
+    // Behind it may have been by that much, too.
+    const double search_radius = passage.way + passage.most;
+    for (const bool second : {false, true})
+      for (unsigned int k = 0; k < passage.were[second].size(); ++k)
+        if (faces(*after.surface(!second),
+                  passage.are[second][k],
+                  search_radius,
+                  true) &&
+            faces(*before.surface(!second),
+                  passage.were[second][k],
+                  search_radius,
+                  false))
+          return true;
+    return false;
+  }
+} // namespace lamella

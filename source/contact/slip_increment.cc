@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/contact/slip_increment.h>
+
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // cos 5 degrees.
+    constexpr double along_y = 0.996;
+
+
+
+    /// Across the normal @p n, the first one along @p along.
+    Tangents
+    tangents_along(const Tensor<1, 3> &along, const Tensor<1, 3> &n)
+    {
+      const Tensor<1, 3> normal = n / n.norm();
+      Tensor<1, 3>       t1     = along - (along * normal) * normal;
+      t1 /= t1.norm();
+      return {{t1, cross_product_3d(normal, t1)}};
+    }
+
+
+
+    /// From the place @p from of @p surface to @p to, as it stands.
+    Tensor<1, 3>
+    chord_on_surface(const MeshSurface             &surface,
+                     const MeshSurface::FacetPoint &from,
+                     const MeshSurface::FacetPoint &to)
+    {
+      const auto position = [&](const MeshSurface::FacetPoint &place) {
+        return surface.facets()[place.facet].map(place.st).position;
+      };
+      return position(to) - position(from);
+    }
+
+
+
+    /// The same on @p obstacle, from the place of @p then to @p hit: around a
+    /// roller the arc, along its tangent at the hit.
+    Tensor<1, 3>
+    chord_on_surface(const Obstacle           &obstacle,
+                     const SlipReferencePoint &then,
+                     const SurfaceHit         &hit)
+    {
+      const Tensor<1, 3> way =
+        (hit.position - obstacle.point) - then.on_obstacle;
+      if (obstacle.shape == Obstacle::Shape::plane)
+        return way;
+      const Tensor<1, 3> &axis = obstacle.direction, &n = hit.normal;
+      const double        angle =
+        std::atan2(cross_product_3d(then.normal, n) * axis, then.normal * n);
+      return (way * axis) * axis +
+             (obstacle.radius * angle) * cross_product_3d(axis, n);
+    }
+  } // namespace
+
+
+
+  Tangents
+  tangents_of(const Tensor<1, 3> &n)
+  {
+    Tensor<1, 3> along;
+    along[std::abs(n[1]) > along_y * n.norm() ? 0 : 1] = 1.;
+    return tangents_along(along, n);
+  }
+
+
+
+  Tangents
+  convected_tangents(const FacetMap     &before,
+                     const FacetMap     &now,
+                     const Point<2>     &st,
+                     const Tensor<1, 3> &n)
+  {
+    const FacetMap::Place place = before(st), moved = now(st);
+    const Tensor<1, 3>    t1 = tangents_of(before.outward(place))[0];
+    // Its components along the facet: X_,a c_a = t_1.
+    SymmetricTensor<2, 2> metric;
+    metric[0][0] = place.d_s * place.d_s;
+    metric[0][1] = place.d_s * place.d_t;
+    metric[1][1] = place.d_t * place.d_t;
+    const Tensor<1, 2> c =
+      invert(metric) * Tensor<1, 2>({place.d_s * t1, place.d_t * t1});
+    return tangents_along(c[0] * moved.d_s + c[1] * moved.d_t, n);
+  }
+
+
+
+  SlipReferencePoint
+  slip_reference_point(const ContactSides &sides,
+                       const GapPoint     &point,
+                       const MasterPoint  &at)
+  {
+    SlipReferencePoint held;
+    held.point = point;
+    if (sides.obstacle() != nullptr)
+      {
+        held.on_obstacle = at.hit.position - sides.obstacle()->point;
+        held.normal      = at.hit.normal;
+      }
+    return held;
+  }
+
+
+
+  Tensor<1, 3>
+  slide(const ContactSides       &sides,
+        const bool                on_second,
+        const SlipReferencePoint &then,
+        const GapPoint           &now,
+        const MasterPoint        &at)
+  {
+    Tensor<1, 3> way =
+      chord_on_surface(*sides.surface(on_second), then.point.slave, now.slave);
+    way -= sides.obstacle() != nullptr ?
+             chord_on_surface(*sides.obstacle(), then, at.hit) :
+             chord_on_surface(*sides.surface(!on_second),
+                              then.point.master,
+                              now.master);
+    return way - (way * at.normal) * at.normal;
+  }
+} // namespace lamella

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/ill_conditioned.h>
+#include <lamella/solve/solution_check.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  namespace
+  {
+    // Rotation limits: the linear strain has an error of rotation^2 / 2, 0.5 %;
+    // and half a turn, which scenes rarely intend.
+    constexpr double linear_rotation = 0.1, meaningless_rotation = 3.;
+    // A first correction above this says that the assembled matrix has lost
+    // more than half of its digits.
+    constexpr double ill_conditioned = 1e-7;
+    // Of the displacements; a penalty this soft changes the answer.
+    constexpr double large_penetration = 1e-3;
+    // Of all energy in stabilizing springs.
+    constexpr double worth_failing = 0.1, worth_saying = 1e-3;
+    // Of the displacements; rows that average this much of the gap away.
+    constexpr double large_averaging = 1e-2;
+    // From where on the difference between one elastic law of small strains
+    // and another shows, and from where on none is to be trusted; and the turn
+    // of an element [rad] that B4 with four points loses 1 % to.
+    constexpr double worth_naming = 0.01, large_strain = 0.05,
+                     large_element_rotation = 20. * dealii::numbers::PI / 180.;
+    // What displacements and gaps of a trusted result may be off by.
+    constexpr double sound = 1e-6;
+    // Forces come out of displacements that are held in doubles, which leaves
+    // about eps (L/h)^2 of them: tolerable, but to be told.
+    constexpr double tolerable = 1e-3, worth_reporting = 1e-7;
+
+
+
+    /// Returns the first check to make when linear rotations are meaningless.
+    std::string
+    rotation_remedy(const double rotation)
+    {
+      if (rotation <= meaningless_rotation)
+        return "";
+      return "rotations this large are rarely intended: check first that moduli, "
+             "densities, lengths and loads are in the scene's Units. If they "
+             "are: ";
+    }
+
+
+
+    void
+    check_no_springs(const Checks &checks)
+    {
+      if (checks.stabilization_share > worth_failing)
+        throw NumericsError(
+          "Stabilizing springs hold " +
+          to_text(100. * checks.stabilization_share, 3) +
+          " % of the energy: a body with Stabilization is not held by its "
+          "contacts. Add a support, close its gaps by a prescribed displacement, "
+          "or load it towards the body that is to hold it.");
+    }
+
+
+
+    void
+    check_correction(const State &state)
+    {
+      const auto last = [](const std::vector<double> &corrections) {
+        return corrections.empty() ? 0. : corrections.back();
+      };
+      const double left =
+        std::max(last(state.free_corrections), last(state.contact_corrections));
+      if (!(left < sound))
+        throw IllConditioned(
+          "The linear solution does not settle: the last correction is " +
+          to_text(left, 3) +
+          " of the displacements. The scene is beyond what double precision "
+          "holds: less slender bodies or less different stiffnesses are needed.");
+    }
+
+
+
+    /// Forces, moments, residual and energy.
+    void
+    check_balance(const Checks &checks)
+    {
+      for (const auto &[what, error] :
+           {std::make_pair("forces on a body do not balance",
+                           checks.force_balance),
+            std::make_pair("moments on a body do not balance",
+                           checks.moment_balance),
+            std::make_pair("unbalanced forces do not vanish", checks.residual),
+            std::make_pair("strain energy is not the work done",
+                           checks.energy_balance)})
+        if (!(error < tolerable))
+          throw IllConditioned(
+            "The " + std::string(what) +
+            ": the relative error "
+            "is " +
+            to_text(error, 3) +
+            ". The scene is beyond what double precision "
+            "holds: make bodies less slender, or stiffnesses "
+            "and penalties less different.");
+    }
+
+
+
+    void
+    check_contact_law(const KktResidual &contact,
+                      const double       displacement,
+                      const double       rounding)
+    {
+      if (!(contact.imbalance < tolerable))
+        throw NumericsError(
+          "The forces of a contact on its two bodies differ by " +
+          to_text(contact.imbalance, 3) +
+          " of their sum: its rows do not follow rigid motions, a fault of "
+          "this program. Please report the scene.");
+      else if (contact.min_force < 0. ||
+               !(contact.law_error <= std::max(sound * displacement, rounding)))
+        throw NumericsError(
+          "The contact conditions do not hold: the smallest force is " +
+          to_text(contact.min_force) +
+          ", and gaps miss the contact law by up to " +
+          to_text(contact.law_error, 3) + " (relative violation " +
+          to_text(contact.violation, 3) +
+          "). Try a softer penalty, or Contact strategy = condensed if it is "
+          "full.");
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    void
+    check_small_strain(const Checks &checks)
+    {
+      // At corners and below lines that press a mesh finds any strain that it
+      // is fine enough for; what sections stretch and bend by tells.
+      if (!(checks.max_mean_strain <= large_strain))
+        throw NumericsError(
+          "Strains reach " + to_text(100. * checks.max_mean_strain, 3) +
+          " % along an axis, in the mean of a section, and the law of these materials, linear "
+          "in Green's strain, is made for " +
+          to_text(100. * large_strain, 2) + " % at most. Reduce the loads.");
+    }
+  } // namespace
+
+
+
+  void
+  check_solution(const State  &state,
+                 const Checks &checks,
+                 const double  rotation_limit)
+  {
+    check_no_springs(checks);
+    check_correction(state);
+    check_balance(checks);
+    for (const KktResidual &contact : checks.contacts)
+      check_contact_law(contact, checks.max_displacement, state.rounding());
+    if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
+      throw NumericsError("The solution is not a finite number. Check the "
+                          "loads and the materials.");
+    if (checks.is_large)
+      check_small_strain(checks);
+    else if (checks.max_rotation > rotation_limit)
+      throw NumericsError(
+        "Rotations reach " + to_text(checks.max_rotation, 3) +
+        " rad, beyond Rotation limit = " + to_text(rotation_limit) + ": " +
+        rotation_remedy(checks.max_rotation) +
+        "linear kinematics does not describe this scene. Take Rotations = "
+        "large, or reduce the loads; or raise the limit if you want the linear result all the same.");
+  }
+
+
+
+  namespace
+  {
+    void
+    add_contact_warnings(const ContactInterface   &contact,
+                         const KktResidual        &kkt,
+                         const double              displacement,
+                         const bool                is_large,
+                         std::vector<std::string> &warnings)
+    {
+      const std::string what = "contact " + contact.name + ": ";
+      if (kkt.max_penetration > large_penetration * displacement)
+        warnings.push_back(
+          what + "bodies penetrate by " + to_text(kkt.max_penetration, 3) +
+          ", " + to_text(100. * kkt.max_penetration / displacement, 2) +
+          " % of the displacements: a result of the penalty as "
+          "much as of the bodies; raise it, or take Enforcement = exact");
+      // Rows that move have no gap of the start.
+      if (is_large)
+        return;
+      if (kkt.unresolved_curvature > large_averaging * displacement)
+        warnings.push_back(
+          what + "gaps averaged over elements are up to " +
+          to_text(kkt.unresolved_curvature, 3) +
+          " wider than those at their points, " +
+          to_text(100. * kkt.unresolved_curvature / displacement, 2) +
+          " % of the displacements: the mesh is too coarse there for how the "
+          "surfaces curve. Refine it where they touch, or take Discretization "
+          "= node to surface");
+      double smallest = 0.;
+      for (const GapConstraint &row : contact.rows)
+        smallest = std::min(smallest, row.initial_gap);
+      if (smallest < 0.)
+        warnings.push_back(what +
+                           "the bodies overlap from the start by up to " +
+                           to_text(-smallest, 3) + " and are pushed apart");
+    }
+
+
+
+    /// Of how far the theory carries.
+    void
+    add_warnings_of_rotations(const Checks             &checks,
+                              std::vector<std::string> &warnings)
+    {
+      if (checks.max_rotation > linear_rotation)
+        warnings.push_back(
+          "rotations reach " + to_text(checks.max_rotation, 3) +
+          " rad: " + rotation_remedy(checks.max_rotation) +
+          "linear kinematics makes the shape longer by rotation^2 / "
+          "2 = " +
+          to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
+          " %; read the results as those of a linear model");
+    }
+
+
+
+    /// Of bodies that turn.
+    /// Adds warnings of bodies with finite rotations.
+    add_warnings_of_strains(const Checks             &checks,
+                              std::vector<std::string> &warnings)
+    {
+      if (checks.max_strain > large_strain)
+        warnings.push_back(
+          "strains reach " + to_text(100. * checks.max_strain, 3) +
+          " % somewhere (" + to_text(100. * checks.max_mean_strain, 2) +
+          " % along an axis, in the mean of a section): at corners and below "
+          "lines that bear a force they are what the mesh is fine enough for, "
+          "and stresses there say nothing");
+      else if (checks.max_strain > worth_naming)
+        warnings.push_back(
+          "strains reach " + to_text(100. * checks.max_strain, 3) +
+          " %: a law that is linear in Green's strain and one that is linear "
+          "in the stretch differ by " +
+          to_text(150. * checks.max_strain, 2) +
+          " % in the stress there, and materials by what nobody has measured");
+      if (checks.shape_change > worth_naming)
+        warnings.push_back(
+          "sections that turn as a whole keep their shape: what bending and "
+          "twisting do to it (Brazier's flattening of tubes, Lamb's of wide "
+          "strips) would change moments "
+          "or torques by some " +
+          to_text(100. * checks.shape_change, 2) +
+          " % somewhere. Theory = LE-N has it");
+      if (checks.max_element_rotation > large_element_rotation)
+        warnings.push_back(
+          "an element of an axis turns by " +
+          to_text(checks.max_element_rotation * 180. / dealii::numbers::PI, 3) +
+          " degrees from end to end, which it follows to some per cent only: " +
+          to_text(std::ceil(checks.max_element_rotation /
+                            (large_element_rotation / 2.)),
+                  3) +
+          " times as many there would turn by 10");
+    }
+  } // namespace
+
+
+
+  void
+  check_followed(const TangentOperator &here, const LoadFactor &at)
+  {
+    if (const auto missed = here.largest_support_error(at); missed.share > 1.)
+      throw NumericsError(
+        "Supports contradict each other at " + to_text(missed.place) +
+        ": they agree while turns are small only, and one is " +
+        to_text(missed.share, 3) +
+        " times as far off what it prescribes as sections that warp may be. "
+        "Remove one of them, or turn all of these places by one Rotation about "
+        "one place.");
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of(const State                         &state,
+              const Checks                        &checks,
+              const std::vector<ContactInterface> &contacts)
+  {
+    std::vector<std::string> warnings;
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      add_contact_warnings(contacts[k],
+                           checks.contacts[k],
+                           checks.max_displacement,
+                           checks.is_large,
+                           warnings);
+    if (checks.is_large)
+      add_warnings_of_rotations(checks, warnings);
+    else
+      add_warnings_of_strains(checks, warnings);
+    if (checks.stabilization_share > worth_saying)
+      warnings.push_back(
+        "stabilizing springs hold " +
+        to_text(100. * checks.stabilization_share, 2) +
+        " % of the energy; a smaller Stabilization falsifies less");
+    const double first =
+      state.free_corrections.empty() ? 0. : state.free_corrections.front();
+    const double forces = std::max({checks.force_balance,
+                                    checks.moment_balance,
+                                    checks.residual,
+                                    checks.energy_balance});
+    if (forces > worth_reporting)
+      warnings.push_back("reactions and contact forces hold to " +
+                         to_text(forces, 2) +
+                         " only (their balance, relative): bodies are very "
+                         "slender or stiffnesses very different");
+    if (first > ill_conditioned)
+      warnings.push_back(
+        "the assembled matrix has lost digits (first refinement correction " +
+        to_text(first, 2) + "); the refinement restored them, down to " +
+        to_text(state.free_corrections.back(), 2));
+    return warnings;
+  }
+} // namespace lamella

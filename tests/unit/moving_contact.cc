@@ -1,0 +1,693 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Contact on surfaces that have moved: rows are tangent planes of the gap,
+// whatever the state; who faces whom is found anew where bodies have slid; a
+// pairing that has grown stale is said to be.
+
+#include "contact_fixtures.h"
+
+#include <lamella/body/parameters.h>
+#include <lamella/contact/contact.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+BOOST_AUTO_TEST_SUITE(contact_life)
+
+using namespace lamella;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  constexpr double width = 2., height = 1., distance = 0.02;
+
+
+
+  BodyDescription
+  description(const std::string &theory,
+              const std::string &name,
+              const Point<3>    &origin,
+              const double       length,
+              const unsigned int elements)
+  {
+    BodyDescription body;
+    body.name             = name;
+    body.section          = "strip";
+    body.theory           = Theory::parse({"Theory", theory});
+    body.axis.length      = length;
+    body.axis.elements    = {elements};
+    body.placement.origin = origin;
+    return body;
+  }
+
+
+
+  /// A short one above a longer one.
+  Bodies
+  two_strips(const std::string &upper,
+             const std::string &lower,
+             const unsigned int elements = 3)
+  {
+    return make_bodies(
+      {description(upper, "upper", {0., 2., height + distance}, 4., elements),
+       description(lower, "lower", {}, 10., 5)},
+      {{"strip",
+        make_section_mesh(rectangle(width, height, {0.}),
+                          {{"material", Material(soft)}})}});
+  }
+
+
+
+  ContactPair
+  between(const Discretization            discretization,
+          std::shared_ptr<const Obstacle> obstacle = nullptr)
+  {
+    ContactPair contact;
+    contact.name           = "touch";
+    contact.first          = {0, Region::Kind::surface, "bottom", {}};
+    contact.second         = {1, Region::Kind::surface, "top", {}};
+    contact.obstacle       = std::move(obstacle);
+    contact.enforcement    = Enforcement::penalty;
+    contact.penalty        = {PenaltyKind::per_node, 1.};
+    contact.discretization = discretization;
+    contact.slave_side     = SlaveSide::first;
+    return contact;
+  }
+
+
+
+  /// The DoFs of u(x) = G x + c, which all these bodies have.
+  Vector
+  affine(const Body &body, const Tensor<2, 3> &G, const Tensor<1, 3> &c = {})
+  {
+    const auto                 places = body.body_points();
+    const auto                 rows = body.rows(places, Quantity::displacement);
+    dealii::FullMatrix<double> normal(body.n_dofs(), body.n_dofs());
+    Vector                     right(body.n_dofs()), u(body.n_dofs());
+    for (unsigned int k = 0; k < places.size(); ++k)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const double target = G[i] * places[k].position + c[i];
+          for (const auto &[a, w] : rows[k][i].entries())
+            {
+              right[a] += w * target;
+              for (const auto &[b, v] : rows[k][i].entries())
+                normal(a, b) += w * v;
+            }
+        }
+    normal.gauss_jordan();
+    normal.vmult(u, right);
+    return u;
+  }
+
+
+
+  /// R - 1 of a turn by @p angle about an axis askew.
+  Tensor<2, 3>
+  rotation(const double angle)
+  {
+    Tensor<1, 3> axis({1., 0.4, -0.3});
+    axis /= axis.norm();
+    Tensor<2, 3> K;
+    K[0][1] = -axis[2];
+    K[0][2] = axis[1];
+    K[1][0] = axis[2];
+    K[1][2] = -axis[0];
+    K[2][0] = -axis[1];
+    K[2][1] = axis[0];
+    return std::sin(angle) * K + (1. - std::cos(angle)) * K * K;
+  }
+
+
+
+  BlockVector
+  both(const Bodies &bodies, const Tensor<2, 3> &G, const Tensor<1, 3> &c = {})
+  {
+    BlockVector u = zero(bodies);
+    for (unsigned int b = 0; b < 2; ++b)
+      u.block(b) = affine(*bodies[b], G, c);
+    return u;
+  }
+
+
+
+  BlockVector
+  any(const Bodies &bodies, const unsigned int seed)
+  {
+    BlockVector u = zero(bodies);
+    for (unsigned int b = 0; b < 2; ++b)
+      u.block(b) = any_displacement(*bodies[b], seed + b);
+    return u;
+  }
+
+
+
+  /// The largest difference between the rows at @p u and central differences of
+  /// the gap along @p d.
+  double
+  off_from_differences(Contact           &contact,
+                       const BlockVector &u,
+                       const BlockVector &d)
+  {
+    constexpr double    h = 1e-5, factor = 0.7;
+    std::vector<double> slope, gap, change(contact.rows().size());
+    contact.pair(u, factor);
+    for (const GapConstraint &row : contact.rows())
+      {
+        slope.push_back(row.jump(d));
+        gap.push_back(row.gap(u, factor));
+      }
+    change.assign(contact.rows().size(), 0.);
+    for (const double step : {-h, h})
+      {
+        BlockVector near = u;
+        near.add(step, d);
+        contact.move(near, factor);
+        for (unsigned int k = 0; k < change.size(); ++k)
+          change[k] += contact.rows()[k].gap(near, factor) / (2. * step);
+      }
+    double worst = 0.;
+    for (unsigned int k = 0; k < change.size(); ++k)
+      worst = std::max(worst, std::abs(change[k] - slope[k]));
+    // The obstacle's motion is part of the tangent plane, too.
+    contact.move(u, factor + h);
+    for (unsigned int k = 0; k < change.size(); ++k)
+      worst = std::max(worst,
+                       std::abs(contact.rows()[k].gap(u, factor + h) - gap[k] -
+                                h * contact.rows()[k].gap_rate));
+    return worst;
+  }
+
+
+
+  std::shared_ptr<const Obstacle>
+  obstacle(const Obstacle::Shape shape)
+  {
+    return std::make_shared<const Obstacle>(
+      shape == Obstacle::Shape::plane ?
+        Obstacle{"floor",
+                 shape,
+                 {0., 0., 0.9},
+                 Tensor<1, 3>({0., 0., 1.}),
+                 0.,
+                 Tensor<1, 3>({0., 0.1, 0.05})} :
+        Obstacle{"roller",
+                 shape,
+                 {0., 4., -8.},
+                 Tensor<1, 3>({1., 0., 0.}),
+                 9.,
+                 Tensor<1, 3>({0., 0.1, 0.05})});
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(rows_are_gradients_of_the_gap_at_any_state)
+{
+  for (const std::string theory :
+       {"LE-1", "LE-2", "TE-2", "solid-1", "solid-2"})
+    for (const auto discretization : {Discretization::node_to_surface,
+                                      Discretization::surface_to_surface,
+                                      Discretization::edge_to_surface})
+      for (const unsigned int against : {0, 1, 2})
+        BOOST_TEST_CONTEXT(theory << ' ' << name_of(discretization)
+                                  << " against " << against)
+        {
+          if (discretization == Discretization::edge_to_surface && against > 0)
+            continue;
+          const Bodies     bodies = two_strips(theory, theory);
+          ContactInterface interface;
+          Contact          contact(between(discretization,
+                                  against == 0 ?
+                                             nullptr :
+                                             obstacle(against == 1 ?
+                                               Obstacle::Shape::plane :
+                                               Obstacle::Shape::cylinder)),
+                          bodies,
+                          interface);
+          // Turned, slid along and across, and bent anyhow.
+          BlockVector u =
+            against == 0 ? both(bodies, rotation(0.6)) : zero(bodies);
+          u.block(0) += affine(*bodies[0], {}, Tensor<1, 3>({0.2, 1.1, 0.3}));
+          u.add(0.02, any(bodies, 1));
+          BOOST_TEST(off_from_differences(contact, u, any(bodies, 5)) < 1e-6);
+        }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(pairs_of_nodes_that_face_each_other)
+{
+  // Their rows leave out what the sideways offset multiplies; here it is none.
+  const Bodies bodies =
+    make_bodies({description("LE-2", "upper", {0., 0., 1.02}, 4., 3),
+                 description("LE-2", "lower", {}, 4., 3)},
+                {{"strip",
+                  make_section_mesh(rectangle(width, height, {0.}),
+                                    {{"material", Material(soft)}})}});
+  ContactInterface interface;
+  Contact contact(between(Discretization::node_to_node), bodies, interface);
+  BOOST_TEST(off_from_differences(contact,
+                                  both(bodies, rotation(0.6)),
+                                  any(bodies, 5)) < 1e-6);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(flat_faces_that_have_not_moved_keep_their_rows)
+{
+  for (const auto discretization : {Discretization::node_to_node,
+                                    Discretization::node_to_surface,
+                                    Discretization::surface_to_surface})
+    BOOST_TEST_CONTEXT(name_of(discretization))
+    {
+      const bool       nodes  = discretization == Discretization::node_to_node;
+      const Bodies     bodies = two_strips("LE-2", nodes ? "LE-2" : "TE-2", 2);
+      ContactInterface interface;
+      Contact          contact(between(discretization), bodies, interface);
+      const std::vector<GapConstraint> before = contact.rows();
+      const BlockVector                u = zero(bodies), d = any(bodies, 3);
+      contact.move(u, 0.);
+      BOOST_REQUIRE(contact.rows().size() == before.size());
+      for (unsigned int k = 0; k < before.size(); ++k)
+        {
+          BOOST_TEST(std::abs(contact.rows()[k].jump(d) - before[k].jump(d)) <
+                     1e-11);
+          BOOST_TEST(std::abs(contact.rows()[k].initial_gap -
+                              before[k].initial_gap) < 1e-12);
+        }
+      BOOST_TEST(contact.pairing_is_valid(u, 0., {}).none());
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_turn_of_both_bodies_changes_no_gap)
+{
+  for (const auto discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
+    for (const double angle : {0.3, 1., std::acos(-1.)})
+      BOOST_TEST_CONTEXT(name_of(discretization) << " by " << angle)
+      {
+        const Bodies     bodies = two_strips("LE-1", "TE-2");
+        ContactInterface interface;
+        Contact          contact(between(discretization), bodies, interface);
+        BlockVector      u = both(bodies, rotation(angle));
+        contact.move(u, 0.);
+        for (const GapConstraint &row : contact.rows())
+          BOOST_TEST(std::abs(row.gap(u, 0.) - distance) < 1e-10);
+        BOOST_TEST(contact.pairing_is_valid(u, 0., {}).none());
+        // Nor does a small turn on top of it, about any axis of the scene.
+        for (unsigned int axis = 0; axis < 3; ++axis)
+          {
+            Tensor<2, 3> small;
+            small[axis][(axis + 1) % 3] = 1.;
+            small[(axis + 1) % 3][axis] = -1.;
+            const BlockVector d = both(bodies, small * rotation(angle) + small);
+            for (const GapConstraint &row : contact.rows())
+              BOOST_TEST(std::abs(row.jump(d)) < 1e-9);
+          }
+      }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(what_slides_far_faces_other_places)
+{
+  for (const auto discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
+    BOOST_TEST_CONTEXT(name_of(discretization))
+    {
+      const Bodies     bodies = two_strips("LE-2", "LE-1");
+      ContactInterface interface, other;
+      Contact          contact(between(discretization), bodies, interface),
+        anew(between(discretization), bodies, other);
+      // The lower one with a hollow that is not everywhere the same.
+      BlockVector u = zero(bodies);
+      u.add(0.01, any(bodies, 2));
+      u.block(0) = affine(*bodies[0], {}, Tensor<1, 3>({0., 3.3, -distance}));
+      std::vector<unsigned int> all;
+      for (unsigned int k = 0; k < contact.rows().size(); ++k)
+        all.push_back(k);
+      // Rows of the undeformed, and rows that were moved to another place.
+      BOOST_TEST(contact.pairing_is_valid(u, 0., all).drifted > 0u);
+      contact.move(zero(bodies), 0.);
+      BOOST_TEST(contact.pairing_is_valid(u, 0., all).drifted > 0u);
+      contact.move(u, 0.);
+      BOOST_TEST(contact.pairing_is_valid(u, 0., all).drifted == 0u);
+      // The same gaps as those of a search where it stands: exactly at nodes;
+      // in the mean but for where the points are. Nodes at the sides of the
+      // lower one, which has become narrower here and there, face nothing, by
+      // the one projection or the other.
+      anew.pair(u, 0.);
+      const double same =
+        discretization == Discretization::node_to_surface ? 1e-10 : 2e-3;
+      unsigned int compared = 0;
+      for (unsigned int k = 0; k < all.size(); ++k)
+        {
+          const auto is_here = [&](const ContactInterface::Point &point) {
+            return point.node.position == interface.points[k].node.position;
+          };
+          const auto found =
+            std::find_if(other.points.begin(), other.points.end(), is_here);
+          const GapConstraint &row = contact.rows()[k];
+          if (found == other.points.end() || row.parts.empty())
+            continue;
+          const GapConstraint &fresh =
+            anew.rows()[found - other.points.begin()];
+          BOOST_TEST(std::abs(row.gap(u, 0.) - fresh.gap(u, 0.)) < same);
+          ++compared;
+        }
+      BOOST_TEST(2 * compared > all.size());
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(what_is_left_behind_is_lost_and_what_comes_is_not_seen)
+{
+  for (const auto discretization :
+       {Discretization::node_to_surface, Discretization::surface_to_surface})
+    BOOST_TEST_CONTEXT(name_of(discretization))
+    {
+      // The long one carries the points: some leave the short one's face, and
+      // others come under it.
+      const Bodies bodies = two_strips("LE-1", "LE-1");
+      ContactPair  pair   = between(discretization);
+      pair.slave_side     = SlaveSide::second;
+      ContactInterface interface;
+      Contact          contact(pair, bodies, interface);
+      BlockVector      u = zero(bodies);
+      u.block(0) =
+        affine(*bodies[0], {}, Tensor<1, 3>({0., 3.3, -1.1 * distance}));
+      std::vector<unsigned int> all;
+      for (unsigned int k = 0; k < contact.rows().size(); ++k)
+        all.push_back(k);
+      const PairingChange stale = contact.pairing_is_valid(u, 0., all);
+      BOOST_TEST(stale.missing_constraints > 0u);
+      BOOST_TEST(stale.lost > 0u);
+      contact.pair(u, 0.);
+      all.resize(std::min<std::size_t>(all.size(), contact.rows().size()));
+      BOOST_TEST(contact.pairing_is_valid(u, 0., all).none());
+      for (const GapConstraint &row : contact.rows())
+        BOOST_TEST(std::abs(row.gap(u, 0.) + 0.1 * distance) < 1e-10);
+    }
+}
+
+
+
+namespace
+{
+  Tensor<2, 3>
+  unit()
+  {
+    return dealii::unit_symmetric_tensor<3>();
+  }
+
+
+
+  /// What rubs: who carries the points, and against what.
+  struct FrictionCase
+  {
+    Discretization                  discretization;
+    SlaveSide                       slave_side;
+    std::shared_ptr<const Obstacle> against;
+  };
+
+
+
+  std::string
+  words(const FrictionCase &what)
+  {
+    return std::string(name_of(what.discretization)) + " on " +
+           name_of(what.slave_side) + " against " +
+           (what.against ? what.against->name : "a body");
+  }
+
+
+
+  std::vector<FrictionCase>
+  friction_cases()
+  {
+    std::vector<FrictionCase> all;
+    for (const auto discretization :
+         {Discretization::node_to_surface, Discretization::surface_to_surface})
+      {
+        for (const auto on : {SlaveSide::first, SlaveSide::second})
+          all.push_back({discretization, on, nullptr});
+        for (const auto shape :
+             {Obstacle::Shape::plane, Obstacle::Shape::cylinder})
+          all.push_back({discretization, SlaveSide::first, obstacle(shape)});
+      }
+    all.push_back({Discretization::edge_to_surface, SlaveSide::first, nullptr});
+    return all;
+  }
+
+
+
+  ContactPair
+  pair_of(const FrictionCase &what)
+  {
+    ContactPair contact = between(what.discretization, what.against);
+    contact.slave_side  = what.slave_side;
+    contact.friction    = 0.3;
+    return contact;
+  }
+
+
+
+  /// Turned as a whole unless an obstacle stands there, strained, and touching.
+  BlockVector
+  touching(const Bodies &bodies, const FrictionCase &what)
+  {
+    Tensor<2, 3> G;
+    if (!what.against)
+      G = rotation(0.6);
+    G[0][0] += 0.02;
+    G[1][1] -= 0.03;
+    BlockVector u = both(bodies, G);
+    u.block(0) +=
+      affine(*bodies[0], {}, (unit() + G) * Tensor<1, 3>({0., 0., -distance}));
+    return u;
+  }
+
+
+
+  std::vector<Tensor<1, 2>>
+  slips(const Contact &contact, const BlockVector &u, const LoadFactor &factor)
+  {
+    std::vector<Tensor<1, 2>> result;
+    for (const GapConstraint &row : contact.rows())
+      {
+        result.emplace_back();
+        for (unsigned int a = 0; a < row.slips.size(); ++a)
+          result.back()[a] = row.slips[a].slip(u, factor);
+      }
+    return result;
+  }
+
+
+
+  double
+  largest(const std::vector<Tensor<1, 2>> &slips)
+  {
+    double most = 0.;
+    for (const Tensor<1, 2> &slip : slips)
+      most = std::max(most, slip.norm());
+    return most;
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(slips_are_those_since_the_step_began)
+{
+  constexpr double h = 1e-5, factor = 0.7;
+  for (const FrictionCase &what : friction_cases())
+    BOOST_TEST_CONTEXT(words(what))
+    {
+      const Bodies      bodies = two_strips("LE-2", "LE-2");
+      ContactInterface  interface;
+      Contact           contact(pair_of(what), bodies, interface);
+      const BlockVector u = touching(bodies, what), d = any(bodies, 5);
+      contact.pair(u, factor);
+      contact.begin_step(u, factor);
+      BOOST_REQUIRE(!contact.rows().empty());
+      BOOST_TEST(largest(slips(contact, u, factor)) < 1e-12);
+      std::vector<double> gap;
+      for (const GapConstraint &row : contact.rows())
+        gap.push_back(std::abs(row.gap(u, factor)));
+      // Rows that touch are their gradients there, with the way of an obstacle;
+      // the projection of one that does not is moved by turns, too.
+      BlockVector near = u;
+      near.add(h, d);
+      auto predicted = slips(contact, near, factor + h);
+      near.add(-2. * h, d);
+      const auto back = slips(contact, near, factor - h);
+      for (unsigned int k = 0; k < back.size(); ++k)
+        predicted[k] -= back[k];
+      std::vector<bool> faces(back.size(), true);
+      for (const double side : {-1., 1.})
+        {
+          near = u;
+          near.add(side * h, d);
+          contact.move(near, factor + side * h);
+          const auto found = slips(contact, near, factor + side * h);
+          for (unsigned int k = 0; k < found.size(); ++k)
+            {
+              predicted[k] -= side * found[k];
+              faces[k] = faces[k] && !contact.rows()[k].parts.empty();
+            }
+        }
+      for (unsigned int k = 0; k < predicted.size(); ++k)
+        if (faces[k])
+          BOOST_TEST(predicted[k].norm() < (1e-6 + 10. * gap[k]) * 2. * h);
+      // What is paired in the step has slid since it began.
+      near = u;
+      near.block(0) += affine(*bodies[0], {}, Tensor<1, 3>({0., 0.2, 0.}));
+      contact.move(near, factor);
+      const double before = largest(slips(contact, near, factor));
+      contact.pair(near, factor);
+      BOOST_TEST(before > 0.1);
+      BOOST_TEST(std::abs(largest(slips(contact, near, factor)) - before) <
+                 0.02);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(bodies_that_turn_together_do_not_slip)
+{
+  for (const FrictionCase &what : friction_cases())
+    if (!what.against)
+      BOOST_TEST_CONTEXT(words(what))
+      {
+        const Bodies      bodies = two_strips("LE-2", "LE-2");
+        ContactInterface  interface;
+        Contact           contact(pair_of(what), bodies, interface);
+        const BlockVector start = both(bodies, rotation(0.3));
+        contact.pair(start, 0.);
+        contact.begin_step(start, 0.);
+        const auto        frames = contact.rows();
+        const BlockVector turned =
+          both(bodies, rotation(1.3), Tensor<1, 3>({3., -1., 2.}));
+        contact.move(turned, 0.);
+        BOOST_TEST(largest(slips(contact, turned, 0.)) < 1e-11);
+        // Their frames have turned along.
+        const Tensor<2, 3> by =
+          (unit() + rotation(1.3)) * transpose(unit() + rotation(0.3));
+        for (unsigned int k = 0; k < frames.size(); ++k)
+          for (unsigned int a = 0; a < 2; ++a)
+            BOOST_TEST((contact.rows()[k].slips[a].tangent -
+                        by * frames[k].slips[a].tangent)
+                         .norm() < 1e-11);
+        // The upper one slides along the lower one by a known way.
+        const Tensor<1, 3> way =
+          (unit() + rotation(1.3)) * Tensor<1, 3>({0.1, 0.5, 0.});
+        BlockVector slid = turned;
+        slid.block(0) += affine(*bodies[0], {}, way);
+        contact.move(slid, 0.);
+        for (const GapConstraint &row : contact.rows())
+          for (const SlipConstraint &slip : row.slips)
+            if (!row.parts.empty())
+              BOOST_TEST(std::abs(slip.slip(slid, 0.) + way * slip.tangent) <
+                         1e-10);
+      }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(forces_of_a_state_nearby_are_those_of_rows_moved_there)
+{
+  constexpr double factor = 0.7;
+  for (const FrictionCase &what : friction_cases())
+    BOOST_TEST_CONTEXT(words(what))
+    {
+      const Bodies      bodies = two_strips("LE-2", "LE-2");
+      ContactInterface  interface;
+      Contact           contact(pair_of(what), bodies, interface);
+      const BlockVector start = touching(bodies, what);
+      BlockVector       u     = start;
+      contact.pair(start, factor);
+      contact.begin_step(start, factor);
+      u.add(0.01, any(bodies, 7));
+      contact.move(u, factor);
+      // At the rims some face nothing there.
+      std::vector<bool> faces;
+      for (const GapConstraint &row : contact.rows())
+        faces.push_back(!row.parts.empty());
+      contact.move(start, factor);
+      std::vector<double>       lambda;
+      std::vector<Tensor<1, 2>> shear;
+      for (unsigned int k = 0; k < contact.rows().size(); ++k)
+        {
+          lambda.push_back(k % 3 == 0 || !faces[k] ? 0. : 1. + 0.1 * k);
+          shear.push_back(lambda.back() * Tensor<1, 2>({0.2, -0.1 * (k % 2)}));
+        }
+      BlockVector f = zero(bodies), expected = zero(bodies);
+      BOOST_TEST(contact.add_forces_at(u, factor, lambda, shear, f));
+      contact.move(u, factor);
+      for (unsigned int k = 0; k < lambda.size(); ++k)
+        {
+          const GapConstraint &row = contact.rows()[k];
+          row.add_to(expected, lambda[k]);
+          for (unsigned int a = 0; a < row.slips.size(); ++a)
+            row.slips[a].add_to(expected, shear[k][a]);
+        }
+      f -= expected;
+      BOOST_TEST(f.linfty_norm() < 1e-11 * expected.linfty_norm());
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(slip_is_what_is_across_the_normal)
+{
+  for (const auto discretization : {Discretization::node_to_node,
+                                    Discretization::node_to_surface,
+                                    Discretization::surface_to_surface})
+    for (const double angle : {0., 0.8})
+      BOOST_TEST_CONTEXT(name_of(discretization) << " turned by " << angle)
+      {
+        const Bodies     bodies = two_strips("LE-2", "LE-2", 2);
+        ContactInterface interface;
+        Contact          contact(between(discretization), bodies, interface);
+        if (angle > 0.)
+          contact.move(both(bodies, rotation(angle)), 0.);
+        const Tensor<1, 3> shift({0.3, -0.2, 0.5});
+        BlockVector        d = zero(bodies);
+        d.block(1)           = affine(*bodies[1], {}, shift);
+        const auto slip      = contact.slip_constraints();
+        for (unsigned int k = 0; k < slip.size(); ++k)
+          {
+            const Tensor<1, 3> n = interface.points[k].normal;
+            const auto         t = tangents_of(n);
+            BOOST_TEST(std::abs(t[0] * n) < 1e-14);
+            BOOST_TEST((cross_product_3d(t[0], t[1]) - n).norm() < 1e-12);
+            for (unsigned int a = 0; a < 2; ++a)
+              {
+                double s = 0.;
+                for (const BodyFunctional &part : slip[k][a])
+                  s += part(d);
+                BOOST_TEST(std::abs(s - shift * t[a]) < 1e-11);
+              }
+          }
+        // Of both bodies together nothing slips.
+        d = both(bodies, {}, shift);
+        for (const auto &of_row : slip)
+          for (const auto &parts : of_row)
+            {
+              double s = 0.;
+              for (const BodyFunctional &part : parts)
+                s += part(d);
+              BOOST_TEST(std::abs(s) < 1e-11);
+            }
+      }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
