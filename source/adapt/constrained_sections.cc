@@ -48,7 +48,8 @@ namespace lamella
   ConstrainedSection::has_same_element_length(
     const ConstrainedSection &other) const
   {
-    return std::abs(element - other.element) <= arithmetic::alike * element;
+    return std::abs(element - other.element) <=
+           arithmetic::same_value * element;
   }
 
 
@@ -68,7 +69,7 @@ namespace lamella
                            const LinearFunctional::Entry &f) {
                           return e.first == f.first &&
                                  std::abs(e.second - f.second) <
-                                   arithmetic::alike;
+                                   arithmetic::same_value;
                         });
     };
     return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), same);

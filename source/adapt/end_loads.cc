@@ -214,7 +214,7 @@ namespace lamella
         traction.add(-part, of_states[j]);
         answer.add(-part, states.values()[j]);
       }
-    if (traction.linfty_norm() < arithmetic::alike * size)
+    if (traction.linfty_norm() < arithmetic::same_value * size)
       traction = 0.;
   }
 } // namespace lamella

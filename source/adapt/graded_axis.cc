@@ -301,7 +301,8 @@ namespace lamella
       for (const LocalInteraction &interaction :
            find_interactions(beam, number, bodies, {}, loads, {}))
         for (const double edge : {interaction.begin, interaction.end})
-          if (!interaction.heats && edge > 0. && edge < beam.axis().length())
+          if (!interaction.is_heat_source && edge > 0. &&
+              edge < beam.axis().length())
             places.push_back({edge, size});
     }
 

@@ -22,7 +22,7 @@ namespace lamella
             interaction.name +
             " can dent: forces are those of a beam, pressures and stresses "
             "there are not to be used. Use SV-N, SV-6 say");
-      else if (interaction.heats)
+      else if (interaction.is_heat_source)
         add("body " + beam.name() +
             ": SV has no fields for heat that varies along the axis: stresses "
             "are not to be used where it does. Use SV-N, SV-6 say");

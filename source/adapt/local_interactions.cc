@@ -128,7 +128,7 @@ namespace lamella
                                        load,
                                        elements_with_varying_heat(beam, rules),
                                        rules),
-                       &LocalInteraction::heats,
+                       &LocalInteraction::is_heat_source,
                        rules,
                        interactions);
     }

@@ -87,9 +87,9 @@ namespace lamella
         answers.push_back(states.response_to_constant(load));
     if (answers.empty())
       return;
-    warpings =
-      beside(warpings,
-             warping.basis(answers, warpings, warpings, arithmetic::alike));
+    warpings = beside(
+      warpings,
+      warping.basis(answers, warpings, warpings, arithmetic::same_value));
     modes = warpings;
   }
 
@@ -98,15 +98,15 @@ namespace lamella
   bool
   SectionFields::Group::has_same_loads(const Group &other) const
   {
-    bool same =
-      loads.size() == other.loads.size() && influence_length == 0. &&
-      std::abs(element - other.element) < arithmetic::alike * other.element;
+    bool same = loads.size() == other.loads.size() && influence_length == 0. &&
+                std::abs(element - other.element) <
+                  arithmetic::same_value * other.element;
     for (unsigned int k = 0; same && k < loads.size(); ++k)
       {
         Vector difference = other.loads[k];
         difference -= loads[k];
-        same =
-          difference.l2_norm() < arithmetic::alike * other.loads[k].l2_norm();
+        same = difference.l2_norm() <
+               arithmetic::same_value * other.loads[k].l2_norm();
       }
     return same;
   }

@@ -38,7 +38,7 @@ namespace lamella
         if (normal && holds_normal)
           return true;
         for (unsigned int c = 0; c < 3; ++c)
-          if (!holds[c] && std::abs(direction[c]) > arithmetic::parallel)
+          if (!holds[c] && std::abs(direction[c]) > arithmetic::parallel_sine)
             return false;
         return true;
       }
@@ -194,7 +194,7 @@ namespace lamella
                                 others.end(),
                                 [&](const Tensor<1, 3> &m) {
                                   return cross_product_3d(n, m).norm() <
-                                         arithmetic::parallel;
+                                         arithmetic::parallel_sine;
                                 });
           });
       };

@@ -153,12 +153,12 @@ namespace lamella
       clearenv();
       for (std::string &variable : variables)
         putenv(variable.data());
-      std::string   answer;
-      const Outcome outcome = outcome_of([&] { answer = work(); });
+      std::string   result;
+      const Outcome outcome = outcome_of([&] { result = work(); });
       if (outcome.status != 0)
         std::cerr << outcome.message << std::endl;
       std::cout.flush();
-      const bool told = write_all(forces_of_part, answer);
+      const bool told = write_all(forces_of_part, result);
       // What this process would do at its end (files, MPI) is its parent's.
       _exit(told ? outcome.status : 2);
     }
@@ -192,7 +192,7 @@ namespace lamella
       }
     close(ends[1]);
     ProcessEnd end;
-    end.answer = read_all(ends[0]);
+    end.result = read_all(ends[0]);
     close(ends[0]);
     int   status = 0;
     pid_t ended;
@@ -227,8 +227,8 @@ namespace lamella
         }
     };
     const ProcessEnd end = run_forked(work, output, errors, processor_seconds);
-    if (!end.answer.empty())
-      throw InputError(end.answer);
+    if (!end.result.empty())
+      throw InputError(end.result);
     return end;
   }
 

@@ -139,7 +139,7 @@ namespace lamella
 
 
   bool
-  Entry::truth() const
+  Entry::boolean() const
   {
     if (what != "true" && what != "false")
       refuse("must be true or false");

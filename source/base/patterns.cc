@@ -216,7 +216,7 @@ namespace lamella
       if (std::regex_match(pattern, part, choice))
         entry.refuse("must be " + alternatives(part[1]));
       if (pattern == "[Bool]")
-        entry.truth();
+        entry.boolean();
       // What is no number, or none to compute with, says so first: so do an
       // empty text, and several numbers where one belongs.
       if (pattern.find("[Integer") != 0)

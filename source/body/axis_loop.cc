@@ -45,16 +45,16 @@ namespace lamella
   void
   AxisLoop::for_each_element(const ElementCallback &use) const
   {
-    std::unique_ptr<const SectionOperator> answer;
+    std::unique_ptr<const SectionOperator> section_operator;
     const auto [begin, end] = axis.own_cells();
     for (unsigned int cell = begin; cell < end; ++cell)
       {
         std::vector<unsigned int> fields = fields_of_element(cell);
-        if (answer == nullptr || answer->fields() != fields)
-          answer = make_section_operator(space,
-                                         std::move(fields),
-                                         axis.has_assumed_shear());
-        use(cell, *answer);
+        if (section_operator == nullptr || section_operator->fields() != fields)
+          section_operator = make_section_operator(space,
+                                                   std::move(fields),
+                                                   axis.has_assumed_shear());
+        use(cell, *section_operator);
       }
   }
 
@@ -135,10 +135,13 @@ namespace lamella
   AxisLoop::add_forces(const ForcesOfElement &forces_of, Vector &f) const
   {
     Vector share(f.size());
-    for_each_element([&](const unsigned int     cell,
-                         const SectionOperator &answer) {
-      add_on_nodes(cell, answer.fields(), forces_of(cell, answer).work, share);
-    });
+    for_each_element(
+      [&](const unsigned int cell, const SectionOperator &section_operator) {
+        add_on_nodes(cell,
+                     section_operator.fields(),
+                     forces_of(cell, section_operator).work,
+                     share);
+      });
     sum_over_processes(share);
     f += share;
   }

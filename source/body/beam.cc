@@ -272,9 +272,10 @@ namespace lamella
 
 
   SectionForces
-  Beam::section_forces(const SectionOperator &answer, const FieldParts &q) const
+  Beam::section_forces(const SectionOperator &section_operator,
+                       const FieldParts      &q) const
   {
-    return answer.forces(q);
+    return section_operator.forces(q);
   }
 
 
@@ -283,9 +284,11 @@ namespace lamella
   Beam::add_internal_forces(const Vector &u, Vector &f) const
   {
     along_axis().add_forces(
-      [&](const unsigned int cell, const SectionOperator &answer) {
-        return section_forces(
-          answer, along_axis().on_element(cell, answer.fields(), u));
+      [&](const unsigned int cell, const SectionOperator &section_operator) {
+        return section_forces(section_operator,
+                              along_axis().on_element(cell,
+                                                      section_operator.fields(),
+                                                      u));
       },
       f);
   }
@@ -297,11 +300,13 @@ namespace lamella
   {
     Deformation result;
     along_axis().for_each_element(
-      [&](const unsigned int cell, const SectionOperator &answer) {
-        const FieldParts q = along_axis().on_element(cell, answer.fields(), u);
-        result.energy += along_axis().energy(cell, section_forces(answer, q));
+      [&](const unsigned int cell, const SectionOperator &section_operator) {
+        const FieldParts q =
+          along_axis().on_element(cell, section_operator.fields(), u);
+        result.energy +=
+          along_axis().energy(cell, section_forces(section_operator, q));
         result.max_rotation =
-          std::max(result.max_rotation, answer.largest_rotation(q));
+          std::max(result.max_rotation, section_operator.largest_rotation(q));
       });
     result.energy = Utilities::MPI::sum(result.energy, communicator());
     result.max_rotation =

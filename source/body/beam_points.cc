@@ -32,7 +32,7 @@ namespace lamella
 
 
   double
-  Beam::nearness() const
+  Beam::position_tolerance() const
   {
     return std::max(arithmetic::same_in_element * beam_section->extents().first,
                     arithmetic::same_position_along * beam_axis->length());
@@ -43,7 +43,7 @@ namespace lamella
   std::vector<std::vector<Location>>
   Beam::locate(const std::vector<Point<3>> &points) const
   {
-    const double                       near = nearness();
+    const double                       near = position_tolerance();
     std::vector<std::vector<Location>> result;
     for (const Point<3> &point : points)
       {
@@ -337,14 +337,17 @@ namespace lamella
     const Point<3>      a = placement.to_body(from), b = placement.to_body(to);
     const Tensor<1, 3>  d = b - a;
     std::vector<double> breaks;
-    if (std::abs(d[1]) > nearness())
+    if (std::abs(d[1]) > position_tolerance())
       for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
         breaks.push_back((beam_axis->cell_end(cell) - a[1]) / d[1]);
     Tensor<1, 2> in_section;
     in_section[0] = d[0];
     in_section[1] = d[2];
-    add_section_breaks(
-      beam_section->element(), {a[0], a[2]}, in_section, nearness(), breaks);
+    add_section_breaks(beam_section->element(),
+                       {a[0], a[2]},
+                       in_section,
+                       position_tolerance(),
+                       breaks);
     return merge_breaks(std::move(breaks));
   }
 
@@ -353,9 +356,9 @@ namespace lamella
   unsigned int
   Beam::line_degree(const Point<3> &from, const Point<3> &to) const
   {
-    const Tensor<1, 3> d         = placement.vector_to_body(to - from);
-    const double       tolerance = std::min(nearness(), 1e-3 * d.norm());
-    const unsigned int p         = beam_section->element().degree();
+    const Tensor<1, 3> d   = placement.vector_to_body(to - from);
+    const double tolerance = std::min(position_tolerance(), 1e-3 * d.norm());
+    const unsigned int p   = beam_section->element().degree();
     return (std::abs(d[0]) > tolerance ? p : 0) +
            (std::abs(d[1]) > tolerance ? beam_axis->degree() : 0) +
            (std::abs(d[2]) > tolerance ? p : 0);

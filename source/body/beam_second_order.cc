@@ -132,14 +132,14 @@ namespace lamella
           section.S(p, 1).el(alpha, RigidField::translation_y);
 
     beam.along_axis().add_forces(
-      [&](const unsigned int cell, const SectionOperator &answer) {
+      [&](const unsigned int cell, const SectionOperator &section_operator) {
         const FieldParts column =
-          on_list(beam.fields(), answer.fields(), unit).work;
+          on_list(beam.fields(), section_operator.fields(), unit).work;
         const unsigned int n_points = beam.along_axis().n_stations();
-        SectionForces      forces(answer.fields().size(), n_points);
+        SectionForces      forces(section_operator.fields().size(), n_points);
         for (unsigned int p = 0; p < FieldPart::n; ++p)
           for (unsigned int k = 0; k < n_points; ++k)
-            for (unsigned int a = 0; a < answer.fields().size(); ++a)
+            for (unsigned int a = 0; a < section_operator.fields().size(); ++a)
               forces.work[p](a, k) =
                 -stretch[cell * n_points + k] * column[p](a, 0);
         return forces;
@@ -154,12 +154,13 @@ namespace lamella
   {
     double energy = 0.;
     beam.along_axis().for_each_element(
-      [&](const unsigned int cell, const SectionOperator &answer) {
-        FieldParts q = beam.along_axis().on_element(cell, answer.fields(), v);
+      [&](const unsigned int cell, const SectionOperator &section_operator) {
+        FieldParts q =
+          beam.along_axis().on_element(cell, section_operator.fields(), v);
         for (unsigned int k = 0; k < beam.along_axis().n_stations(); ++k)
           q[FieldPart::derivative](RigidField::translation_y, k) +=
             stretch[cell * beam.along_axis().n_stations() + k];
-        energy += beam.along_axis().energy(cell, answer.forces(q));
+        energy += beam.along_axis().energy(cell, section_operator.forces(q));
       });
 
     Vector both = u;

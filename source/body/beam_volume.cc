@@ -142,9 +142,9 @@ namespace lamella
     const unsigned int               begin  = beam_axis->own_cells().first;
     double                           energy = 0.;
     along_axis().add_forces(
-      [&](const unsigned int cell, const SectionOperator &answer) {
+      [&](const unsigned int cell, const SectionOperator &section_operator) {
         energy += along_axis().energy(cell, forces[cell - begin]);
-        return on_list(*space, answer.fields(), forces[cell - begin]);
+        return on_list(*space, section_operator.fields(), forces[cell - begin]);
       },
       f);
     return Utilities::MPI::sum(energy, communicator());
@@ -196,8 +196,8 @@ namespace lamella
     for (unsigned int k = 0; k < along_axis().n_stations(); ++k)
       std::copy(load.begin(), load.end(), &forces.work[FieldPart::value](0, k));
     along_axis().add_forces(
-      [&](const unsigned int, const SectionOperator &answer) {
-        return on_list(*space, answer.fields(), forces);
+      [&](const unsigned int, const SectionOperator &section_operator) {
+        return on_list(*space, section_operator.fields(), forces);
       },
       f);
   }

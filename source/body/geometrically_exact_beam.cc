@@ -135,18 +135,18 @@ namespace lamella
     constexpr double       normal = 1e4;
     const SectionOperator *before = nullptr;
     along_axis().for_each_element(
-      [&](const unsigned int, const SectionOperator &answer) {
-        if (&answer == before)
+      [&](const unsigned int, const SectionOperator &section_operator) {
+        if (&section_operator == before)
           {
             laws.push_back(laws.back());
             return;
           }
-        const auto law = make_law(answer);
+        const auto law = make_law(section_operator);
         for (const unsigned int shear : {0, 2})
           if (keeps_normal)
             law->D(shear, shear) += normal * law->D(1, 1);
         laws.push_back(law);
-        before = &answer;
+        before = &section_operator;
       });
   }
 
@@ -210,16 +210,17 @@ namespace lamella
 
 
   std::shared_ptr<GeometricallyExactBeam::Law>
-  GeometricallyExactBeam::make_law(const SectionOperator &answer) const
+  GeometricallyExactBeam::make_law(
+    const SectionOperator &section_operator) const
   {
-    const std::vector<unsigned int> &list = answer.fields();
+    const std::vector<unsigned int> &list = section_operator.fields();
     const FrameFields                frame(list, h);
     const unsigned int               rigid = n_rigid();
     const auto                       law   = std::make_shared<Law>();
     law->fields.assign(list.begin(), list.end());
     law->warpings.assign(list.begin() + rigid, list.end());
     const FieldParts work =
-      answer.forces(units(frame, list.size(), rigid, n_strains)).work;
+      section_operator.forces(units(frame, list.size(), rigid, n_strains)).work;
     const unsigned int n = n_strains + 2 * law->warpings.size();
     law->D.reinit(n, n);
     for (unsigned int k = 0; k < n; ++k)
@@ -303,7 +304,7 @@ namespace lamella
           if (rotates_about[c] < section().n_fields())
             result[dofs().first(node) + dofs().place(node, rotates_about[c])] =
               h * sign_of_rotation[c] * theta[c];
-          else if (std::abs(theta[c]) > arithmetic::alike)
+          else if (std::abs(theta[c]) > arithmetic::same_value)
             throw NumericsError(
               "Body " + name() + " (" + theory() +
               ") bends in two planes, and would have to twist by " +

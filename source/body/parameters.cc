@@ -164,7 +164,7 @@ namespace lamella
     const double length = in["Length"].positive();
     body.placement      = parse_placement(in);
     body.stabilization  = parse_stabilization(in["Stabilization"]);
-    body.is_held        = in["Isostatic support"].truth();
+    body.is_held        = in["Isostatic support"].boolean();
     if (body.is_held && body.stabilization == 0.)
       body.stabilization = stabilization_of_held;
     prm.enter_subsection("Kinematics");

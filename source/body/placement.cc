@@ -14,7 +14,7 @@ namespace lamella
                              const Tensor<1, 3> &up)
   {
     const Tensor<1, 3> across = cross_product_3d(axis, up);
-    if (!(across.norm() > arithmetic::parallel * axis.norm() * up.norm()))
+    if (!(across.norm() > arithmetic::parallel_sine * axis.norm() * up.norm()))
       throw InputError("Placement",
                        "",
                        "Axis and Up must be two directions that are neither "

@@ -253,7 +253,7 @@ namespace lamella
       rotation.add_forces(1., rest, start);
       add_point_forces(body, point_forces(load, region, body), dead_load);
       start -= dead_load;
-      if (start.l2_norm() > arithmetic::alike * dead_load.l2_norm())
+      if (start.l2_norm() > arithmetic::same_value * dead_load.l2_norm())
         throw InputError("Load " + load.name + "/Pressure",
                          load.pressure.text() + ", follows",
                          "a pressure that follows must be smooth within "
@@ -268,7 +268,7 @@ namespace lamella
   bool
   is_follower_load(const Load &load)
   {
-    return load.couple || load.follows;
+    return load.couple || load.is_follower;
   }
 
 
@@ -289,7 +289,7 @@ namespace lamella
   {
     if (load.couple)
       return std::make_unique<FollowerCouple>(load, region, body);
-    if (!load.follows)
+    if (!load.is_follower)
       {
         const PointForces at = point_forces(load, region, body);
         return std::make_unique<DeadForces>(body, at.locations, at.forces);

@@ -170,7 +170,7 @@ namespace lamella
             double size = f.linfty_norm();
             for (DofIndex i = 0; i < f.size(); ++i)
               size += std::abs(f[i] * q[i]);
-            if (std::abs(f * q) <= arithmetic::integrated * size)
+            if (std::abs(f * q) <= arithmetic::quadrature_tolerance * size)
               continue;
             Tensor<1, 3> force, moment;
             for (unsigned int c = 0; c < 3; ++c)

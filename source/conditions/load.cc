@@ -253,7 +253,7 @@ namespace lamella
               const PointForces        &at,
               std::vector<std::string> &notes)
     {
-      if (at.error > arithmetic::integrated * at.size)
+      if (at.error > arithmetic::quadrature_tolerance * at.size)
         notes.push_back("load " + name + ": its integral is uncertain by " +
                         to_text(at.error / at.size, 2) +
                         " of itself. Let its edges run along the elements, or "
@@ -301,7 +301,7 @@ namespace lamella
               torque += cross_product_3d(arm, at.forces[i]) * axis;
               size += arm.norm() * at.forces[i].norm();
             }
-          if (std::abs(torque) > arithmetic::integrated * size)
+          if (std::abs(torque) > arithmetic::quadrature_tolerance * size)
             notes.push_back(
               "load " + name + " twists body " + body.name() +
               " by a torque of " + to_text(torque) +

@@ -423,7 +423,7 @@ namespace lamella
 
 
 
-    const std::string follows = "follows";
+    const std::string is_follower = "follows";
 
 
 
@@ -434,7 +434,7 @@ namespace lamella
       const std::string text  = pressure.text();
       const std::size_t comma = text.rfind(',');
       if (comma == std::string::npos ||
-          trimmed(text.substr(comma + 1)) != follows)
+          trimmed(text.substr(comma + 1)) != is_follower)
         return false;
       pressure = Formula(trimmed(text.substr(0, comma)));
       return true;
@@ -492,11 +492,11 @@ namespace lamella
                 " set");
     const Entry on = in["On"], what = in[given.front()];
     Load        load;
-    load.name     = name;
-    load.on       = parse_regions(on, in["At"], bodies);
-    load.pressure = in["Pressure"].text();
-    load.follows  = parse_follower(load.pressure);
-    if (load.follows && load.pressure.empty())
+    load.name        = name;
+    load.on          = parse_regions(on, in["At"], bodies);
+    load.pressure    = in["Pressure"].text();
+    load.is_follower = parse_follower(load.pressure);
+    if (load.is_follower && load.pressure.empty())
       what.refuse("says nothing of how much follows",
                   "Write a number or an expression before it, `12, follows`.");
     load.temperature = in["Temperature"].text();
@@ -507,7 +507,7 @@ namespace lamella
     if (given.front() == "Force")
       {
         const std::vector<std::string> components = what.items();
-        if (components.back() == follows)
+        if (components.back() == is_follower)
           what.refuse("is of a fixed direction", "Only a Pressure follows.");
         if (components.size() != 3)
           what.refuse("must be three expressions between commas");

@@ -24,7 +24,7 @@ namespace lamella
     // start, depends on those before: it would hold displacements that are as
     // much smaller than those of the body, and rounding grows by the inverse of
     // what is left (rows of a line that nearly is one of the mesh).
-    constexpr double dependent = arithmetic::dependent;
+    constexpr double dependent = arithmetic::dependency_tolerance;
     // DoFs that a row eliminates have this of its largest weight or more: those
     // that depend on them are not moved by multiples of that.
     constexpr double stable = 0.1;

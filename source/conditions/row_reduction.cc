@@ -16,7 +16,7 @@ namespace lamella
   {
     // What is left of the value of a row that depends on others is rounding
     // below this fraction of the largest value.
-    constexpr double contradiction = arithmetic::dependent;
+    constexpr double contradiction = arithmetic::dependency_tolerance;
   } // namespace
 
 

@@ -34,7 +34,7 @@ namespace lamella
       for (const SurfacePoint &point : points)
         most = std::max(most, x.distance(point.position));
       for (const SurfacePoint &point : points)
-        if (x.distance(point.position) > (1. - arithmetic::alike) * most)
+        if (x.distance(point.position) > (1. - arithmetic::same_value) * most)
           found.push_back(point);
       return found;
     }

@@ -98,9 +98,9 @@ namespace lamella
 
     /// The places that @p support holds on @p region of @p body.
     std::vector<Location>
-    slip_reference_points(const Body    &body,
-                          const Region  &region,
-                          const Support &support)
+    constrained_points(const Body    &body,
+                       const Region  &region,
+                       const Support &support)
     {
       return region_locations(body,
                               region,
@@ -121,7 +121,7 @@ namespace lamella
                        std::vector<PrescribedFunctional>  &rows)
     {
       const std::vector<Location> places =
-        slip_reference_points(body, region, support);
+        constrained_points(body, region, support);
       auto all = body.rows(places, Quantity::displacement);
       // The place of a given point comes out of its position, with rounding:
       // without what that leaves at other nodes the rows of a node stay its
@@ -174,7 +174,7 @@ namespace lamella
         }
       else
         for (const Location &place :
-             slip_reference_points(*bodies[region.body], region, support))
+             constrained_points(*bodies[region.body], region, support))
           points.push_back(place.position);
     const BoundingBox<3> box(points);
     rotation.about     = box.center();
@@ -292,7 +292,7 @@ namespace lamella
                                return std::abs(a[m]) < std::abs(b[m]);
                              });
           if (largest == motions.end() ||
-              std::abs((*largest)[m]) < arithmetic::dependent)
+              std::abs((*largest)[m]) < arithmetic::dependency_tolerance)
             continue;
           std::swap(*largest, motions[done]);
           const std::array<double, 6> pivot = motions[done];

@@ -115,7 +115,7 @@ namespace lamella
           const std::vector<Point<3>> shared = shared_places(a, b, bodies);
           if (shared.empty() || (is_weighted(a) && is_weighted(b) &&
                                  are_collinear(shared,
-                                               arithmetic::parallel *
+                                               arithmetic::parallel_sine *
                                                  bodies[a.first_body]->size())))
             continue;
           throw InputError(

@@ -70,9 +70,10 @@ namespace lamella
     if (bodies[contact.first.body]->has_finite_rotations())
       search_radius =
         std::max(search_radius, automatic_search_distance(contact, bodies));
-    undeformed.decide(interface.discretization,
-                      interface.points_on_second ? SlaveSide::second :
-                                                   SlaveSide::first);
+    undeformed.set_discretization(interface.discretization,
+                                  interface.points_on_second ?
+                                    SlaveSide::second :
+                                    SlaveSide::first);
     if (contact.friction > 0.)
       assemble_slips(undeformed);
     if (contact.overclosure == Overclosure::adjust)
@@ -249,7 +250,7 @@ namespace lamella
     step_begin_factor = factor;
     hold();
     for (GapIntegrals &row : integrals)
-      row.slid = Tensor<1, 3>();
+      row.slip_increment = Tensor<1, 3>();
     offset_slips(u, factor);
   }
 
@@ -283,7 +284,8 @@ namespace lamella
   {
     step_begin_u = BlockVector();
     held.clear();
-    undeformed.decide(known.discretization, undeformed.contact().slave_side);
+    undeformed.set_discretization(known.discretization,
+                                  undeformed.contact().slave_side);
     if (known.u.n_blocks() > 0)
       pair(known.u, known.factor);
     else if (pairing_u.n_blocks() > 0)
@@ -563,8 +565,8 @@ namespace lamella
       for (SlipConstraint &slip : interface.rows[k].slips)
         {
           slip.initial = 0.;
-          slip.initial =
-            sign * slip.tangent * integrals[k].slid - slip.slip(u, factor);
+          slip.initial = sign * slip.tangent * integrals[k].slip_increment -
+                         slip.slip(u, factor);
         }
   }
 
@@ -745,7 +747,8 @@ namespace lamella
   {
     if (!is_automatic())
       return false;
-    undeformed.decide(Discretization::surface_to_surface, SlaveSide::first);
+    undeformed.set_discretization(Discretization::surface_to_surface,
+                                  SlaveSide::first);
     return true;
   }
 

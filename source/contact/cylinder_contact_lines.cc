@@ -183,7 +183,7 @@ namespace lamella
       for (unsigned int i = 0; i <= samples; ++i)
         try_place(facet, {s, double(i) / samples});
     // A sample on a side belongs to both facets there.
-    const double sampled = smallest * (1. + arithmetic::alike);
+    const double sampled = smallest * (1. + arithmetic::same_value);
     for (const auto &[facet, s] : line)
       {
         const FacetMap &map = now.facets()[facet].map;

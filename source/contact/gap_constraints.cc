@@ -18,7 +18,7 @@ namespace lamella
   namespace
   {
     // A difference in the number of cells that is none.
-    constexpr double same_grid = arithmetic::alike;
+    constexpr double same_grid = arithmetic::same_value;
 
 
 

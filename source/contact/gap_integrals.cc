@@ -27,7 +27,7 @@ namespace lamella
       add(const unsigned int  number,
           const GapPoint     &point,
           const MasterPoint  &at,
-          const Tensor<1, 3> &slid);
+          const Tensor<1, 3> &slip_increment);
 
       std::vector<GapIntegrals>
       take();
@@ -45,7 +45,7 @@ namespace lamella
     Sums::add(const unsigned int  number,
               const GapPoint     &point,
               const MasterPoint  &at,
-              const Tensor<1, 3> &slid)
+              const Tensor<1, 3> &slip_increment)
     {
       const Tensor<1, 3>       &n     = at.normal;
       const MeshSurface::Facet &facet = slave.facets()[point.slave.facet];
@@ -77,7 +77,7 @@ namespace lamella
           sum.area += weight;
           sum.gap += weight * at.hit.distance;
           sum.normal += weight * n;
-          sum.slid += weight * slid;
+          sum.slip_increment += weight * slip_increment;
           add_side(facet.trace_nodes, trace, weight, sum.slave);
           if (beyond != nullptr)
             add_side(*beyond, trace_opposite, weight, sum.master);
@@ -95,7 +95,7 @@ namespace lamella
             const double scale = 1. / row.area;
             row.gap *= scale;
             row.normal *= scale;
-            row.slid *= scale;
+            row.slip_increment *= scale;
             for (auto *side : {&row.slave, &row.master})
               for (auto &[number, node] : *side)
                 {
@@ -226,12 +226,13 @@ namespace lamella
       if (const auto at = master_point(
             sides, on_second, master_points, search_radius, points[q]))
         {
-          Tensor<1, 3> slid;
+          Tensor<1, 3> slip_increment;
           if (held != nullptr && (*held)[q])
-            slid = slide(sides, on_second, *(*held)[q], points[q], *at);
+            slip_increment =
+              slip_increment_of(sides, on_second, *(*held)[q], points[q], *at);
           else if (held != nullptr)
             (*held)[q] = slip_reference_point(sides, points[q], *at);
-          sums.add(q, points[q], *at, slid);
+          sums.add(q, points[q], *at, slip_increment);
         }
     return sums.take();
   }

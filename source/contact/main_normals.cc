@@ -62,7 +62,7 @@ namespace lamella
                              });
           if (nearest == side.points.end() ||
               (normal && cross_product_3d(*normal, nearest->normal).norm() >
-                           arithmetic::parallel))
+                           arithmetic::parallel_sine))
             return {};
           if (!normal)
             normal = nearest->normal;
@@ -81,7 +81,8 @@ namespace lamella
       const std::array<std::optional<Tensor<1, 3>>, 2> flat{
         {flat_normal(sides[0], near[0]), flat_normal(sides[1], near[1])}};
       if (flat[0] && flat[1] &&
-          cross_product_3d(*flat[0], *flat[1]).norm() > arithmetic::parallel)
+          cross_product_3d(*flat[0], *flat[1]).norm() >
+            arithmetic::parallel_sine)
         return n / n.norm();
       for (const auto &normal : flat)
         if (normal)
@@ -92,7 +93,7 @@ namespace lamella
           Tensor<1, 3> along = side.ruling;
           for (const Tensor<1, 3> &other : generators)
             along -= (along * other) * other;
-          if (along.norm() > arithmetic::parallel)
+          if (along.norm() > arithmetic::parallel_sine)
             generators.push_back(along / along.norm());
         }
       for (const Tensor<1, 3> &along : generators)

@@ -17,7 +17,7 @@ namespace lamella
   namespace
   {
     // Of a row's area: less is rounding.
-    constexpr double same_area = arithmetic::integrated;
+    constexpr double same_area = arithmetic::quadrature_tolerance;
     // Of the displacements: what is not rounding.
     constexpr double touching = arithmetic::negligible;
     // Of the widest gap of those that come to touch, with some room.

@@ -110,11 +110,11 @@ namespace lamella
 
 
   Tensor<1, 3>
-  slide(const ContactSides       &sides,
-        const bool                on_second,
-        const SlipReferencePoint &then,
-        const GapPoint           &now,
-        const MasterPoint        &at)
+  slip_increment_of(const ContactSides       &sides,
+                    const bool                on_second,
+                    const SlipReferencePoint &then,
+                    const GapPoint           &now,
+                    const MasterPoint        &at)
   {
     Tensor<1, 3> way =
       chord_on_surface(*sides.surface(on_second), then.point.slave, now.slave);

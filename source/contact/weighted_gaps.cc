@@ -171,7 +171,8 @@ namespace lamella
           candidates.push_back(segment.facet);
           covered += segment.area;
         }
-      const bool layered = covered > (1. + arithmetic::integrated) * plane.area;
+      const bool layered =
+        covered > (1. + arithmetic::quadrature_tolerance) * plane.area;
       for (const Segment &segment : segments)
         add_segment(cell, plane, segment, candidates, layered);
     }

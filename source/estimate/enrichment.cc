@@ -303,7 +303,7 @@ namespace lamella
   Scene
   for_estimates(const Simulation &run)
   {
-    Scene scene          = run.model().anew();
+    Scene scene          = run.model().with_automatic_contacts();
     scene.solve.strategy = Strategy::condensed;
     // With large rotations each load step starts from the one before.
     const bool is_large = scene.solve.rotations == Rotations::large;

@@ -65,11 +65,12 @@ namespace lamella
     unsigned int number = 0;
     for (const NamedQuantity &quantity : of_run->quantities())
       {
-        const GoalResult bare = of_run->bare(number++);
-        const double     most =
-          bare.tolerance ?
-                rules.min_tolerance_share * bare.allowed_error() :
-                rules.min_total_share * first_refinement(quantity).shares;
+        const GoalResult without_error_bar =
+          of_run->without_error_bar(number++);
+        const double most =
+          without_error_bar.tolerance ?
+            rules.min_tolerance_share * without_error_bar.allowed_error() :
+            rules.min_total_share * first_refinement(quantity).shares;
         if (most > 0.)
           weight = std::max(weight, std::abs(share_of(step, quantity)) / most);
       }
@@ -141,7 +142,7 @@ namespace lamella
 
 
   void
-  Estimation::climb()
+  Estimation::solve_hierarchy()
   {
     cache.keep(models.front());
     for (const NameOf<Source> &source : Names<Source>::all)
@@ -201,7 +202,7 @@ namespace lamella
   {
     GoalResult result =
       failure.empty() ? of_run->with_error_bar(number, error_bar_of(quantity)) :
-                        of_run->bare(number);
+                        of_run->without_error_bar(number);
     if (!local.empty())
       result.local = local.at(number);
     if (!failure.empty())
@@ -224,7 +225,7 @@ namespace lamella
     of_run = std::make_unique<RunGoals>(run);
     models = {first_model()};
     // A failure of another model must not discard the results of the run.
-    if (const Outcome outcome = outcome_of([this] { climb(); });
+    if (const Outcome outcome = outcome_of([this] { solve_hierarchy(); });
         outcome.status != 0)
       {
         failure =

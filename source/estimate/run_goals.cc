@@ -92,7 +92,7 @@ namespace lamella
   GoalResult
   RunGoals::with_error_bar(const unsigned int number, const ErrorBar &bar) const
   {
-    GoalResult result = bare(number);
+    GoalResult result = without_error_bar(number);
     result.estimate   = bar.estimate;
     result.bar        = bar.bar;
     if (result.has_limit)
@@ -125,7 +125,7 @@ namespace lamella
 
 
   GoalResult
-  RunGoals::bare(const unsigned int number) const
+  RunGoals::without_error_bar(const unsigned int number) const
   {
     const std::vector<Tolerance> &tolerances =
       run.model().scene().goals.tolerances;

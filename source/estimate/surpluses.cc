@@ -68,12 +68,12 @@ namespace lamella
         quarters.push_back(coarser_spans(body.axis, 2));
       }
     const Parts parts = parts_of(run.results().last().state.u);
-    for (const auto &[answer, part] :
+    for (const auto &[part_forces, part] :
          {std::make_pair(&section, &parts.section),
           std::make_pair(&section_before, &parts.section_before),
           std::make_pair(&axis, &parts.axis),
           std::make_pair(&axis_before, &parts.axis_before)})
-      *answer = std::make_unique<const Answer>(forces_of_part(*part));
+      *part_forces = std::make_unique<const PartForces>(forces_of_part(*part));
   }
 
 
@@ -90,30 +90,31 @@ namespace lamella
 
 
 
-  Surpluses::Answer
+  Surpluses::PartForces
   Surpluses::forces_of_part(const BlockVector &v) const
   {
     const BlockVector zero = run.model().structure().zero();
-    Answer            answer{run.contact_solver().tangent().apply(v), jumps(v)};
-    const auto       &active = run.results().last().state.active;
+    PartForces  part_forces{run.contact_solver().tangent().apply(v), jumps(v)};
+    const auto &active = run.results().last().state.active;
     if (active.empty())
-      return answer;
-    Vector jump = answer.rows;
+      return part_forces;
+    Vector jump = part_forces.rows;
     jump *= -1.;
     BlockVector unused = zero;
-    run.contact_solver().solve_linear(active, zero, jump, unused, answer.rows);
-    return answer;
+    run.contact_solver().solve_linear(
+      active, zero, jump, unused, part_forces.rows);
+    return part_forces;
   }
 
 
 
   double
-  Surpluses::work(const Answer &answer, const BlockVector &z) const
+  Surpluses::work(const PartForces &part_forces, const BlockVector &z) const
   {
-    double       sum  = answer.bodies * z;
+    double       sum  = part_forces.bodies * z;
     const Vector jump = jumps(z);
     for (unsigned int k = 0; k < jump.size(); ++k)
-      sum -= answer.rows[k] * jump[k];
+      sum -= part_forces.rows[k] * jump[k];
     return sum;
   }
 
@@ -144,14 +145,14 @@ namespace lamella
 
 
   double
-  Surpluses::sizes(const Answer &answer, const BlockVector &z) const
+  Surpluses::sizes(const PartForces &part_forces, const BlockVector &z) const
   {
     double       sum  = sum_by_nodes(beams_of(run.model().structure().bodies()),
-                              answer.bodies,
+                              part_forces.bodies,
                               z);
     const Vector jump = jumps(z);
     for (unsigned int k = 0; k < jump.size(); ++k)
-      sum += std::abs(answer.rows[k] * jump[k]);
+      sum += std::abs(part_forces.rows[k] * jump[k]);
     return sum;
   }
 
@@ -181,18 +182,19 @@ namespace lamella
 
 
   LocalErrors
-  Surpluses::by_elements(const Answer &answer, const BlockVector &z) const
+  Surpluses::by_elements(const PartForces  &part_forces,
+                         const BlockVector &z) const
   {
     LocalErrors result;
     for (unsigned int b = 0; b < of_beams.size(); ++b)
       {
-        Vector products = answer.bodies.block(b);
+        Vector products = part_forces.bodies.block(b);
         products.scale(z.block(b));
         add_spans(b, products, result);
       }
     const Vector jump = jumps(z);
     for (unsigned int k = 0; k < jump.size(); ++k)
-      result.contact -= answer.rows[k] * jump[k];
+      result.contact -= part_forces.rows[k] * jump[k];
     return distribute_to_finer(result, run);
   }
 

@@ -123,7 +123,7 @@ namespace lamella
                                                const std::string   &what,
                                                const FactorMonitor &monitor)
     {
-      // The monitor may free the matrix: nobody asks it post_processing.
+      // The monitor may free the matrix: nobody asks it afterwards.
       const DofIndex n = matrix.m();
       for (DofIndex i = 0; i < n; ++i)
         greatest = std::max(greatest, std::abs(matrix.diag_element(i)));

@@ -194,7 +194,7 @@ namespace lamella
     const auto    found = located(body, rule.points, path);
     // What lies in one ply only belongs to either side. A piece that is thin
     // enough for the search to find it in both plies makes no interface.
-    constexpr double sliver = arithmetic::integrated;
+    constexpr double sliver = arithmetic::quadrature_tolerance;
     double           in_two = 0.;
     for (unsigned int i = 0; i < found.size(); ++i)
       in_two += found[i].size() > 1 ? rule.weights[i] : 0.;

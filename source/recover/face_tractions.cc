@@ -78,7 +78,7 @@ namespace lamella
                normal * face.normal * (outwards ? 1. : -1.) >=
                  same_way * normal.norm();
       };
-    for (const Pressed &pressed : all.contacts)
+    for (const LoadedContact &pressed : all.contacts)
       {
         const bool is_first  = pressed.contact->first_body == face.body,
                    is_second = pressed.contact->second_body == face.body;

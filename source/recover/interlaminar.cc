@@ -62,7 +62,7 @@ namespace lamella
   double
   EquilibriumDefect::relative() const
   {
-    constexpr double nothing = arithmetic::dependent;
+    constexpr double nothing = arithmetic::dependency_tolerance;
     return error > nothing * in_plane ? error / largest : 0.;
   }
 

@@ -384,7 +384,7 @@ namespace lamella
           for (unsigned int c = 0; c < 3; ++c)
             largest = std::max(largest, std::abs(map[c][d]));
           for (unsigned int c = 0; c < 3; ++c)
-            n += std::abs(map[c][d]) > arithmetic::parallel * largest;
+            n += std::abs(map[c][d]) > arithmetic::parallel_sine * largest;
           if (n > 1)
             return false;
         }

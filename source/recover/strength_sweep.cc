@@ -297,7 +297,7 @@ namespace lamella
                r.position[1],
                r.position[2],
                r.angle.value_or(none),
-               r.doubt}};
+               r.stress_discrepancy}};
     }
 
 
@@ -312,12 +312,12 @@ namespace lamella
         return std::isnan(value) ? std::nullopt : std::make_optional(value);
       };
       PlyReserve row;
-      row.mode     = mode;
-      row.reserve  = optional(v[1]);
-      row.index    = v[2];
-      row.position = Point<3>(v[3], v[4], v[5]);
-      row.angle    = optional(v[6]);
-      row.doubt    = v[7];
+      row.mode               = mode;
+      row.reserve            = optional(v[1]);
+      row.index              = v[2];
+      row.position           = Point<3>(v[3], v[4], v[5]);
+      row.angle              = optional(v[6]);
+      row.stress_discrepancy = v[7];
       return row;
     }
 

@@ -115,9 +115,9 @@ namespace lamella
       if (row.row.body == worst->body && !supports[row.support].isostatic &&
           row.position.distance(x) <= near)
         why = "support " + supports[row.support].name + " holds that point";
-    if (why.empty() && worst->doubt > much)
+    if (why.empty() && worst->stress_discrepancy > much)
       why = "the element's stress and the recovered one differ by " +
-            to_text(100. * worst->doubt, 2) + " % there";
+            to_text(100. * worst->stress_discrepancy, 2) + " % there";
     if (why.empty())
       return "";
     return "the smallest reserve factor, " + to_text(*worst->reserve, 4) +

@@ -57,7 +57,7 @@ namespace boost
         .pairings;
       lamella::FrictionState &friction = state.friction;
       archive &friction.shear &friction.direction &friction.before &friction
-        .length &friction.dissipated &friction.opening &friction.path_gap;
+        .length &friction.dissipated &friction.contact_gap &friction.path_gap;
     }
 
 
@@ -113,7 +113,7 @@ namespace boost
     serialize(Archive &archive, lamella::PlyReserve &row, const unsigned int)
     {
       archive &row.body &row.ply &row.criterion &row.mode &row.index &row
-        .position                                                    &row.doubt;
+        .position &row.stress_discrepancy;
       serialize_optional(archive, row.reserve);
       serialize_optional(archive, row.angle);
     }

@@ -261,7 +261,7 @@ namespace lamella
 
 
   Scene
-  BuiltScene::anew() const
+  BuiltScene::with_automatic_contacts() const
   {
     Scene again = given;
     for (ContactPair &contact : again.contacts)

@@ -65,7 +65,7 @@ namespace lamella
     if (rules.unsolved.size() == built->rules().unsolved.size())
       return false;
     release_solver();
-    build(built->anew(), rules);
+    build(built->with_automatic_contacts(), rules);
     return true;
   }
 
@@ -76,7 +76,7 @@ namespace lamella
   {
     if (!may_refine[missed.body] || last_has_state_only)
       return false;
-    Scene            shorter = built->anew();
+    Scene            shorter = built->with_automatic_contacts();
     BodyDescription &body    = shorter.bodies[missed.body];
     refine_at(body.axis, missed.y, missed.longest);
     const std::string what = "Body " + body.name +
@@ -119,7 +119,7 @@ namespace lamella
   {
     if (last_has_state_only)
       return false;
-    Scene       with_ends = built->anew();
+    Scene       with_ends = built->with_automatic_contacts();
     std::string added;
     for (const EndInContact &end : missing.ends)
       added += (added.empty() ? "" : "; ") + add_end(end, with_ends);

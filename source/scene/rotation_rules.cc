@@ -103,7 +103,7 @@ namespace lamella
              contact.obstacle->shape == Obstacle::Shape::cylinder &&
              !body.theory.is_solid() &&
              std::abs(contact.obstacle->direction * body.placement.axes[1]) <
-               arithmetic::parallel;
+               arithmetic::parallel_sine;
     }
 
 
@@ -203,7 +203,7 @@ namespace lamella
     check_linear(const Scene &scene)
     {
       for (const Load &load : scene.loads)
-        if (load.follows && scene.solve.rotations == Rotations::linear)
+        if (load.is_follower && scene.solve.rotations == Rotations::linear)
           throw InputError("Load " + load.name + "/Pressure",
                            load.pressure.text() + ", follows",
                            "with Rotations = linear nothing turns that a load "
@@ -255,7 +255,7 @@ namespace lamella
         body.has_finite_rotations = true;
       }
     for (const Load &load : scene.loads)
-      if (!load.pressure.empty() && !load.follows)
+      if (!load.pressure.empty() && !load.is_follower)
         scene.warnings.push_back(
           "load " + load.name +
           ": its Pressure is dead: per undeformed area, along the normal of "
@@ -275,7 +275,7 @@ namespace lamella
   {
     return std::any_of(scene.loads.begin(),
                        scene.loads.end(),
-                       [](const Load &load) { return load.follows; });
+                       [](const Load &load) { return load.is_follower; });
   }
 
 

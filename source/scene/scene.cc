@@ -284,7 +284,7 @@ namespace lamella
       scene.units     = Units::parse(in["Units"]);
       scene.gravity   = in["Gravity"].point();
       scene.solve     = SolveParameters::parse(in);
-      scene.write_vtu = in["Write VTU"].truth();
+      scene.write_vtu = in["Write VTU"].boolean();
 
       SceneReading reading{prm, names, text.folder(), in["Theory"], scene};
       for (const SubsectionKind &kind : subsection_kinds())

@@ -153,13 +153,13 @@ namespace lamella
                        "prints what it may say.")
         .at(file + ": ");
     for (const std::string &assignment : overrides)
-      put(override_entry(checked_bytes(assignment, "--set")));
+      set_entry(override_entry(checked_bytes(assignment, "--set")));
   }
 
 
 
   void
-  SceneText::put(const Item &entry)
+  SceneText::set_entry(const Item &entry)
   {
     const auto old =
       std::find_if(entries.begin(), entries.end(), [&entry](const Item &e) {
@@ -192,7 +192,7 @@ namespace lamella
   SceneText::set_default(const std::string &path, const std::string &value)
   {
     if (!says(path))
-      put({path, value, 0});
+      set_entry({path, value, 0});
   }
 
 
@@ -200,7 +200,7 @@ namespace lamella
   void
   SceneText::replace(const std::string &path, const std::string &value)
   {
-    put({path, value, 0});
+    set_entry({path, value, 0});
   }
 
 

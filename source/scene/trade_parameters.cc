@@ -314,7 +314,7 @@ namespace lamella
       check_given(reference, trade.quantities);
 
     trade.tolerances = parse_tolerances(in["Tolerance"]);
-    trade.error_bars = in["Error bars"].truth();
+    trade.error_bars = in["Error bars"].boolean();
     trade.time_limit = parse_time_limit(in["Time limit"]);
     return trade;
   }

@@ -35,7 +35,7 @@ namespace lamella
     for (unsigned int ply = 0; ply < plies.size(); ++ply)
       {
         own.push_back(plies[ply].properties.elastic.stiffness());
-        everywhere.push_back(law_with_normal(ply, plies[ply].plane.normal));
+        constant_laws.push_back(law_with_normal(ply, plies[ply].plane.normal));
       }
   }
 
@@ -52,7 +52,8 @@ namespace lamella
 
 
   ElasticLaw
-  PlyLaws::law_with_normal(const unsigned int ply, const Tensor<1, 2> &normal) const
+  PlyLaws::law_with_normal(const unsigned int  ply,
+                           const Tensor<1, 2> &normal) const
   {
     return ElasticLaw(
       with_shear_factor(rotated(own[ply], ply_axes(plies[ply].angle, normal)),
@@ -85,7 +86,8 @@ namespace lamella
       {
         const double        phi = 2. * numbers::PI * s / n_harmonics;
         const ElasticTensor C =
-          law_with_normal(ply, Point<2>(std::cos(phi), std::sin(phi))).stiffness();
+          law_with_normal(ply, Point<2>(std::cos(phi), std::sin(phi)))
+            .stiffness();
         result[0] += C / n_harmonics;
         for (unsigned int m = 1; 2 * m < n_harmonics; ++m)
           {

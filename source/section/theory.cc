@@ -287,7 +287,7 @@ namespace lamella
     const Entry own = in["Theory"], factor = in["Shear factor"];
     Theory      theory   = Theory::parse(own.is_empty() ? scene_theory : own);
     theory.section_order = section_order_of(in["Section order"]);
-    theory.poisson_correction = in["Poisson correction"].truth();
+    theory.poisson_correction = in["Poisson correction"].boolean();
     theory.shear_factor       = factor.positive();
     if (theory.shear_factor > 1.)
       factor.refuse("must be above 0 and at most 1");

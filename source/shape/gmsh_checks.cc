@@ -55,7 +55,8 @@ namespace lamella
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       for (const Corner &corner : corners_of(mesh, c))
         if (!(area_between(corner.to_next, corner.to_last) >
-              arithmetic::flat * corner.to_next.norm() * corner.to_last.norm()))
+              arithmetic::degenerate_sine * corner.to_next.norm() *
+                corner.to_last.norm()))
           {
             Tensor<1, 2> center;
             for (const unsigned int v : mesh.cells[c].vertices)
@@ -83,7 +84,7 @@ namespace lamella
           double &sum = angle[corner.vertex];
           sum += std::atan2(area_between(corner.to_next, corner.to_last),
                             corner.to_next * corner.to_last);
-          if (sum > 2. * numbers::PI * (1. + arithmetic::flat))
+          if (sum > 2. * numbers::PI * (1. + arithmetic::degenerate_sine))
             refuse_line(
               entry,
               mesh.elements[c]->line,

@@ -193,7 +193,7 @@ namespace lamella
     unsigned int bad = 0;
     Point<2>     where;
     for (const auto &cell : section.mesh.active_cell_iterators())
-      if (smallest_sine(cell) < arithmetic::flat)
+      if (smallest_sine(cell) < arithmetic::degenerate_sine)
         {
           where = bad == 0 ? cell->center() : where;
           ++bad;

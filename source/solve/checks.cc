@@ -285,7 +285,7 @@ namespace lamella
     {
       // Reactions below that share of what heat would do to a body that is
       // held, or of loads that balance each other, are rounding.
-      constexpr double thermal_factor = arithmetic::integrated;
+      constexpr double thermal_factor = arithmetic::quadrature_tolerance;
       const Structure &structure      = tangent.of();
       const Vector    &u              = state.u.block(b);
       const Vector    &thermal_load   = structure.thermal_load().block(b);

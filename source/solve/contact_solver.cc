@@ -95,8 +95,8 @@ namespace lamella
                 multipliers_are_reliable(state, settled, factor))
           return state;
         check_iterations(state.iterations,
-                         sorted_union(sorted_union(missed.opening,
-                                                   missed.closing),
+                         sorted_union(sorted_union(missed.tensile,
+                                                   missed.penetrating),
                                       missed.friction_violations));
         if (slow)
           strategy->increase_penalty();
@@ -185,7 +185,7 @@ namespace lamella
     for (const unsigned int r : state.active)
       {
         if (state.force[r] < 0.)
-          found.opening.push_back(r);
+          found.tensile.push_back(r);
         else
           found.gap =
             std::max(found.gap,
@@ -201,7 +201,7 @@ namespace lamella
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (g[r] < -closed &&
           !std::binary_search(state.active.begin(), state.active.end(), r))
-        found.closing.push_back(r);
+        found.penetrating.push_back(r);
     return found;
   }
 
@@ -249,7 +249,7 @@ namespace lamella
     state.active              = settled.active;
     const ContactViolations left =
       violations(state, factor, weak_law_tolerance);
-    return left.closing.empty() && left.gap <= weak_law_tolerance;
+    return left.penetrating.empty() && left.gap <= weak_law_tolerance;
   }
 
 
@@ -272,15 +272,15 @@ namespace lamella
             state = std::move(at);
             return true;
           }
-        for (const unsigned int r : found.opening)
+        for (const unsigned int r : found.tensile)
           at.force[r] = 0.;
         std::vector<unsigned int> active_goals;
         std::set_difference(at.active.begin(),
                             at.active.end(),
-                            found.opening.begin(),
-                            found.opening.end(),
+                            found.tensile.begin(),
+                            found.tensile.end(),
                             std::back_inserter(active_goals));
-        at.active = sorted_union(std::move(active_goals), found.closing);
+        at.active = sorted_union(std::move(active_goals), found.penetrating);
         std::sort(at.active.begin(), at.active.end());
         ++at.iterations;
         at.contact_corrections = refine(at, factor, 1);

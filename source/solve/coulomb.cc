@@ -69,7 +69,7 @@ namespace lamella
 
       /// The chain from @p start. Scaled forces.
       CoulombSolution
-      chain(const PointVectors &start) const;
+      solve_in_sequence(const PointVectors &start) const;
 
     private:
       /// The problem with the softness @p soft about @p lambda.
@@ -103,7 +103,7 @@ namespace lamella
 
       /// @p lambda after so many sweeps of Gauss and Seidel.
       PointVectors
-      swept(PointVectors lambda, const unsigned int sweeps) const;
+      after_sweeps(PointVectors lambda, const unsigned int sweeps) const;
 
       /// The force of @p point that obeys the law, all others held.
       Tensor<1, 3>
@@ -116,7 +116,7 @@ namespace lamella
       CoulombSolution
       by_compliance(const PointVectors &start,
                     const double        first,
-                    const double        falls) const;
+                    const double        decrease_factor) const;
 
       CoulombRules        rules;
       PointCompliance     W;
@@ -471,7 +471,8 @@ namespace lamella
 
 
     PointVectors
-    CoulombSearch::swept(PointVectors lambda, const unsigned int sweeps) const
+    CoulombSearch::after_sweeps(PointVectors       lambda,
+                                const unsigned int sweeps) const
     {
       PointVectors v = moved(lambda);
       for (unsigned int k = 0; k < sweeps; ++k)
@@ -547,7 +548,7 @@ namespace lamella
     CoulombSolution
     CoulombSearch::by_compliance(const PointVectors &start,
                                  const double        first,
-                                 const double        falls) const
+                                 const double        decrease_factor) const
     {
       constexpr double   least = 1e-12;
       constexpr unsigned tries = 8;
@@ -575,7 +576,8 @@ namespace lamella
           if (found.error > rules.solved)
             {
               const CoulombSolution again =
-                other.newton(other.swept(lambda, rules.regularized_sweeps),
+                other.newton(other.after_sweeps(lambda,
+                                                rules.regularized_sweeps),
                              rules.iterations,
                              rules.damped_from);
               best.iterations += found.iterations;
@@ -592,7 +594,7 @@ namespace lamella
           offer(newton(lambda, tries, tries));
           if (best.error < rules.tolerance)
             break;
-          soft = std::max(least, soft * falls);
+          soft = std::max(least, soft * decrease_factor);
         }
       return best;
     }
@@ -600,7 +602,7 @@ namespace lamella
 
 
     CoulombSolution
-    CoulombSearch::chain(const PointVectors &start) const
+    CoulombSearch::solve_in_sequence(const PointVectors &start) const
     {
       const PointVectors none(W.n_points());
       CoulombSolution    best;
@@ -618,7 +620,7 @@ namespace lamella
         return best.error < rules.tolerance;
       };
       const auto from = [&](const PointVectors &lambda) {
-        return newton(swept(lambda, rules.sweeps),
+        return newton(after_sweeps(lambda, rules.sweeps),
                       rules.iterations,
                       rules.damped_from);
       };
@@ -627,11 +629,14 @@ namespace lamella
           is_it("sweeps", from(start)) ||
           is_it("sweeps from nothing", from(none)) ||
           is_it("cones", solve_by_cones(best.force)) ||
-          is_it(
-            "softness",
-            by_compliance(best.force, rules.first_compliance, rules.falls)) ||
+          is_it("softness",
+                by_compliance(best.force,
+                              rules.first_compliance,
+                              rules.decrease_factor)) ||
           is_it("softness from nothing",
-                by_compliance(none, rules.second_compliance, rules.falls)))
+                by_compliance(none,
+                              rules.second_compliance,
+                              rules.decrease_factor)))
         return best;
       is_it("softness that falls slowly",
             by_compliance(none,
@@ -687,8 +692,8 @@ namespace lamella
       {
         const CoulombSearch search(softened(problem, rules.compliance, lambda),
                                    rules);
-        CoulombSolution     found = search.chain(search.scaled(lambda));
-        const double        left  = found.error;
+        CoulombSolution found = search.solve_in_sequence(search.scaled(lambda));
+        const double    left  = found.error;
         if (round == 0)
           by = found.by;
         iterations += found.iterations;

@@ -88,10 +88,11 @@ namespace lamella
                                  problem.closed / arithmetic::rounding),
                  forces = largest_component(at.force);
     Scales scale;
-    scale.slid   = rounding * size;
-    scale.closed = std::max(problem.closed, std::min(scale.slid, at.change));
-    scale.small  = rounding * forces;
-    scale.rho    = size > 0. && forces > 0. ? forces / size : 1.;
+    scale.slip_rounding = rounding * size;
+    scale.closed =
+      std::max(problem.closed, std::min(scale.slip_rounding, at.change));
+    scale.small = rounding * forces;
+    scale.rho   = size > 0. && forces > 0. ? forces / size : 1.;
     return scale;
   }
 
@@ -126,16 +127,17 @@ namespace lamella
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
         const bool   pressed = at.force[r][0] > 0.;
-        const double none    = pressed ? scale.slid : scale.closed,
+        const double none    = pressed ? scale.slip_rounding : scale.closed,
                      gap =
                        std::abs(result.v[r][0]) > none ? result.v[r][0] : 0.,
-                     slid  = tangential_norm(result.v[r]);
-        const bool   slips = slid > scale.slid;
-        Tensor<1, 3> z     = tangential_part(at.force[r]);
-        z[0]               = at.force[r][0] - scale.rho * gap;
-        const double b     = rows[r].friction * std::max(0., z[0]),
-                     rho   = slips && pressed && !scale.same_rho ? b / slid :
-                                                                   scale.rho;
+                     slip_rounding = tangential_norm(result.v[r]);
+        const bool   slips         = slip_rounding > scale.slip_rounding;
+        Tensor<1, 3> z             = tangential_part(at.force[r]);
+        z[0]                       = at.force[r][0] - scale.rho * gap;
+        const double b             = rows[r].friction * std::max(0., z[0]),
+                     rho           = slips && pressed && !scale.same_rho ?
+                                       b / slip_rounding :
+                                       scale.rho;
         if (slips)
           z -= rho * tangential_part(result.v[r]);
         result.z.push_back(z);
@@ -315,7 +317,7 @@ namespace lamella
                      shear        = tangential_norm(force);
         const bool slips          = trial.states[r] == PointState::slip;
         if (normal > scale.small ||
-            shear > (slips ? trial.rho[r] * scale.slid : scale.small))
+            shear > (slips ? trial.rho[r] * scale.slip_rounding : scale.small))
           {
             round.changed.push_back(r);
             round.violation = std::max(round.violation, trial.v[r].norm());

@@ -16,7 +16,7 @@ namespace lamella
     const std::vector<double>       nothing(rows.size(), 0.);
     FrictionState state{none, none, none, nothing, nothing, {}, 0.};
     for (const GapConstraint &row : rows)
-      state.opening.push_back(row.initial_gap);
+      state.contact_gap.push_back(row.initial_gap);
     return state;
   }
 

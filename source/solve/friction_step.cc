@@ -184,11 +184,11 @@ namespace lamella
                                slip_in_step(rows[r], r, state, factor).norm() :
                                0.,
                      lost  = add_loss(rows[r], r, mean, slid, then, now);
-        now.opening[r]     = rows[r].gap(state.u, factor) +
-                         law_compliance(rows[r]) * state.force[r];
+        now.contact_gap[r] = rows[r].gap(state.u, factor) +
+                             law_compliance(rows[r]) * state.force[r];
         now.before[r] = in_scene(rows[r], slip_of(rows[r], state.u, factor)) +
                         law_compliance(rows[r]) * now.shear[r];
-        now.path_gap -= mean * (now.opening[r] - then.opening[r]) +
+        now.path_gap -= mean * (now.contact_gap[r] - then.contact_gap[r]) +
                         0.5 * (now.shear[r] + then.shear[r]) *
                           (now.before[r] - then.before[r]) +
                         lost;

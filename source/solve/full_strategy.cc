@@ -186,7 +186,7 @@ namespace lamella
 
 
   bool
-  FullStrategy::stays(const Iterate &at, const unsigned int row)
+  FullStrategy::stays_active(const Iterate &at, const unsigned int row)
   {
     // Its own unknown tells the sign of the force to rounding; the gap of a
     // hard row, of which the law makes the same force, does not.
@@ -202,7 +202,8 @@ namespace lamella
   {
     Round round{at.active.size(), {}, 0.};
     for (unsigned int r = 0; r < overlap.size(); ++r)
-      if (contains_row(at.active, r) ? !stays(at, r) : overlap[r] > closed)
+      if (contains_row(at.active, r) ? !stays_active(at, r) :
+                                       overlap[r] > closed)
         {
           round.changed.push_back(r);
           round.violation = std::max(round.violation, std::abs(overlap[r]));
@@ -223,7 +224,7 @@ namespace lamella
     std::vector<unsigned int>                    next;
     std::vector<std::pair<double, unsigned int>> closing;
     for (unsigned int r = 0; r < overlap.size(); ++r)
-      if (stays(at, r))
+      if (stays_active(at, r))
         next.push_back(r);
       else if (overlap[r] > closed && !contains_row(at.active, r))
         closing.emplace_back(overlap[r], r);

@@ -31,21 +31,21 @@ namespace lamella
     const State                         &state)
   {
     const GapConstraints rows(contacts);
-    const auto           keep = [&](const unsigned int row) -> Pressed           &{
-      const auto [c, k] = rows.contact_of_row(row);
-      Pressed &kept     = places[key(c, contacts[c].points[k])];
-      kept.force        = state.force[row];
+    const auto keep = [&](const unsigned int row) -> StoredMultiplier & {
+      const auto [c, k]      = rows.contact_of_row(row);
+      StoredMultiplier &kept = places[key(c, contacts[c].points[k])];
+      kept.force             = state.force[row];
       return kept;
     };
     const FrictionState &of = state.friction;
     for (unsigned int row = 0; row < of.shear.size(); ++row)
       {
-        Pressed &kept   = keep(row);
-        kept.shear      = of.shear[row];
-        kept.direction  = of.direction[row];
-        kept.before     = of.before[row];
-        kept.length     = of.length[row];
-        kept.dissipated = of.dissipated[row];
+        StoredMultiplier &kept = keep(row);
+        kept.shear             = of.shear[row];
+        kept.direction         = of.direction[row];
+        kept.before            = of.before[row];
+        kept.length            = of.length[row];
+        kept.dissipated        = of.dissipated[row];
       }
     if (of.empty())
       for (const unsigned int row : state.active)
@@ -70,8 +70,8 @@ namespace lamella
         const auto known  = places.find(key(c, contacts[c].points[k]));
         if (known == places.end())
           continue;
-        const Pressed &kept = known->second;
-        state.force[row]    = kept.force;
+        const StoredMultiplier &kept = known->second;
+        state.force[row]             = kept.force;
         if (of.empty() || kept.force != 0.)
           state.active.push_back(row);
         if (of.empty())

@@ -141,7 +141,7 @@ namespace lamella
 
 
   bool
-  Newton::ResidualHistory::stands(const double share) const
+  Newton::ResidualHistory::stagnates(const double share) const
   {
     return now > share * before && before > share * earlier;
   }
@@ -154,14 +154,14 @@ namespace lamella
   {
     // Forces that are nothing tell nothing of how far it is.
     if (unbalanced.now == 0.)
-      return change <= parameters.still * structure.size();
+      return change <= parameters.negligible_correction * structure.size();
     return unbalanced.now <= parameters.force_tolerance ||
-           (unbalanced.now < parameters.floor &&
-            unbalanced.stands(parameters.stall_ratio) &&
+           (unbalanced.now < parameters.stagnation_level &&
+            unbalanced.stagnates(parameters.stall_ratio) &&
             (!structure.has_springs() ||
              change < parameters.converged_change * structure.size())) ||
-           (unbalanced.now < parameters.near &&
-            change < parameters.still * structure.size());
+           (unbalanced.now < parameters.near_equilibrium &&
+            change < parameters.negligible_correction * structure.size());
   }
 
 
@@ -182,7 +182,8 @@ namespace lamella
   bool
   Newton::is_negligible(const BlockVector &way) const
   {
-    return length_of(way) <= parameters.still * structure.size();
+    return length_of(way) <=
+           parameters.negligible_correction * structure.size();
   }
 
 
@@ -193,8 +194,8 @@ namespace lamella
   {
     return missed.now <= std::max(parameters.law * size,
                                   parameters.touching * structure.size()) ||
-           (missed.now < parameters.floor * size &&
-            missed.stands(parameters.stall_ratio));
+           (missed.now < parameters.stagnation_level * size &&
+            missed.stagnates(parameters.stall_ratio));
   }
 
 

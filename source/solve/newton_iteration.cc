@@ -121,7 +121,7 @@ namespace lamella
       strategy.solve(closed, f, held, x, forces);
       return x;
     };
-    const double          enough = parameters.follows * du.l2_norm();
+    const double          enough = parameters.rotation_tolerance * du.l2_norm();
     dealii::SolverControl control(parameters.max_rotation_corrections,
                                   enough,
                                   false,

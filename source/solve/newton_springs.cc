@@ -236,8 +236,8 @@ namespace lamella
     for (unsigned int i = 0; i < modes.size(); ++i)
       way.add(share[i], modes[i]);
     const double length = length_of(way);
-    if (least <
-        -parameters.falls * pressing / structure.size() * length * length)
+    if (least < -parameters.instability_share * pressing / structure.size() *
+                  length * length)
       throw NumericsError(
         "Nothing but stabilizing springs keeps a body where it is: under what "
         "bears on it it would turn over or run away. Give it a Support where "

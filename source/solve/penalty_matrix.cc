@@ -236,7 +236,7 @@ namespace lamella
 
 
   void
-  PenaltyMatrix::make_room(const std::vector<PenaltyTerm> &terms)
+  PenaltyMatrix::extend_pattern(const std::vector<PenaltyTerm> &terms)
   {
     const std::size_t before = known.size();
     for (const PenaltyTerm &term : terms)
@@ -318,7 +318,7 @@ namespace lamella
   {
     if (is_factorized && factorized_for == terms)
       return;
-    make_room(terms);
+    extend_pattern(terms);
     system = 0.;
     for_each_own_row(
       stiffness,

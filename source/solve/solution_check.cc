@@ -233,10 +233,11 @@ namespace lamella
 
 
 
-    /// Of bodies that turn.
-    /// Adds warnings of bodies with finite rotations.
+    /// Adds warnings of strains and of sections of bodies with finite
+    /// rotations.
+    void
     add_warnings_of_strains(const Checks             &checks,
-                              std::vector<std::string> &warnings)
+                            std::vector<std::string> &warnings)
     {
       if (checks.max_strain > large_strain)
         warnings.push_back(

@@ -171,7 +171,8 @@ namespace lamella
       u.block(b) = reductions[b]->influence(
         [&own](const unsigned int k) { return own[k].value; });
     for (const PrescribedFunctional &row : own)
-      if (std::abs(row.row(u) - row.value) > arithmetic::dependent * largest)
+      if (std::abs(row.row(u) - row.value) >
+          arithmetic::dependency_tolerance * largest)
         throw InputError(
           "Support " + names[row.support],
           "",

@@ -70,21 +70,21 @@ namespace lamella
             model = std::make_unique<const Simulation>(plain, nowhere);
           }).status != 0)
         return json();
-      json answer{{"plies", json::array()}};
+      json result{{"plies", json::array()}};
       try
         {
           for (const NamedQuantity &quantity :
                model->model().with_resolved_plies(quantities))
-            answer["plies"].push_back(quantity.ply);
+            result["plies"].push_back(quantity.ply);
         }
       catch (const InputError &error)
         {
-          answer["fault"] = {error.path(),
+          result["fault"] = {error.path(),
                              error.value(),
                              error.rule(),
                              error.remedy()};
         }
-      return answer;
+      return result;
     }
 
 
@@ -178,22 +178,22 @@ namespace lamella
                      scene.trade.time_limit);
     fs::remove(said);
     fs::remove(errors);
-    const json answer = end.answer.empty() ? json() : json::parse(end.answer);
-    if (answer.is_null())
+    const json result = end.result.empty() ? json() : json::parse(end.result);
+    if (result.is_null())
       return;
-    if (answer.contains("fault"))
+    if (result.contains("fault"))
       {
-        const std::vector<std::string> fault = answer["fault"];
+        const std::vector<std::string> fault = result["fault"];
         throw InputError(fault[0], fault[1], fault[2], fault[3]);
       }
     for (unsigned int q = 0; q < quantities.size(); ++q)
-      quantities[q].ply = answer["plies"][q];
+      quantities[q].ply = result["plies"][q];
   }
 
 
 
   void
-  Trade::climb(const std::string &directory)
+  Trade::run_variants(const std::string &directory)
   {
     std::map<std::string, std::string> seen;
     unsigned int                       number = 0;
@@ -283,7 +283,7 @@ namespace lamella
     numbers.clear();
     reference = scene.trade.reference;
     check_quantities(directory);
-    climb(directory);
+    run_variants(directory);
     set_interruption_message("");
     complete_quantities();
     store_values();

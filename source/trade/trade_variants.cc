@@ -88,7 +88,7 @@ namespace lamella
         return "was ended by signal " + std::to_string(end.signal) +
                (end.signal == 9 ? ", perhaps because memory ran out." : ".");
       if (end.status == 0)
-        return json::accept(end.answer) ? "" : "ended without its numbers.";
+        return json::accept(end.result) ? "" : "ended without its numbers.";
       const std::string message = trimmed(read_file(errors));
       return message.empty() ?
                "ended with exit status " + std::to_string(end.status) + "." :
@@ -265,7 +265,7 @@ namespace lamella
 
 
   void
-  Trade::repeat_short_run(const Job &job, json &answer, double &seconds) const
+  Trade::repeat_short_run(const Job &job, json &result, double &seconds) const
   {
     const std::string kept  = job.folder + kept_run,
                       other = job.folder + "/again";
@@ -277,8 +277,8 @@ namespace lamella
         if (end.status == 0 && end.seconds < seconds)
           {
             seconds = end.seconds;
-            record_costs_of(answer.at("values"),
-                            json::parse(end.answer).at("values"));
+            record_costs_of(result.at("values"),
+                            json::parse(end.result).at("values"));
             if (!job.bars)
               {
                 fs::remove_all(kept);
@@ -299,12 +299,12 @@ namespace lamella
     const ProcessEnd  first = run_scene(job, job.folder + kept_run);
     const std::string failure =
       failure_of(first, job.folder + "/errors.txt", scene.trade.time_limit);
-    json   answer  = failure.empty() ? json::parse(first.answer) : json();
+    json   result  = failure.empty() ? json::parse(first.result) : json();
     double seconds = first.seconds;
     if (failure.empty())
-      seconds -= answer.at("seconds_of_bars").get<double>();
+      seconds -= result.at("seconds_of_bars").get<double>();
     if (failure.empty())
-      repeat_short_run(job, answer, seconds);
+      repeat_short_run(job, result, seconds);
     // Each run reads the scene afresh.
     if (fingerprint(job.entry, job.overrides) != job.fingerprint ||
         fingerprint(overrides) != base)
@@ -315,7 +315,7 @@ namespace lamella
                 {"seconds", seconds},
                 {"failure", failure}};
     if (failure.empty())
-      record["values"] = answer.at("values");
+      record["values"] = result.at("values");
     return record;
   }
 

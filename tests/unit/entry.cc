@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(values_of_an_entry)
               std::vector<unsigned int>{1, 2, 3}));
   BOOST_TEST(Entry("e", "").numbers().empty());
   BOOST_TEST(Entry("e", "1, 2, 3").point()[2] == 3.);
-  BOOST_TEST(Entry("e", "true").truth());
+  BOOST_TEST(Entry("e", "true").boolean());
   BOOST_TEST((Entry("e", "full").choice<Strategy>() == Strategy::full));
   BOOST_TEST(Entry("e", "top").among({"top"}, "side", "Sides") == "top");
 
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(values_of_an_entry)
              "must be one whole number");
   BOOST_TEST(refused([] { Entry("e", "1, 2").point(); }).rule() ==
              "must be three numbers between commas, as in 0.05, 1, 0.106");
-  BOOST_TEST(refused([] { Entry("e", "yes").truth(); }).rule() ==
+  BOOST_TEST(refused([] { Entry("e", "yes").boolean(); }).rule() ==
              "must be true or false");
   BOOST_TEST(refused([] { Entry("e", "fast").choice<Strategy>(); }).rule() ==
              "must be condensed or full");

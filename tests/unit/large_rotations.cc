@@ -422,17 +422,17 @@ namespace
 
 BOOST_AUTO_TEST_CASE(loads_that_turn_along_have_their_derivatives)
 {
-  const auto   body = beam<TotalLagrangianBeam>(2);
-  const Vector u    = random_vector(body->n_dofs(), 0.1, 5),
-               v    = random_vector(body->n_dofs(), 1., 6),
-               w    = random_vector(body->n_dofs(), 1., 7);
-  Load couple       = load_vector_on("end");
-  couple.couple     = Tensor<1, 3>({0.3, -0.7, 0.5});
-  Load pressure     = load_vector_on("top");
-  pressure.pressure = 0.6;
-  pressure.follows  = true;
-  Load varying      = pressure;
-  varying.pressure  = "1 + 0.5 * y";
+  const auto   body    = beam<TotalLagrangianBeam>(2);
+  const Vector u       = random_vector(body->n_dofs(), 0.1, 5),
+               v       = random_vector(body->n_dofs(), 1., 6),
+               w       = random_vector(body->n_dofs(), 1., 7);
+  Load couple          = load_vector_on("end");
+  couple.couple        = Tensor<1, 3>({0.3, -0.7, 0.5});
+  Load pressure        = load_vector_on("top");
+  pressure.pressure    = 0.6;
+  pressure.is_follower = true;
+  Load varying         = pressure;
+  varying.pressure     = "1 + 0.5 * y";
   for (const Load &load : {couple, pressure, varying})
     {
       const auto turning = follower_load(load, load.on.front(), *body);
@@ -477,9 +477,9 @@ BOOST_AUTO_TEST_CASE(loads_that_turn_along_keep_what_they_promise)
 
   // A pressure presses the area that there is, along the normal that it has:
   // 1 x 3 became 1.2 x 3.3.
-  Load pressure     = load_vector_on("top");
-  pressure.pressure = 0.6;
-  pressure.follows  = true;
+  Load pressure        = load_vector_on("top");
+  pressure.pressure    = 0.6;
+  pressure.is_follower = true;
   const Vector p =
     forces(*follower_load(pressure, pressure.on.front(), *body), u);
   const Tensor<1, 3> force =
@@ -492,10 +492,10 @@ BOOST_AUTO_TEST_CASE(loads_that_turn_along_keep_what_they_promise)
 
 BOOST_AUTO_TEST_CASE(a_pressure_that_follows_is_smooth)
 {
-  const auto body = beam<TotalLagrangianBeam>(1);
-  Load       load = load_vector_on("top");
-  load.pressure   = "if(y < 1.1, 1, 0)";
-  load.follows    = true;
+  const auto body  = beam<TotalLagrangianBeam>(1);
+  Load       load  = load_vector_on("top");
+  load.pressure    = "if(y < 1.1, 1, 0)";
+  load.is_follower = true;
   BOOST_CHECK_EXCEPTION(follower_load(load, load.on.front(), *body),
                         InputError,
                         [](const InputError &error) {

@@ -176,7 +176,7 @@ FiveTheories::solve()
 
 
 // Shear stress at mid-span, as Hooke's law gives it from the strains of the
-// theory: nothing is recovered post_processing.
+// theory: nothing is recovered afterwards.
 double
 FiveTheories::sigma_yz(const double x, const double z) const
 {

@@ -83,7 +83,7 @@ namespace lamella
 
   /**
    * Makes the axes of `Axis elements = auto` among @p bodies
-   * (AxisMesh::fineness, 0 post_processing): graded to loads, supports and
+   * (AxisMesh::fineness, 0 afterwards): graded to loads, supports and
    * contacts, with fineness times as many elements. Contacts are
    * searched on equal elements, then on the graded ones. For bodies
    * apart, the place is that of the smallest gap, by a parabola through

@@ -43,7 +43,7 @@ namespace lamella
     /// Rows r(u) = 0 of a clamp, in the fields of the section.
     std::vector<LinearFunctional> held;
     /// True if it is a side of a contact, a support, or heat.
-    bool is_contact_side = false, holds = false, heats = false;
+    bool is_contact_side = false, holds = false, is_heat_source = false;
   };
 
   /// Returns the touches of body @p body, @p beam with all fields at all nodes,

@@ -52,9 +52,9 @@ namespace lamella
     // ---- angles
 
     /// Sine between parallel directions that users gave.
-    constexpr double parallel = 1e-6;
+    constexpr double parallel_sine = 1e-6;
     /// Sine of a degenerate corner: a cell with it has no interior.
-    constexpr double flat = 1e-8;
+    constexpr double degenerate_sine = 1e-8;
 
     // ---- numbers that are less sure than rounding makes them
 
@@ -63,14 +63,14 @@ namespace lamella
     constexpr double decimal_tolerance = 1e-6;
     /// Relative to the integral of the magnitude: accuracy of integrals over
     /// cut or curved elements and of users' expressions.
-    constexpr double integrated = 1e-6;
+    constexpr double quadrature_tolerance = 1e-6;
     /// Relative to the initial length: the remainder of a vector, a row or a
     /// motion that depends on earlier ones. It would become a divisor.
-    constexpr double dependent = 1e-6;
+    constexpr double dependency_tolerance = 1e-6;
     /// Relative to the larger one: difference of a quantity that a mesh or
     /// solver gives twice, as responses to one load, or lengths of equal
     /// elements.
-    constexpr double alike = 1e-6;
+    constexpr double same_value = 1e-6;
   } // namespace arithmetic
 } // namespace lamella
 

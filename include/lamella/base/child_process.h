@@ -22,7 +22,7 @@ namespace lamella
     double seconds = 0.;
     /// Result of the work of run_forked(); empty if it did not end, which is a
     /// failure whatever the status.
-    std::string answer;
+    std::string result;
   };
 
   /**

@@ -107,7 +107,7 @@ namespace lamella
     /// Returns `true` or `false`. Throws InputError for any other word,
     /// including `yes` and `1`.
     bool
-    truth() const;
+    boolean() const;
 
     /// Returns the value of the enumeration @p E with this name. Throws
     /// InputError that lists the names (Names<E>) if there is none.

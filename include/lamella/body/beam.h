@@ -269,7 +269,8 @@ namespace lamella
 
     /// Returns forces and energy per length at stations with coefficients @p q.
     virtual SectionForces
-    section_forces(const SectionOperator &answer, const FieldParts &q) const;
+    section_forces(const SectionOperator &section_operator,
+                   const FieldParts      &q) const;
 
     /// Returns fields of @p u at section point @p point, axis point @p on_axis.
     virtual FieldSample
@@ -318,7 +319,7 @@ namespace lamella
     /// Returns 1e-6 of the section's smaller extent, at least 1e-10 of the
     /// length: positions, rounded input, lie on lines of the mesh within it.
     double
-    nearness() const;
+    position_tolerance() const;
 
     /// Constrains w' and the rotation to cancel on every B4 element. The cubic
     /// w is then given by w and the rotation a at its ends (Hermite):

@@ -199,7 +199,7 @@ namespace lamella
     void
     make_laws(const bool keeps_normal);
     std::shared_ptr<Law>
-    make_law(const SectionOperator &answer) const;
+    make_law(const SectionOperator &section_operator) const;
     /// Sets the row and the column of kappa_y^2 / 2.
     void
     add_twist_stretch(Law &law) const;

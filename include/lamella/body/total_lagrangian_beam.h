@@ -54,7 +54,7 @@ namespace lamella
   protected:
     /// Returns the forces of Green's strain.
     SectionForces
-    section_forces(const SectionOperator &answer,
+    section_forces(const SectionOperator &section_operator,
                    const FieldParts      &q) const override;
     FieldSample
     sample_at(const SectionPoint &point,

@@ -35,7 +35,7 @@ namespace lamella
     Formula pressure;
     /// True if the pressure follows the surface, normal to it and per deformed
     /// area, on bodies with finite rotations.
-    bool follows = false;
+    bool is_follower = false;
     /// Moment on a surface [force x length], scene components, as tractions
     /// linear over it (Couple). On an end a bending moment has Navier's axial
     /// traction, a torque that of a round shaft.

@@ -48,7 +48,8 @@ namespace lamella
     /// Sets the `automatic` discretization and slave side, also for sides
     /// displaced from here on.
     void
-    decide(const Discretization discretization, const SlaveSide slave_side)
+    set_discretization(const Discretization discretization,
+                       const SlaveSide      slave_side)
     {
       pair.discretization = discretization;
       pair.slave_side     = slave_side;

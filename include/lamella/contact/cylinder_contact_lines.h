@@ -45,7 +45,7 @@ namespace lamella
     bool
     is_line() const
     {
-      return length <= 2. * (1. + arithmetic::alike) * spacing;
+      return length <= 2. * (1. + arithmetic::same_value) * spacing;
     }
   };
 

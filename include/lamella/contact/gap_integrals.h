@@ -31,7 +31,7 @@ namespace lamella
     double               gap = 0.;
     dealii::Tensor<1, 3> normal;
     /// Average of slide(), if reference points are held.
-    dealii::Tensor<1, 3> slid;
+    dealii::Tensor<1, 3> slip_increment;
     /// Averages of psi_k n and psi_k (I - n n) for a node. The latter applied
     /// to any tangent t is the weight of the slip along t, so no frame is
     /// stored.

@@ -64,11 +64,11 @@ namespace lamella
    * curved bodies is of third order in the slip.
    */
   dealii::Tensor<1, 3>
-  slide(const ContactSides       &sides,
-        const bool                on_second,
-        const SlipReferencePoint &then,
-        const GapPoint           &now,
-        const MasterPoint        &at);
+  slip_increment_of(const ContactSides       &sides,
+                    const bool                on_second,
+                    const SlipReferencePoint &then,
+                    const GapPoint           &now,
+                    const MasterPoint        &at);
 } // namespace lamella
 
 #endif

@@ -83,7 +83,7 @@ namespace lamella
 
     /// Solves M_1 .. M_k and M_r.
     void
-    climb();
+    solve_hierarchy();
     /// Solves M_r: the model M_j, or the one after the only source that
     /// matters, with less of significant_sources() once more.
     void

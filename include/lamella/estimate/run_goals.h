@@ -67,7 +67,7 @@ namespace lamella
     /// Returns the goal @p number without a bar: name, value, unit, scale,
     /// tolerance, and the reason if it has no limit.
     GoalResult
-    bare(const unsigned int number) const;
+    without_error_bar(const unsigned int number) const;
 
   private:
     const Simulation          &run;

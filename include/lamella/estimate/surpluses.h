@@ -81,23 +81,23 @@ namespace lamella
 
     /// Forces of a part v of the displacements: K v in the bodies and phi in
     /// the active rows.
-    struct Answer
+    struct PartForces
     {
       BlockVector bodies;
       Vector      rows;
     };
-    Answer
+    PartForces
     forces_of_part(const BlockVector &v) const;
     /// Returns the work of @p answer along @p z.
     double
-    work(const Answer &answer, const BlockVector &z) const;
+    work(const PartForces &part_forces, const BlockVector &z) const;
     /// Returns the sum of the sizes of the contributions to work() of nodes and
     /// rows.
     double
-    sizes(const Answer &answer, const BlockVector &z) const;
+    sizes(const PartForces &part_forces, const BlockVector &z) const;
     /// Returns work() by elements, which share that of their span.
     LocalErrors
-    by_elements(const Answer &answer, const BlockVector &z) const;
+    by_elements(const PartForces &part_forces, const BlockVector &z) const;
     /// Adds the parts of the spans of @p body in the products @p products of
     /// its DoFs.
     void
@@ -113,7 +113,8 @@ namespace lamella
     std::vector<std::unique_ptr<const BeamSurplus>> of_beams;
     std::vector<std::vector<AxisSpan>>              halves, quarters;
     /// Forces of the parts of the displacements.
-    std::unique_ptr<const Answer> section, section_before, axis, axis_before;
+    std::unique_ptr<const PartForces> section, section_before, axis,
+      axis_before;
   };
 } // namespace lamella
 

@@ -109,7 +109,7 @@ namespace lamella
 
   /// Assembles a deal.II SparseMatrix on one process, to be factorized by
   /// CHOLMOD. @p constraints must be closed; neither argument is referred to
-  /// post_processing.
+  /// afterwards.
   std::unique_ptr<StiffnessMatrix>
   assemble_serial(const StiffnessTerms &terms, const Constraints &constraints);
 

@@ -104,15 +104,15 @@ namespace lamella
       std::shared_ptr<const Traction> traction;
       double                          factor;
     };
-    struct Pressed
+    struct LoadedContact
     {
       const ContactInterface *contact;
       ContactTraction         traction;
     };
 
-    std::vector<SurfaceLoad> loads;
-    std::vector<Region>      held;
-    std::vector<Pressed>     contacts;
+    std::vector<SurfaceLoad>   loads;
+    std::vector<Region>        held;
+    std::vector<LoadedContact> contacts;
   };
 } // namespace lamella
 

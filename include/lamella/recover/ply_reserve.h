@@ -30,7 +30,7 @@ namespace lamella
     std::optional<double> angle;
     /// |element stress - recovered stress| / |recovered stress| at the point:
     /// the discretization error. Large where stress is singular.
-    double doubt = 0.;
+    double stress_discrepancy = 0.;
   };
 
   /// Smallest reserve factor of a ply at a station of a beam's axis, over all

@@ -56,7 +56,7 @@ namespace lamella
     /// Returns scene() for other axes: contacts for which `auto` chose node to
     /// node are set to `auto` again.
     Scene
-    anew() const;
+    with_automatic_contacts() const;
 
     /// Returns the rules by which the fields of SV-N were chosen.
     const FieldRules &

@@ -163,7 +163,7 @@ namespace lamella
 
     /// Adds @p entry with its subsections, or replaces the one with its path.
     void
-    put(const Item &entry);
+    set_entry(const Item &entry);
 
     /// Name of the file, for messages.
     std::string file;

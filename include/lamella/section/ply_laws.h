@@ -49,14 +49,14 @@ namespace lamella
     {
       return has_varying_law(ply) ?
                law_with_normal(ply, plies[ply].plane.normal_at(x)) :
-               everywhere[ply];
+               constant_laws[ply];
     }
 
     /// Returns the law of @p ply, which does not vary.
     const ElasticLaw &
     constant(const unsigned int ply) const
     {
-      return everywhere[ply];
+      return constant_laws[ply];
     }
 
     /// Harmonics of a normal: 1, cos phi, sin phi, ..., cos 4 phi, sin 4 phi.
@@ -79,14 +79,15 @@ namespace lamella
   private:
     /// Returns the law of @p ply where its normal is @p normal.
     ElasticLaw
-    law_with_normal(const unsigned int ply, const dealii::Tensor<1, 2> &normal) const;
+    law_with_normal(const unsigned int          ply,
+                    const dealii::Tensor<1, 2> &normal) const;
 
     std::vector<Ply> plies;
     double           shear_factor;
     /// C of each ply in its own axes, and the law in the body frame for the
     /// normal of its plane, valid for laws that do not vary.
     std::vector<ElasticTensor> own;
-    std::vector<ElasticLaw>    everywhere;
+    std::vector<ElasticLaw>    constant_laws;
   };
 } // namespace lamella
 

@@ -205,7 +205,7 @@ namespace lamella
     struct ContactViolations
     {
       /// Active constraints that are tensile, and others that penetrate.
-      std::vector<unsigned int> opening, closing;
+      std::vector<unsigned int> tensile, penetrating;
       /// Sticking constraints beyond mu lambda_n, and slipping ones whose slip
       /// is not opposite to the shear force.
       std::vector<unsigned int> friction_violations;
@@ -216,7 +216,7 @@ namespace lamella
       bool
       is_active_set_correct() const
       {
-        return opening.empty() && closing.empty() &&
+        return tensile.empty() && penetrating.empty() &&
                friction_violations.empty();
       }
     };

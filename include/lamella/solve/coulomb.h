@@ -98,8 +98,8 @@ namespace lamella
     /// the current forces and from zero; factors of decrease and increase;
     /// tolerance of each solution; limits of rounds and sweeps.
     double first_compliance = 0.1, second_compliance = 1.;
-    double falls = 0.1, slow_decrease_factor = 0.3, increase_factor = 5.,
-           solved                       = 1e-9;
+    double decrease_factor = 0.1, slow_decrease_factor = 0.3,
+           increase_factor = 5., solved = 1e-9;
     unsigned int max_regularized_rounds = 60, regularized_sweeps = 200;
   };
 

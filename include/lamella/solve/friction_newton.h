@@ -87,7 +87,7 @@ namespace lamella
     /// tangents without slip, and, for the error measure of an iterate, of all.
     struct Scales
     {
-      double closed = 0., slid = 0., small = 0., rho = 0.;
+      double closed = 0., slip_rounding = 0., small = 0., rho = 0.;
       bool   same_rho = false;
     };
 

@@ -33,7 +33,7 @@ namespace lamella
     /// in the step.
     std::vector<double> length, dissipated;
     /// g + a lambda_n [length].
-    std::vector<double> opening;
+    std::vector<double> contact_gap;
     /**
      * Accumulated defect of the contact work over all rows [energy]: per step
      *   - mean lambda . (change of (g, s) + a lambda) - dissipated,

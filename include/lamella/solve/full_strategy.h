@@ -99,7 +99,7 @@ namespace lamella
     overlaps(const ContactProblem &problem, const Iterate &at) const;
     /// Returns true if @p row is active and not tensile.
     static bool
-    stays(const Iterate &at, const unsigned int row);
+    stays_active(const Iterate &at, const unsigned int row);
     /// Returns the tensile active rows, and the inactive rows that overlap by
     /// more than @p closed.
     static Round

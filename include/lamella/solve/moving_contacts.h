@@ -37,7 +37,7 @@ namespace lamella
     key(const unsigned int c, const ContactInterface::Point &point);
 
     /// Force of a row, and its part of FrictionState.
-    struct Pressed
+    struct StoredMultiplier
     {
       double               force = 0.;
       dealii::Tensor<1, 3> shear, direction, before;
@@ -50,7 +50,7 @@ namespace lamella
                          FrictionState                       &of) const;
 
     /// Stored rows: all with friction in any contact, else those with a force.
-    std::map<Key, Pressed> places;
+    std::map<Key, StoredMultiplier> places;
   };
 
   /// An end of the first or the second body of contact number `contact`.

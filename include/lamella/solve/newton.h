@@ -27,8 +27,9 @@ namespace lamella
     /// h)^3 1e-16. Below `floor`, iterations end once two successive ones leave
     /// more than `stalls` of the residual; below `near`, if the correction is
     /// at most `still` of the size of the scene.
-    double floor = arithmetic::alike, stall_ratio = 0.5, near = 1e-3,
-           still = arithmetic::same_position;
+    double stagnation_level = arithmetic::same_value, stall_ratio = 0.5,
+           near_equilibrium      = 1e-3,
+           negligible_correction = arithmetic::same_position;
     /// Residual growth, relative to the start of the step, that is a failure;
     /// below `nothing` of that start, forces are rounding.
     double divergence_ratio = 1e12, nothing = arithmetic::rounding_of_sums;
@@ -40,7 +41,7 @@ namespace lamella
     /// Relative step of the differences in Newton::rotation_of_constraints(),
     /// and the share of a correction at which its iteration ends, in at most
     /// `max_rotation_corrections` back substitutions.
-    double       difference = arithmetic::alike, follows = 1e-3;
+    double       difference = arithmetic::same_value, rotation_tolerance = 1e-3;
     unsigned int max_rotation_corrections = 20;
     /// Largest factor between corrections without and with stabilizing springs.
     double max_spring_influence = 10.;
@@ -50,7 +51,7 @@ namespace lamella
     /// A motion held by springs is unstable if its stiffness is below minus
     /// this share of the contact force over the size of the scene, else
     /// neutral.
-    double falls = 0.2;
+    double instability_share = 0.2;
     /// Limit of the new pairings in a step.
     unsigned int max_pairings = 3;
     /// Last correction, as a share of the increment of the step, that needs no
@@ -336,7 +337,7 @@ namespace lamella
       add(const double left);
       /// Returns true if two successive iterations left more than @p share.
       bool
-      stands(const double share) const;
+      stagnates(const double share) const;
     };
 
     /// Returns true if iterations end with the residual @p unbalanced and the

@@ -106,7 +106,7 @@ namespace lamella
     /// Includes the rows of @p terms with their slips in the pattern of K +
     /// K^p; drops the factor and its symbolic analysis if some are new.
     void
-    make_room(const std::vector<PenaltyTerm> &terms);
+    extend_pattern(const std::vector<PenaltyTerm> &terms);
     /// Adds @p term to K^p (Eq. 23 with the row b in the place of n).
     void
     add_penalty(const PenaltyTerm &term);

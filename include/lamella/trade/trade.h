@@ -86,7 +86,7 @@ namespace lamella
     /// Runs the variants with different fingerprints. A variant that cannot be
     /// made is a failed result.
     void
-    climb(const std::string &directory);
+    run_variants(const std::string &directory);
     /// Runs @p job into @p output, in its own process, and returns the data of
     /// its record: `values` (VariantValues), and `seconds_of_bars` for bars
     /// that the run itself does not need.
@@ -121,7 +121,7 @@ namespace lamella
     /// variant makes bars.
     void
     repeat_short_run(const Job      &job,
-                     nlohmann::json &answer,
+                     nlohmann::json &result,
                      double         &seconds) const;
     /// Reads the record in the variant's folder, or makes one; adds the variant
     /// to results and numbers.

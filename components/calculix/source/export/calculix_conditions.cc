@@ -92,7 +92,7 @@ namespace lamella
       if (scene.solve.rotations == Rotations::linear)
         return;
       for (const Load &load : scene.loads)
-        if (load.couple || load.follows)
+        if (load.couple || load.is_follower)
           throw InputError("Load " + load.name + "/" +
                              (load.couple ? "Couple" : "Pressure"),
                            load.couple ? to_text(*load.couple) :

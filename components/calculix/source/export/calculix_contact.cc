@@ -200,7 +200,7 @@ namespace lamella
         contact.slave_is_second =
           pair.slave_side == SlaveSide::second ||
           (pair.slave_side == SlaveSide::automatic &&
-           second.area < (1. - arithmetic::integrated) * first.area);
+           second.area < (1. - arithmetic::quadrature_tolerance) * first.area);
         if (contact.slave_is_second)
           std::swap(contact.slave, contact.master);
       }
