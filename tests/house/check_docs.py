@@ -4,10 +4,11 @@
 
 Usage: check_docs.py ROOT
 
-In *.md: relative links and pictures, scenes (prm/NAME.prm), scripts
-(scripts/NAME). In every text file: no path that only one machine has.
+In *.md: relative links with their headings, pictures, scenes (prm/NAME.prm),
+scripts (scripts/NAME). In every text file: no path that only one machine has.
 """
 
+import functools
 import re
 import subprocess
 import sys
@@ -17,6 +18,8 @@ LINK = re.compile(r"!?\[[^\]]*\]\(\s*<?([^)\s>]+)>?[^)]*\)|<img[^>]*\ssrc=\"([^\
 NAMED = re.compile(r"(?<![\w/.-])((?:prm|tests)/[\w./-]+\.prm|scripts/[\w.-]*\w)")
 CODE_BLOCK = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"`[^`\n]*`")
+HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
+ANCHOR = re.compile(r"<a id=\"([^\"]+)\"")
 # Folders of a user or of a build machine; put in pieces, so that this file does
 # not find itself.
 FOLDERS = ("home", "root", "tmp", "work", "mnt", "Users", "builds", "workspace")
@@ -40,16 +43,31 @@ def project_files(root):
     return sorted({root / name for name in names if (root / name).is_file()})
 
 
+def anchor_of(heading):
+    """The name that a heading has in links: lower case, hyphens for blanks."""
+    words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).replace("`", "")
+    return re.sub(r"[^\w -]", "", words.strip().lower()).replace(" ", "-")
+
+
+@functools.lru_cache(maxsize=None)
+def anchors_in(page):
+    text = CODE_BLOCK.sub("", page.read_text())
+    return {anchor_of(heading) for heading in HEADING.findall(text)} | set(ANCHOR.findall(text))
+
+
 def check_page(root, page):
     text = page.read_text()
     # Code shows the syntax of links and of C++ lambdas, and links nowhere.
     prose = CODE.sub("", CODE_BLOCK.sub("", text))
     for markdown, html in LINK.findall(prose):
-        target = (markdown or html).split("#")[0]
-        if not target or re.match(r"[a-z]+:", target):
+        name, _, anchor = (markdown or html).partition("#")
+        if re.match(r"[a-z]+:", name):
             continue
-        if not (page.parent / target).exists():
-            yield f"{page.relative_to(root)}: no such file: {target}"
+        target = page.parent / name if name else page
+        if not target.exists():
+            yield f"{page.relative_to(root)}: no such file: {name}"
+        elif anchor and target.suffix == ".md" and anchor not in anchors_in(target.resolve()):
+            yield f"{page.relative_to(root)}: no such heading: {name}#{anchor}"
     for name in sorted(set(NAMED.findall(text))):
         if not (root / name).exists():
             yield f"{page.relative_to(root)}: names {name}, which does not exist"
