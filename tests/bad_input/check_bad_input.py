@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs a spoiled scene and checks how the program refuses it.
+"""Runs spoiled scenes and checks how the program refuses them.
 
-Usage: check_bad_input.py LAMELLA FILE.bad WORKDIR
+Usage: check_bad_input.py LAMELLA FILE.bad WORKDIR [CASE...]
 
-A .bad file holds comments (#) and the lines
+A .bad file is a table of cases, with comments (#), for what needs the program itself:
+an exit status, files, a task, a failure of the numerics. (Other cases are in a .table,
+see check_table.cc.) A case is a test of its own, of the name bad_input/NAME. Without CASE
+all cases of the file are run. A case has the lines
 
+    case NAME
     run [export | trade | report] PATH [arguments]
                            the scene, relative to the file (of a report the
                            folder); {workdir} in a word stands for WORKDIR; the
@@ -35,28 +39,40 @@ LONGEST_MESSAGE = 12
 OF_THE_MACHINERY = ("Exception", "Stack trace", "Stacktrace", "terminate called")
 
 
-def read_case(path):
-    case = {"says": [], "never": [], "file": [], "leaves": []}
+def add_line(line, case):
+    """Adds a line to its case. Returns whether it is understood."""
+    word, _, rest = line.partition(" ")
+    rest = rest.strip()
+    if word in ("says", "never"):
+        case[word].append(rest)
+    elif word == "leaves":
+        case[word] += rest.split()
+    elif word == "file":
+        name, _, text = rest.partition(" ")
+        case[word].append((name, text))
+    elif word in ("run", "exit") and word not in case:
+        case[word] = shlex.split(rest) if word == "run" else int(rest)
+    else:
+        return False
+    return True
+
+
+def read_cases(path):
+    """Returns the cases of the file by name."""
+    cases, case = {}, None
     for line in path.read_text().splitlines():
-        word, _, rest = line.strip().partition(" ")
-        rest = rest.strip()
-        if not word or word.startswith("#"):
+        line = line.strip()
+        if not line or line.startswith("#"):
             continue
-        if word in ("says", "never"):
-            case[word].append(rest)
-        elif word == "leaves":
-            case[word] += rest.split()
-        elif word == "file":
-            name, _, text = rest.partition(" ")
-            case[word].append((name, text))
-        elif word in ("run", "exit") and word not in case:
-            case[word] = shlex.split(rest) if word == "run" else int(rest)
-        else:
+        if line.startswith("case ") and line[5:] not in cases:
+            case = cases[line[5:]] = {"says": [], "never": [], "file": [], "leaves": []}
+        elif case is None or not add_line(line, case):
             sys.exit(f"{path}: not understood, or twice: {line}")
-    for needed in ("run", "exit", "says"):
-        if not case.get(needed):
-            sys.exit(f"{path}: no line `{needed}`")
-    return case
+    for name, case in cases.items():
+        for needed in ("run", "exit", "says"):
+            if not case.get(needed):
+                sys.exit(f"{path}: case {name}: no line `{needed}`")
+    return cases
 
 
 def run_case(program, case, path, workdir):
@@ -102,8 +118,7 @@ def faults_of_message(message, case):
             yield f"the message says: {fragment}"
 
 
-def check(program, path, workdir):
-    case = read_case(path)
+def check(program, name, case, path, workdir):
     shutil.rmtree(workdir, ignore_errors=True)
     workdir.mkdir(parents=True)
     for name, text in case["file"]:
@@ -122,12 +137,22 @@ def check(program, path, workdir):
         faults.append("removed a file that it did not make")
     print(done.stderr.strip())
     for fault in faults:
-        print("FAIL:", fault)
+        print(f"FAIL: {name}: {fault}")
     return not faults
 
 
+def main():
+    if len(sys.argv) < 4:
+        sys.exit("Usage: check_bad_input.py LAMELLA FILE.bad WORKDIR [CASE...]")
+    program, path = sys.argv[1], Path(sys.argv[2])
+    workdir, cases = Path(sys.argv[3]).resolve(), read_cases(path)
+    names = sys.argv[4:] or list(cases)
+    if not names or not set(names) <= cases.keys():
+        sys.exit(f"{path}: no case {', '.join(sorted(set(names) - cases.keys()))}")
+    good = [check(program, name, cases[name], path,
+                  workdir if len(names) == 1 else workdir / name) for name in names]
+    sys.exit(0 if all(good) else 1)
+
+
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
-        sys.exit("Usage: check_bad_input.py LAMELLA FILE.bad WORKDIR")
-    good = check(sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3]).resolve())
-    sys.exit(0 if good else 1)
+    main()

@@ -18,7 +18,7 @@
 // notes on magnitudes and loads, no more. `quiet` takes all scenes of a folder
 // that are not refused (or all templates, of the folder `new`), which have
 // none. What needs the program itself (exit status, files, failures of the
-// numerics, its tasks) is a .bad file of its own.
+// numerics, its tasks) is a case of a .bad file.
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>

@@ -1,17 +1,23 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs a scene and compares its results with the numbers of a .expect file.
+"""Runs scenes and compares their results with the numbers of a .expect file.
 
-Usage: check_scene.py LAMELLA FILE.expect WORKDIR
+Usage: check_scene.py LAMELLA FILE.expect WORKDIR [CASE...]
 
-A .expect file holds comments (#) and one or more cases. A case is a line
-`run SCENE.prm [arguments]` (the path relative to the file; `new:KIND` is the scene
-that `lamella new --kind KIND` writes), at most one line `again [arguments]` (the same
-scene once more, with other arguments), and rows
+A .expect file is a table of variants, with comments (#). A variant begins with a line
+
+    case NAME: WHAT IS VARIED
+
+and is a test of its own, of the name scene/NAME (a file without such lines is one case,
+named after the file). Without CASE all cases of the file are run. A case holds one or
+more runs. A run is a line `run SCENE.prm [arguments]` (the path relative to the file;
+`new:KIND` is the scene that `lamella new --kind KIND` writes), at most one line
+`again [arguments]` (the same scene once more, with other arguments), and rows
 
     KEY | VALUE | TOLERANCE | SOURCE
 
-A line `all [arguments]` before the first case gives arguments that all cases share.
+Comments directly before a run say what it varies and are printed with it. A line
+`all [arguments]` before the first run of a case gives arguments that its runs share.
 SOURCE says where the expected number comes from and is never empty. TOLERANCE
 is `0.1%` (relative), `abs 1e-9`, `exact`, `below` (|result| <= VALUE), `limit`
 (result <= VALUE) or `above` (result >= VALUE). KEY is one of
@@ -74,45 +80,83 @@ class Fault(Exception):
 
 
 @dataclass
-class Case:
-    """One `run` line of a .expect file with what follows it."""
+class CaseRun:
+    """One `run` line of a case with what follows it."""
 
     run: list
+    comments: list
     again: list = None
     rows: list = field(default_factory=list)
 
 
+@dataclass
+class Case:
+    """A variant of a scene, what it varies, and its runs."""
+
+    name: str
+    what: str = ""
+    shared: list = None
+    runs: list = field(default_factory=list)
+
+
+def begin_case(line, cases):
+    name, colon, what = (part.strip() for part in line.partition(" ")[2].partition(":"))
+    if not re.fullmatch(r"[\w.-]+", name) or not what:
+        raise Fault("not `case NAME: WHAT IS VARIED`")
+    if any(case.name == name for case in cases):
+        raise Fault(f"a second case {name}")
+    return Case(name, what)
+
+
+def add_line(line, case, comments):
+    """Adds a line that is no comment to its case."""
+    word = line.split(maxsplit=1)[0]
+    if word in ("all", "run", "again"):
+        arguments = shlex.split(line)[1:]
+        if word == "all" and case.shared is None and not case.runs:
+            case.shared = arguments
+        elif word == "run" and arguments:
+            case.runs.append(CaseRun(arguments + (case.shared or []), comments))
+        elif word == "again" and case.runs and case.runs[-1].again is None:
+            case.runs[-1].again = arguments + (case.shared or [])
+        else:
+            raise Fault(f"`{word}` is out of place")
+        return
+    # From the right, since a regular expression may hold the separator.
+    cells = [cell.strip() for cell in line.rsplit("|", 3)]
+    if len(cells) != 4 or not all(cells):
+        raise Fault("not KEY | VALUE | TOLERANCE | SOURCE")
+    if not case.runs:
+        raise Fault("a row before the first `run SCENE.prm`")
+    case.runs[-1].rows.append(cells)
+
+
 def read_expectations(path):
     """Returns the cases of the file."""
-    shared, cases = None, []
+    cases, comments = [], []
     for number, line in enumerate(path.read_text().splitlines(), 1):
         line = line.strip()
-        word = line.split(maxsplit=1)[0] if line else "#"
-        if word.startswith("#"):
+        if line.startswith("#"):
+            comments.append(line)
             continue
-        if word in ("all", "run", "again"):
-            arguments = shlex.split(line)[1:]
-            if word == "all" and shared is None and not cases:
-                shared = arguments
-            elif word == "run" and arguments:
-                cases.append(Case(arguments + (shared or [])))
-            elif word == "again" and cases and cases[-1].again is None:
-                cases[-1].again = arguments + (shared or [])
-            else:
-                raise Fault(f"line {number}: `{word}` is out of place")
-            continue
-        # From the right, since a regular expression may hold the separator.
-        cells = [cell.strip() for cell in line.rsplit("|", 3)]
-        if len(cells) != 4 or not all(cells):
-            raise Fault(f"line {number}: not KEY | VALUE | TOLERANCE | SOURCE")
-        if not cases:
-            raise Fault(f"line {number}: a row before the first `run SCENE.prm`")
-        cases[-1].rows.append(cells)
-    if not cases:
-        raise Fault("no line `run SCENE.prm`")
-    for case in cases:
-        if not case.rows:
-            raise Fault(f"no row to compare for `run {shlex.join(case.run)}`")
+        try:
+            if line.startswith("case "):
+                cases.append(begin_case(line, cases))
+            elif line:
+                if not cases:
+                    cases.append(Case(path.stem))
+                add_line(line, cases[-1], comments)
+        except Fault as fault:
+            raise Fault(f"line {number}: {fault}") from None
+        comments = []
+    if len(cases) > 1 and not cases[0].what:
+        raise Fault("lines before the first `case NAME: WHAT IS VARIED`")
+    for case in cases or [Case(path.stem)]:
+        if not case.runs:
+            raise Fault(f"case {case.name}: no line `run SCENE.prm`")
+        for run in case.runs:
+            if not run.rows:
+                raise Fault(f"no row to compare for `run {shlex.join(run.run)}`")
     return cases
 
 
@@ -430,42 +474,62 @@ def scene_of(program, name, path, workdir):
     return scene
 
 
-def check(program, case, path, workdir):
-    scene, extra = scene_of(program, case.run[0], path, workdir), case.run[1:]
+def check_run(program, case_run, path, workdir):
+    """Returns the rows that fail, printed in a table with all others."""
+    scene, extra = scene_of(program, case_run.run[0], path, workdir), case_run.run[1:]
     runs = [Run(program, scene, extra, workdir / "run")]
-    if case.again is not None:
-        runs.append(Run(program, scene, case.again, workdir / "again"))
-    good = True
-    status_is_a_row = any(row[0] == "exit" for row in case.rows)
+    if case_run.again is not None:
+        runs.append(Run(program, scene, case_run.again, workdir / "again"))
+    failed = []
+    status_is_a_row = any(row[0] == "exit" for row in case_run.rows)
     for number, run in enumerate(runs):
         if run.status != 0 and not (status_is_a_row and number == 0):
             print(f"lamella ended with exit status {run.status} and said:")
             print(run.stderr or run.stdout[-2000:])
-            good = False
+            failed.append(f"exit status {run.status}")
     again = runs[1] if len(runs) > 1 else None
-    table = [compare_row(row, runs[0], again) for row in case.rows]
+    table = [compare_row(row, runs[0], again) for row in case_run.rows]
     print_table([["key", "result", "expected", "difference", "tolerance",
                   "source", ""]] + table)
-    return good and all(row[-1] == "ok" for row in table)
+    return failed + [row[0] for row in table if row[-1] != "ok"]
+
+
+def check(program, case, path, workdir):
+    """Returns what fails in the runs of a case, a line a row with the case's name."""
+    if case.what:
+        print(f"case {case.name}: {case.what}")
+    failed = []
+    for number, case_run in enumerate(case.runs, 1):
+        name, folder = case.name, workdir
+        if len(case.runs) > 1:
+            name, folder = f"{case.name} {number}", workdir / str(number)
+            print("\n".join([*case_run.comments, f"{name}: {shlex.join(case_run.run)}"]))
+        failed += [f"FAIL  {name}{case.what and f' ({case.what})'}: {row}"
+                   for row in check_run(program, case_run, path, folder)]
+    return failed
 
 
 def main():
-    if len(sys.argv) != 4:
-        sys.exit("Usage: check_scene.py LAMELLA FILE.expect WORKDIR")
+    if len(sys.argv) < 4:
+        sys.exit("Usage: check_scene.py LAMELLA FILE.expect WORKDIR [CASE...]")
     program, path = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
-    workdir = Path(sys.argv[3]).resolve()
-    workdir.mkdir(parents=True, exist_ok=True)
-    good = True
+    workdir, names = Path(sys.argv[3]).resolve(), sys.argv[4:]
+    failed = []
     try:
         cases = read_expectations(path)
-        for number, case in enumerate(cases, 1):
-            if len(cases) > 1:
-                print(f"{path.stem} {number}: {shlex.join(case.run)}")
-            folder = workdir / str(number) if len(cases) > 1 else workdir
-            good &= check(program, case, path, folder)
+        unknown = set(names) - {case.name for case in cases}
+        if unknown:
+            raise Fault(f"no case {', '.join(sorted(unknown))}")
+        for case in cases:
+            if not names or case.name in names:
+                folder = workdir if len(names) == 1 or len(cases) == 1 else workdir / case.name
+                folder.mkdir(parents=True, exist_ok=True)
+                failed += check(program, case, path, folder)
     except Fault as fault:
         sys.exit(f"{path}: {fault}")
-    sys.exit(0 if good else 1)
+    for line in failed:
+        print(line)
+    sys.exit(1 if failed else 0)
 
 
 if __name__ == "__main__":

@@ -432,7 +432,7 @@ def check_large(program, scene, workdir):
     expect("TE-1: failed" in done.stdout and "Rotations = large wants" in done.stdout,
            "a theory that cannot turn says so")
     expect(abs(float(rows["SV"]["value"]) - 113.361) < 0.1,
-           "the reference of turning_spatial.expect")
+           "the reference of scene/turning_spatial")
     bars = trade.run("Trade/Variants=TBT | SV", "Trade/Error bars=true")
     expect(bars.returncode == 1 and "Trade/Error bars = true" in bars.stderr,
            "there are no bars of them")

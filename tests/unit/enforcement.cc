@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(many_rows)
 {
   // A cantilever over a floor that rises towards one side: a third of 10^4 rows
   // penetrate without contact, one corner touches. (Thousands of rows that all
-  // close: tests/scenes/all_close.expect.)
+  // close: scene/all_close.)
   const unsigned int across = 50, along = 200;
   for (const Enforcement enforcement :
        {Enforcement::exact, Enforcement::penalty})

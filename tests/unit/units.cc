@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(taylor_expansions_of_high_degree)
 {
   // Orthonormal polynomials: the condition grows slowly with the degree, and a
   // section of a millimeter is one of a kilometer. Degree 20 runs as a scene:
-  // tests/scenes/taylor_20.expect.
+  // scene/taylor_20.
   BOOST_TEST_MESSAGE("| theory | condition | change with units |");
   double previous = 0.;
   for (const char *theory : {"TE-3", "TE-6", "TE-10"})
