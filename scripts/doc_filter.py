@@ -96,17 +96,17 @@ def replaced(page, found):
 def filter_header(path, text):
     """Members of the group of the room; its description where the header has one."""
     room = path.parent.name
-    described = re.search(rf"^// The room `{room}`: ((?:.*\n//)*.*)\n\n?", text, re.M)
+    described = re.search(rf"^// The room `{room}`: ((?:.*\n//)*.*)\n", text, re.M)
     if described:
         title, _, rest = re.sub(r"^// ?", "", described[1], flags=re.M).partition(".")
-        opening = (f"/** \\defgroup room_{room} {room}: {' '.join(title.split())}\n"
-                   f"{rest.strip()}\n@{{ */")
-        missing = described[0].count("\n") - opening.count("\n")
-        text = text.replace(described[0], opening + "\n" * missing, 1)
-    else:
-        # In the place of the license and the empty line below it.
-        text = f"/** \\addtogroup room_{room}\n@{{ */\n" + text.split("\n", 2)[2]
-    return f"{text.rstrip()} /** @}} */\n"
+        comment = (f"/** \\defgroup room_{room} {room}: {' '.join(title.split())}\n"
+                   f"{rest.strip()} */")
+        missing = described[0].count("\n") - comment.count("\n")
+        text = text.replace(described[0], comment + "\n" * missing, 1)
+    # Doxygen begins groups anew in each namespace.
+    text = re.sub(r"^namespace lamella\n\{$",
+                  f"namespace lamella {{ /** \\\\addtogroup room_{room}\n@{{ */", text, flags=re.M)
+    return re.sub(r"^\}(?= // namespace lamella$)", "/** @} */ }", text, flags=re.M)
 
 
 def main():
