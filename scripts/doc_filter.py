@@ -103,6 +103,8 @@ def filter_header(path, text):
                    f"{rest.strip()} */")
         missing = described[0].count("\n") - comment.count("\n")
         text = text.replace(described[0], comment + "\n" * missing, 1)
+    # A dot product is no end of a sentence.
+    text = re.sub(r"^ *(///|\*) .*", lambda m: m[0].replace(" . ", " \u00b7 "), text, flags=re.M)
     # Doxygen begins groups anew in each namespace.
     text = re.sub(r"^namespace lamella\n\{$",
                   f"namespace lamella {{ /** \\\\addtogroup room_{room}\n@{{ */", text, flags=re.M)
