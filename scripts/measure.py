@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tables of doc/verification/laminated-beams.md, doc/theory/contact.md, doc/theory/theories.md,
-doc/theory/stable-basis.md and doc/guides/running-in-parallel.md; see scripts/measure."""
+"""The tables of doc/verification/laminated-beams.md, doc/verification/contact.md, doc/verification/theories.md,
+doc/theory/stable-basis.md and doc/verification/parallel.md; see scripts/measure."""
 
 import itertools
 import math

@@ -258,7 +258,7 @@ def places(cases):
 
 
 def bars(pick=""):
-    """Every bar beside the error that it is of; doc/theory/error-bars.md sums it up."""
+    """Every bar beside the error that it is of; doc/verification/error-bars.md sums it up."""
     judge([case for case in [*shipped(), *unseen(), *paganos(), *cantilevers()]
            if pick in case[0]], "auto")
     places([case for case in singular() if pick in case[0]])

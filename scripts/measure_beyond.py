@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""doc/theory/beyond-linear.md: stiffening and buckling factors beside closed forms, and what
+"""doc/verification/beyond-linear.md: stiffening and buckling factors beside closed forms, and what
 they cost; see scripts/measure."""
 
 import math

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What --validate foresees of the factors of all scenes in prm/, beside what they take:
-the table of doc/guides/which-theory.md; see scripts/measure."""
+the table of doc/verification/model-costs.md; see scripts/measure."""
 
 import re
 import subprocess

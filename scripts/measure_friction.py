@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bars of runs with friction against true errors, and fields of SV-N for what rubs
-(doc/theory/friction.md); see scripts/measure."""
+(doc/verification/friction.md); see scripts/measure."""
 
 import math
 from functools import cache
@@ -66,7 +66,7 @@ def truth(group):
 
 
 def friction():
-    """doc/theory/friction.md, bars: of all goals their errors and bars over the scale."""
+    """doc/verification/friction.md, bars: of all goals their errors and bars over the scale."""
     rows, held, compared, ratios = [], 0, 0, []
     for group, overrides in RUNS:
         scene, goals, path, _ = GROUPS[group]
@@ -99,7 +99,7 @@ def off(run, other, columns):
 
 
 def rubbing():
-    """doc/theory/friction.md, fields of SV-N: two leaves that stick in part, and that are
+    """doc/verification/friction.md, fields of SV-N: two leaves that stick in part, and that are
     pushed askew until all of them slips."""
     rows = []
     for name, push in (("sticks in part", "0, 0, 0.8"), ("pushed askew", "0.1, 0, 3")):

@@ -46,7 +46,7 @@ def errors(degree, discretization, n):
 
 
 def rates():
-    """doc/theory/contact.md: errors of pressure and deflection for 2, 4, 8 elements."""
+    """doc/verification/contact.md: errors of pressure and deflection for 2, 4, 8 elements."""
     rows = []
     for discretization in ("node to node", "surface to surface", "node to surface"):
         row = [f"`{discretization}`"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Discretizations of a contact with a roller beside rods by shooting (doc/theory/contact.md); see
+"""Discretizations of a contact with a roller beside rods by shooting (doc/verification/contact.md); see
 scripts/measure."""
 
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Friction against closed forms, boundary elements and CalculiX, and what it costs
-(doc/theory/friction.md); see scripts/measure."""
+(doc/verification/friction.md); see scripts/measure."""
 
 import math
 import re
@@ -88,7 +88,7 @@ def boundary_elements(mu, n):
 
 
 def punch():
-    """doc/theory/friction.md: the share of Spence's punch that sticks."""
+    """doc/verification/friction.md: the share of Spence's punch that sticks."""
     rows = []
     for mu in (0.1, 0.2, 0.3, 0.5):
         run = BarRun(PUNCH, [f"Contact pad/Friction={mu}"])
@@ -99,7 +99,7 @@ def punch():
 
 
 def cattaneo():
-    """doc/theory/friction.md: round bodies pressed and pushed to and fro, beside Cattaneo's shear."""
+    """doc/verification/friction.md: round bodies pressed and pushed to and fro, beside Cattaneo's shear."""
     e_star, radius, friction = 200. / (1. - POISSON ** 2) / 2., 4., 0.4
     lines = []
     for fine in (1, 2, 4):
@@ -163,7 +163,7 @@ def mindlin(rows, force, pushed, friction=0.4, radius=8., young=200.):
 
 
 def crossed_cylinders():
-    """doc/theory/friction.md: crossed cylinders as solids, a cycle beside Mindlin's closed forms."""
+    """doc/verification/friction.md: crossed cylinders as solids, a cycle beside Mindlin's closed forms."""
     lines = []
     ball = "0, 0, 8: 1.5: 1 | 0, 0, 8: 1: 1 | 0, 0, 8: 0.6: 1 | "
     for name, balls in (("h / a = 0.10", "0, 0, 8: 0.3: 1 | 0, 0, 8: 0.15: 1"),
@@ -203,7 +203,7 @@ def bent(thrust, turned, stiffness):
 
 
 def coupon():
-    """doc/theory/friction.md: what rollers that rub do to a bending test, loading and unloading; beside
+    """doc/verification/friction.md: what rollers that rub do to a bending test, loading and unloading; beside
     the formula, and a beam with shear that leans on the rollers as much as the run's does."""
     validated = subprocess.run([PROGRAM, FLEXURE, "--validate"], check=True, text=True,
                                capture_output=True).stdout
@@ -250,7 +250,7 @@ SHIPPED = {
 
 
 def rubbing_cost():
-    """doc/theory/friction.md: processor seconds with mu = 0.3 over those without friction, one load
+    """doc/verification/friction.md: processor seconds with mu = 0.3 over those without friction, one load
     step, three of each in turn."""
     rows = []
     for scene, contacts in SHIPPED.items():
@@ -281,7 +281,7 @@ BOTH_WAYS = (
 
 
 def rubbing_full():
-    """doc/theory/friction.md: `Contact strategy = full` beside `condensed`, with friction."""
+    """doc/verification/friction.md: `Contact strategy = full` beside `condensed`, with friction."""
     rows = []
     for scene, more in BOTH_WAYS:
         ways = [Timed(ROOT / scene, more + ["Goals/Error bars=false",
@@ -304,7 +304,7 @@ def rubbing_full():
 
 
 def rubbed():
-    """doc/theory/friction.md: blocks that are rubbed to and fro, beside CalculiX, in turn."""
+    """doc/verification/friction.md: blocks that are rubbed to and fro, beside CalculiX, in turn."""
     rows = []
     for name, more in (("one substep", ["Substeps=1"]), ("as shipped, four", [])):
         runs = [(peers.lamella_run(RUBBED, more), peers.peer_run(RUBBED, more,

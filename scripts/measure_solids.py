@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tables and the picture of doc/theory/solids.md; see scripts/measure."""
+"""The tables and the picture of doc/verification/solids.md; see scripts/measure."""
 
 import csv
 import math

@@ -126,7 +126,7 @@ def to_tolerance(scene, bodies, goals, per_cent):
 
 
 def tolerances(pick=""):
-    """doc/theory/error-bars.md: nothing said about theory or mesh, against the cheapest uniform
+    """doc/verification/tolerance-runs.md: nothing said about theory or mesh, against the cheapest uniform
     LE and solid. Seconds are the processor's, less the program's start."""
     rows = []
     for name, scene, bodies, goals, axis, truth in SCENES:
@@ -208,7 +208,7 @@ def row_of_template(kind, theory, per_cent, run, true, nearly_true):
 
 
 def templates(pick=""):
-    """doc/theory/error-bars.md: runs to a tolerance of the scenes of `lamella new`, with the theory of
+    """doc/verification/tolerance-runs.md: runs to a tolerance of the scenes of `lamella new`, with the theory of
     the template and with `auto`, against references. Seconds are by the clock."""
     rows = []
     with tempfile.TemporaryDirectory() as folder:
@@ -238,7 +238,7 @@ ELEMENTS = [2, 2, 2, 2, 2, 2, 2, 2, 1, 2, 1, 2, 2, 2, 2, 2, 2, 2, 2]
 
 
 def indentation():
-    """doc/theory/error-bars.md: a beam of 5 m, loaded over 10 mm."""
+    """doc/verification/tolerance-runs.md: a beam of 5 m, loaded over 10 mm."""
     scene = ROOT / "tests/scenes/indented_beam.prm"
     goals = ["middle: uz", "below: szz", "outer: syy"]
 
@@ -270,7 +270,7 @@ def indentation():
 
 
 def c3d20r():
-    """doc/theory/error-bars.md: runs to 1 % beside meshes of C3D20R, whole scenes, taking turns;
+    """doc/verification/tolerance-runs.md: runs to 1 % beside meshes of C3D20R, whole scenes, taking turns;
     errors are those to the converged values of doc/verification/sandwich.md and the like."""
     from functools import partial
     from benchmark_calculix import OURS, STIFFNESS, THEIRS, Variant, section

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Beams that turn by any angle against planar rods by shooting (doc/theory/large-rotations.md);
+"""Beams that turn by any angle against planar rods by shooting (doc/verification/large-rotations.md);
 see scripts/measure."""
 
 import math

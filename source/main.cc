@@ -57,7 +57,11 @@ namespace
     if (command.resume)
       throw InputError("--resume goes on with load steps; a run to a "
                        "Tolerance (subsection Goals) begins anew.");
-    ToleranceRun(scene, out).run(command.output);
+    if (!ToleranceRun(scene, out).run(command.output))
+      throw ToleranceNotMet(
+        "estimate.tolerance-not-met: the tolerance of a goal is not met. The "
+        "results in " +
+        command.output + " are those of the last pass, with their error bars.");
   }
 
 

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <new>
 #include <numeric>
+#include <regex>
 
 namespace lamella
 {
@@ -41,16 +42,17 @@ namespace lamella
 
   namespace
   {
-    /// PATH = VALUE: RULE. REMEDY, without what is not given.
+    /// PATH = VALUE: RULE. REMEDY [ID], without what is not given.
     std::string
     composed(const std::string &path,
              const std::string &value,
-             const std::string &rule,
+             Message            rule,
              const std::string &remedy)
     {
-      const std::string whole = path + (value.empty() ? "" : " = " + value) +
-                                (path.empty() ? "" : ": ") + rule + "." +
-                                (remedy.empty() ? "" : " " + remedy);
+      rule.text = path + (value.empty() ? "" : " = " + value) +
+                  (path.empty() ? "" : ": ") + rule.text + "." +
+                  (remedy.empty() ? "" : " " + remedy);
+      const std::string     whole   = rule.shown();
       constexpr std::size_t longest = 120;
       return value.size() <= longest ? whole :
                                        replaced(whole, value, abridged(value));
@@ -59,9 +61,36 @@ namespace lamella
 
 
 
+  Message::Message(const std::string &source)
+    : text(source)
+  {
+    static const std::regex before("([a-z]+\\.[a-z0-9]+(-[a-z0-9]+)*): "),
+      behind(" \\[([a-z]+\\.[a-z0-9]+(-[a-z0-9]+)*)\\]");
+    std::smatch found;
+    if (std::regex_search(
+          source, found, before, std::regex_constants::match_continuous))
+      text = found.suffix();
+    else if (std::regex_search(source, found, behind))
+      text = found.prefix().str() + found.suffix().str();
+    else
+      return;
+    identifier = found[1];
+  }
+
+
+
+  std::string
+  Message::shown() const
+  {
+    return identifier.empty() ? text : text + " [" + identifier + "]";
+  }
+
+
+
   InputError::InputError(const std::string &message)
-    : std::runtime_error(message)
-    , rule_text(message)
+    : std::runtime_error(Message(message).shown())
+    , id(Message(message).identifier)
+    , rule_text(Message(message).text)
   {}
 
 
@@ -70,11 +99,24 @@ namespace lamella
                          const std::string &value,
                          const std::string &rule,
                          const std::string &remedy)
-    : std::runtime_error(composed(path, value, rule, remedy))
+    : std::runtime_error(composed(path, value, Message(rule), remedy))
+    , id(Message(rule).identifier)
     , entry_path(path)
     , entry_value(value)
-    , rule_text(rule)
+    , rule_text(Message(rule).text)
     , remedy_text(remedy)
+  {}
+
+
+
+  InputError::InputError(const std::string &shown, const InputError &other)
+    : std::runtime_error(shown)
+    , id(other.id)
+    , entry_path(other.entry_path)
+    , entry_value(other.entry_value)
+    , rule_text(other.rule_text)
+    , remedy_text(other.remedy_text)
+    , placed(other.placed)
   {}
 
 
@@ -82,11 +124,14 @@ namespace lamella
   InputError
   InputError::missing(const std::string &path, const std::string &remedy)
   {
-    InputError error(path + " is missing: " + remedy);
+    Message    message(remedy);
+    InputError error("", InputError(message.text));
+    error.id          = message.identifier;
     error.entry_path  = path;
     error.rule_text   = "is missing";
-    error.remedy_text = remedy;
-    return error;
+    error.remedy_text = message.text;
+    message.text      = path + " is missing: " + message.text;
+    return InputError(message.shown(), error);
   }
 
 
@@ -94,12 +139,8 @@ namespace lamella
   InputError
   InputError::at(const std::string &place) const
   {
-    InputError error(place + what());
-    error.entry_path  = entry_path;
-    error.entry_value = entry_value;
-    error.rule_text   = rule_text;
-    error.remedy_text = remedy_text;
-    error.placed      = true;
+    InputError error(place + what(), *this);
+    error.placed = true;
     return error;
   }
 
@@ -116,6 +157,10 @@ namespace lamella
       {
         return {1, shortened_message(error.what())};
       }
+    catch (const ToleranceNotMet &error)
+      {
+        return {3, error.what()};
+      }
     catch (const NumericsError &error)
       {
         return {2, error.what()};
@@ -124,12 +169,13 @@ namespace lamella
       {
         return {2,
                 "the scene does not fit in memory. Use a coarser mesh or a "
-                "lower order."};
+                "lower order. [run.out-of-memory]"};
       }
     catch (const std::exception &error)
       {
         return {2,
-                std::string("internal error, please report it:\n") +
+                std::string("internal error, please report it "
+                            "[run.internal-error]:\n") +
                   error.what()};
       }
     return {};

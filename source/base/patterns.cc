@@ -206,7 +206,7 @@ namespace lamella
             {
               // A fault of spelling stays one, whatever else could stand there.
               const bool is_bound = error.rule().rfind("must", 0) == 0;
-              entry.refuse(error.rule() +
+              entry.refuse(error.marked(error.rule()) +
                              (word.empty() || !is_bound ? "" : ", or " + word),
                            error.remedy());
             }

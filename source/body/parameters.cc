@@ -109,7 +109,7 @@ namespace lamella
         }
       catch (const InputError &error)
         {
-          in.refuse(error.rule(), error.remedy());
+          in.refuse(error.marked(error.rule()), error.remedy());
         }
     }
 

@@ -312,7 +312,7 @@ namespace lamella
 
 
 
-  void
+  bool
   ToleranceRun::run(const std::string &directory)
   {
     std::string reason;
@@ -344,5 +344,6 @@ namespace lamella
     set_interruption_message("");
     print_results(*simulation, directory, out);
     print_end(reason);
+    return passes.all_goals_met();
   }
 } // namespace lamella

@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(a_core_is_judged_by_itself)
   // What bears nothing is no scale, nor are displacements told by materials.
   BOOST_TEST(goals.scale_of(all[6]) == of_face);
   BOOST_TEST(goals.scale_of(all[7]) == goals.numbers().largest_of_kind(all[7]));
-  BOOST_TEST(goals.bare(0).unit == "MPa");
+  BOOST_TEST(goals.without_error_bar(0).unit == "MPa");
   // Arithmetic leaves the same of all stresses.
   BOOST_TEST(goals.rounding_of(all[0]) == goals.rounding_of(all[8]));
 }
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(what_a_goal_may_be_off_by)
   const Sandwich sandwich(
     {"Goals/Quantities=core: syz | core: sxy", "Goals/Tolerance=1, 0.02 MPa"});
   const RunGoals   goals(sandwich.simulation);
-  const GoalResult share = goals.bare(0), absolute = goals.bare(1);
+  const GoalResult share = goals.without_error_bar(0), absolute = goals.bare(1);
   BOOST_TEST(share.allowed_error() == 0.01 * std::abs(share.value));
   BOOST_TEST(!share.is_near_zero());
   BOOST_TEST(absolute.allowed_error() == 0.02);

@@ -17,10 +17,30 @@
 namespace lamella
 {
   /**
+   * A message for the user and its identifier, which tests and other programs
+   * read. The source writes both in one text, `room.fault: TEXT`, the fault in
+   * lower-case words with hyphens: `contact.no-pairs: no nodes face each other`
+   * (doc/reference/messages.md lists them).
+   */
+  struct Message
+  {
+    /// Splits `ID: TEXT`; or TEXT ` [ID]`, the message of an earlier exception
+    /// within @p source; the identifier is empty if there is neither.
+    explicit Message(const std::string &source);
+
+    /// Returns the text for the user, TEXT ` [ID]`.
+    std::string
+    shown() const;
+
+    std::string identifier, text;
+  };
+
+  /**
    * An error in the input or the scene: exit status 1. The message is made of
    * fields, which handlers read instead of it:
-   *   PATH = VALUE: RULE. REMEDY
-   * e.g. `Contact c/Penalty = -1: must be positive. Leave it out for auto.`
+   *   PATH = VALUE: RULE. REMEDY [ID]
+   * e.g. `Contact c/Penalty = -1: must be positive. Leave it out for auto.
+   * [entry.not-positive]`. The source writes ID before the rule (Message).
    *
    * Scenes are checked before computing wherever possible. main() ends the run
    * with this error. Handlers on the way may add the place in the file (at()).
@@ -47,9 +67,24 @@ namespace lamella
                const std::string &remedy);
 
     /// Returns the error of a missing required entry: `PATH is missing:
-    /// REMEDY`. @p remedy continues that sentence, as `give a length.`
+    /// REMEDY`. @p remedy continues that sentence, as `ID: give a length.`
     static InputError
     missing(const std::string &path, const std::string &remedy);
+
+    /// Returns the identifier, as `entry.not-positive`.
+    const std::string &
+    identifier() const
+    {
+      return id;
+    }
+
+    /// Returns @p text with this identifier before it, the rule of another
+    /// error with the same reason.
+    std::string
+    marked(const std::string &text) const
+    {
+      return id.empty() ? text : id + ": " + text;
+    }
 
     /// Returns this error with @p place, `FILE:LINE: `, before its message and
     /// unchanged fields.
@@ -88,7 +123,9 @@ namespace lamella
     }
 
   private:
-    std::string entry_path, entry_value, rule_text, remedy_text;
+    InputError(const std::string &shown, const InputError &other);
+
+    std::string id, entry_path, entry_value, rule_text, remedy_text;
     bool        placed = false;
   };
 
@@ -98,14 +135,26 @@ namespace lamella
   class NumericsError : public std::runtime_error
   {
   public:
-    using std::runtime_error::runtime_error;
+    /// Shows @p message with its identifier at the end (Message).
+    explicit NumericsError(const std::string &message)
+      : std::runtime_error(Message(message).shown())
+    {}
+  };
+
+  /// The end of a run that is complete, but does not meet the tolerance of a
+  /// goal: exit status 3.
+  class ToleranceNotMet : public NumericsError
+  {
+  public:
+    using NumericsError::NumericsError;
   };
 
   /// Result of a program. The status is what the shell, a test or `lamella
   /// trade` receives.
   struct Outcome
   {
-    /// Exit status: 0 done, 1 InputError, 2 NumericsError or anything else.
+    /// Exit status: 0 done, 1 InputError, 2 NumericsError or anything else, 3
+    /// done, but the tolerance of a goal is not met.
     int status = 0;
     /// Message for the user; empty if the status is 0. Values of an InputError
     /// longer than 400 characters are abridged.

@@ -36,9 +36,9 @@ namespace lamella
     /// Refers to @p out.
     ToleranceRun(const Scene &said, std::ostream &out);
 
-    /// Makes passes and writes the results into @p directory. Throws what
-    /// run_scene() throws for the first model.
-    void
+    /// Makes passes, writes the results into @p directory and returns true if
+    /// all goals are met. Throws what run_scene() throws for the first model.
+    bool
     run(const std::string &directory);
 
     /// Returns the results of the last pass with its goals, after run(). They
