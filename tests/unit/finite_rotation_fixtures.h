@@ -2,8 +2,8 @@
 
 // What tests of bodies that turn by any angle share.
 
-#ifndef lamella_tests_turning_fixtures_h
-#define lamella_tests_turning_fixtures_h
+#ifndef lamella_tests_finite_rotation_fixtures_h
+#define lamella_tests_finite_rotation_fixtures_h
 
 #include "fixtures.h"
 
