@@ -18,7 +18,9 @@ all cases of the file are run. A case has the lines
                            its report WORKDIR/output.html) unless the arguments
                            name another one
     exit STATUS            the exit status that is due
-    says FRAGMENT          must occur in the message (a line a fragment)
+    id IDENTIFIER          what the message is, as contact.no-pairs
+    says FRAGMENT          must occur in the message (a line a fragment): an entry, a value;
+                           never mind the wording
     never FRAGMENT         must not occur
     file NAME [TEXT]       an ordinary file with this text, made in WORKDIR
                            beforehand
@@ -45,6 +47,8 @@ def add_line(line, case):
     rest = rest.strip()
     if word in ("says", "never"):
         case[word].append(rest)
+    elif word == "id":
+        case["says"].append(f"[{rest}]")
     elif word == "leaves":
         case[word] += rest.split()
     elif word == "file":

@@ -9,9 +9,12 @@
 // A table has comments (#) and cases,
 //     case NAME
 //     run SCENE.prm [--set "PATH=VALUE"]...   the scene, relative to the table
-//     says FRAGMENT                           occurs in the message; repeatable
+//     id IDENTIFIER                           of the message, contact.no-pairs
+//     says FRAGMENT                           occurs in the message: an entry,
+//     a
+//                                             value; repeatable
 //     never FRAGMENT                          does not
-//     notes FRAGMENT                          occurs in one note; repeatable
+//     notes IDENTIFIER                        of one note; repeatable
 //     quiet FOLDER                            in the place of run
 // Each ends with an InputError whose message has at most twelve lines and no
 // words of the machinery; with `notes` the scene is accepted, and has so many
@@ -80,8 +83,8 @@ namespace
         if (word == "case")
           cases.push_back({rest, "", "", {}, {}, {}, {}});
         else if (cases.empty() ||
-                 (word != "run" && word != "says" && word != "never" &&
-                  word != "notes" && word != "quiet"))
+                 (word != "run" && word != "id" && word != "says" &&
+                  word != "never" && word != "notes" && word != "quiet"))
           throw InputError("not understood: " + line).at(path + ": ");
         else if (word == "run")
           read_run(rest, cases.back());
@@ -89,6 +92,8 @@ namespace
           cases.back().folder = rest;
         else if (word == "notes")
           cases.back().notes.push_back(rest);
+        else if (word == "id")
+          cases.back().says.push_back("[" + rest + "]");
         else
           (word == "says" ? cases.back().says : cases.back().never)
             .push_back(rest);
