@@ -17,7 +17,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-BOOST_AUTO_TEST_SUITE(touch_down)
+BOOST_AUTO_TEST_SUITE(floor_contact)
 
 
 using namespace lamella;

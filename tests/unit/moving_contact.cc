@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-BOOST_AUTO_TEST_SUITE(contact_life)
+BOOST_AUTO_TEST_SUITE(moving_contact)
 
 using namespace lamella;
 using dealii::Point;

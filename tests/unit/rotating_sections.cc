@@ -22,7 +22,7 @@
 
 #include <cmath>
 
-BOOST_AUTO_TEST_SUITE(turning_sections)
+BOOST_AUTO_TEST_SUITE(rotating_sections)
 
 using namespace lamella;
 using dealii::Point;

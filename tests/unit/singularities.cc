@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(singular_places)
+BOOST_AUTO_TEST_SUITE(singularities)
 using namespace lamella;
 
 namespace

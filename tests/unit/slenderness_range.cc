@@ -14,7 +14,7 @@
 #include <cmath>
 #include <iomanip>
 
-BOOST_AUTO_TEST_SUITE(hair)
+BOOST_AUTO_TEST_SUITE(slenderness_range)
 
 using namespace lamella;
 using dealii::Point;

@@ -20,7 +20,7 @@
 
 #include <cmath>
 
-BOOST_AUTO_TEST_SUITE(walls)
+BOOST_AUTO_TEST_SUITE(wall_plies)
 
 using namespace lamella;
 using dealii::Point;
