@@ -45,7 +45,7 @@ FRONT_DOORS = {
     "base": "exceptions", "linear": "linear_solver", "material": "material",
     "strength": "criterion",
     "shape": "section_mesh", "section": "section", "axis": "axis", "body": "body",
-    "conditions": "region", "contact": "gap_rows", "solve": "structure",
+    "conditions": "region", "contact": "gap_constraints", "solve": "structure",
     "recover": "recovery", "adapt": "node_fields", "report": "results_writer", "scene": "scene",
     "run": "simulation", "estimate": "estimation", "trade": "trade", "export": "calculix_deck",
 }
