@@ -121,11 +121,12 @@ namespace lamella
           throw InputError(
             "Contact " + a.name,
             "",
-            "pairs the same points as Contact " + b.name + ", " +
-              std::to_string(shared.size()) + " in all, the first on body '" +
-              bodies[a.first_body]->name() + "' at " + to_text(shared.front()),
-            "Name surfaces that have no nodes in common, or keep one of the "
-            "two contacts.");
+            "contact.shared-points: constrains the same " +
+              std::to_string(shared.size()) + " points as Contact " + b.name +
+              ", the first on body '" + bodies[a.first_body]->name() + "' at " +
+              to_text(shared.front()),
+            "Name surfaces without common nodes, or remove one of the "
+            "contacts.");
         }
   }
 
@@ -144,13 +145,12 @@ namespace lamella
         throw InputError(
           "Contact " + contact.name + "/Discretization",
           name_of(contact.discretization),
-          "only " + std::to_string(pairs) +
-            " nodes of First and of Second "
-            "face each other, " +
-            std::to_string(contact.nonmatching_nodes) + " and " +
+          "contact.nonmatching-nodes: only " + std::to_string(pairs) +
+            " nodes of First and Second face each other; " +
+            std::to_string(contact.nonmatching_nodes) + " nodes of First and " +
             std::to_string(contact.nonmatching_nodes_second) +
-            " others face the other surface, but none of its nodes: the "
-            "bodies would pass through each other",
+            " of Second face no node of the other surface and could pass "
+            "through it",
           "Use auto or surface to surface, or give both surfaces the same "
           "nodes (cells across, axis elements, axis nodes).");
       }
@@ -236,13 +236,12 @@ namespace lamella
     const Sliding sliding =
       largest_sliding(interface, bodies, u, factor, active);
     if (sliding.distance > large_sliding * sliding.spacing)
-      notes.push_back("contact " + interface.name +
-                      ": the bodies slide along each other by " +
-                      to_text(sliding.distance, 3) + " at " +
-                      to_text(sliding.position) + ", " +
-                      to_text(sliding.distance / sliding.spacing, 2) +
-                      " times the spacing of points there: pairs are those of "
-                      "the start, so forces act off their place by as much");
+      notes.push_back(
+        "contact.large-sliding: contact " + interface.name + ": slip at " +
+        to_text(sliding.position) + " is " + to_text(sliding.distance, 3) +
+        ", " + to_text(sliding.distance / sliding.spacing, 2) +
+        " times the spacing of points there: small-sliding contact is not "
+        "valid. Use Rotations = large");
     unsigned int worst = active.front();
     for (const unsigned int k : active)
       if (interface.points[k].angle > interface.points[worst].angle)
@@ -250,12 +249,13 @@ namespace lamella
     const double angle = interface.points[worst].angle;
     if (angle > large_angle)
       notes.push_back(
-        "contact " + interface.name + ": normals of the two sides are " +
-        to_text(180. / numbers::PI * angle, 2) + " degrees off each other at " +
+        "contact.normals-differ: contact " + interface.name +
+        ": normals of the two sides differ by " +
+        to_text(180. / numbers::PI * angle, 2) +
+        " degrees at the contact point " +
         to_text(interface.points[worst].first) +
-        ", where the bodies touch: contact goes far around a "
-        "curve for the small displacements that linear "
-        "kinematics describes, or its mesh is coarse");
+        ": the mesh is too coarse, or the curvature too large for linear "
+        "kinematics. Refine the mesh, or use Rotations = large");
     return notes;
   }
 } // namespace lamella

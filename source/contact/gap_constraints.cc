@@ -235,12 +235,12 @@ namespace lamella
           deepest = k;
       const double gap = interface.rows[deepest].initial_gap;
       if (gap < 0. && contact.overclosure == Overclosure::refuse)
-        throw InputError("Contact " + contact.name + "/Overclosure",
-                         name_of(contact.overclosure),
-                         "the bodies overlap from the start by up to " +
-                           to_text(-gap) + ", at " +
-                           to_text(interface.points[deepest].first),
-                         "Move them apart, or choose resolve or adjust.");
+        throw InputError(
+          "Contact " + contact.name + "/Overclosure",
+          name_of(contact.overclosure),
+          "contact.initial-overlap: the bodies overlap at the start by up to " +
+            to_text(-gap) + ", at " + to_text(interface.points[deepest].first),
+          "Move them apart, or use resolve or adjust.");
       for (GapConstraint &row : interface.rows)
         row.initial_gap = std::max(0., row.initial_gap);
     }

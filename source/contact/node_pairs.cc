@@ -114,11 +114,12 @@ namespace lamella
       interface.nonmatching_nodes_second = nodes.beside_second;
       if (nodes.beside + nodes.beside_second > 0)
         interface.notes.push_back(
-          "contact " + interface.name + ": " + std::to_string(nodes.beside) +
-          " nodes of First and " + std::to_string(nodes.beside_second) +
-          " of Second face the other surface, but none of its nodes, and can "
-          "pass through it. Use Discretization = auto or surface to surface, "
-          "or give both surfaces the same nodes");
+          "contact.nonmatching-nodes: contact " + interface.name + ": " +
+          std::to_string(nodes.beside) + " nodes of First and " +
+          std::to_string(nodes.beside_second) +
+          " of Second face no node of the other surface and can pass through "
+          "it. Use Discretization = auto or surface to surface, or give both "
+          "surfaces the same nodes");
     }
   } // namespace
 

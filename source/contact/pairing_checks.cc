@@ -60,12 +60,13 @@ namespace lamella
     };
     const std::string path = "Contact " + contact.name;
     if (contact.obstacle != nullptr)
-      throw InputError(path,
-                       "",
-                       "nothing of First faces the obstacle '" +
-                         contact.obstacle->name + "' within Search distance " +
-                         to_text(search_radius),
-                       "Check the surface's name and where the obstacle is.");
+      throw InputError(
+        path,
+        "",
+        "contact.no-pairs: no point of First faces the obstacle '" +
+          contact.obstacle->name + "' within Search distance " +
+          to_text(search_radius),
+        "Check the name of the surface and the position of the obstacle.");
     const bool to_node = contact.discretization == Discretization::node_to_node;
     const Pairing pairing = pair_node_to_node(points(contact.first),
                                               points(contact.second),
@@ -73,23 +74,23 @@ namespace lamella
     std::string   nearest = "The nearest two nodes are " +
                           to_text(pairing.nearest_distance) + " apart";
     if (to_node && pairing.smallest_offset < std::numeric_limits<double>::max())
-      nearest += ", the best sideways offset between opposed surfaces is " +
+      nearest += ", the smallest tangential offset of opposed surfaces is " +
                  to_text(pairing.smallest_offset);
-    const std::string check =
-      ". Check that First and Second name the surfaces that look at each "
-      "other";
+    const std::string check = ". Choose two surfaces that face each other";
     if (to_node)
       throw InputError(
         path,
         "",
-        "no nodes of First and Second face each other (node to node)",
+        "contact.no-pairs: no nodes of First and Second face each other (node "
+        "to node)",
         nearest + check +
           ", and give both the same nodes (cells across, axis elements, axis "
           "nodes), or use surface to surface.");
     throw InputError(
       path,
       "",
-      "nothing of First and Second faces each other within Search distance " +
+      "contact.no-pairs: no points of First and Second face each other within "
+      "Search distance " +
         to_text(search_radius),
       nearest + check + ".");
   }
@@ -108,8 +109,8 @@ namespace lamella
       throw InputError(
         "Contact " + contact.name,
         "",
-        "the surface '" + contact.first.surface + "' of First lies " +
-          to_text(place.behind) + " behind '" +
+        "contact.surface-behind: the surface '" + contact.first.surface +
+          "' of First lies " + to_text(place.behind) + " behind '" +
           (contact.obstacle != nullptr ? contact.obstacle->name :
                                          contact.second.surface) +
           "' of Second, at " +
@@ -120,15 +121,12 @@ namespace lamella
           first_inside(contact, bodies, on_second, gaps.deep_penetrations))
       refuse(
         *place,
-        ", which is more than the cells there are deep: the bodies lie in "
-        "each other",
-        "Move the bodies apart, or name the two surfaces that look at each "
-        "other.");
+        ", more than the depth of the cells there: the bodies overlap",
+        "Move the bodies apart, or choose two surfaces that face each other.");
     if (gaps.gaps.empty() && !gaps.deep_penetrations.empty())
       refuse(
         gaps.deep_penetrations.front(),
         "",
-        "Name the two surfaces that look at each other, or move the bodies "
-        "apart.");
+        "Choose two surfaces that face each other, or move the bodies apart.");
   }
 } // namespace lamella

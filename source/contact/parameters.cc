@@ -118,7 +118,8 @@ namespace lamella
     parse_surface(const Entry &entry, const std::vector<std::string> &bodies)
     {
       if (entry.is_empty())
-        entry.refuse_missing("write BODY: SURFACE, as in upper: bottom.");
+        entry.refuse_missing(
+          "contact.side-missing: write BODY: SURFACE, as in upper: bottom.");
       const auto [body, surface] = parse_on_body(entry, bodies);
       Region region;
       region.body    = body;
@@ -160,9 +161,9 @@ namespace lamella
     {
       const Entry first = in["First"], second = in["Second"];
       if (find_obstacle(first.text(), obstacles) != nullptr)
-        first.refuse("is an obstacle",
-                     "First must be a surface of a body; name the obstacle in "
-                     "Second.");
+        first.refuse(
+          "contact.first-is-obstacle: is an obstacle",
+          "Name a surface of a body in First, the obstacle in Second.");
       contact.first    = parse_surface(first, bodies);
       contact.obstacle = find_obstacle(second.text(), obstacles);
       if (contact.obstacle != nullptr)
@@ -170,22 +171,22 @@ namespace lamella
       const auto        colon = second.text().find(':');
       const std::string name  = trimmed(second.text().substr(0, colon));
       if (find_obstacle(name, obstacles) != nullptr)
-        second.refuse("'" + name +
+        second.refuse("contact.obstacle-with-surface: '" + name +
                         "' is an obstacle, which has no named surfaces",
                       "Write its name alone.");
       std::vector<std::string> known = bodies;
       for (const auto &obstacle : obstacles)
         known.push_back(obstacle->name);
       if (!second.is_empty() && colon == std::string::npos)
-        second.refuse("is no obstacle, and for a body write BODY: SURFACE, as "
-                      "in upper: bottom",
-                      "The nearest name is '" +
-                        nearest_name(second.text(), known) + "'.");
+        second.refuse(
+          "contact.unknown-second: is no obstacle; for a body write BODY: "
+          "SURFACE, as in upper: bottom",
+          "The nearest name is '" + nearest_name(second.text(), known) + "'.");
       contact.second = parse_surface(second, bodies);
       if (contact.first.body == contact.second.body)
-        in.refuse("First and Second are the same body '" +
+        in.refuse("contact.same-body: First and Second are on the same body '" +
                     bodies[contact.first.body] + "'",
-                  "Contact of a body with itself is not modeled.");
+                  "Name surfaces of two bodies; self-contact is not modeled.");
     }
 
 
@@ -201,9 +202,10 @@ namespace lamella
       const double mu = friction.number();
       if (!(mu >= 0. && mu <= most))
         friction.refuse(
-          "a coefficient of friction lies between 0 and 10",
-          "Write the ratio of shear to pressure at which it slips, "
-          "as 0.3, or none.");
+          "contact.friction-out-of-range: the friction coefficient must lie "
+          "between 0 and 10",
+          "Give the ratio of shear to pressure at which the contact slips, as "
+          "0.3, or none.");
       return mu;
     }
 
@@ -225,7 +227,8 @@ namespace lamella
     {
       const double value = tolerance.positive();
       if (!(value < 0.5))
-        tolerance.refuse("must lie between 0 and 0.5");
+        tolerance.refuse(
+          "contact.tolerance-out-of-range: must lie between 0 and 0.5");
       return value;
     }
 
@@ -241,8 +244,9 @@ namespace lamella
       for (const char *const end : {"start", "end", "ends"})
         if (surface == end)
           in[on_second ? "Second" : "First"].refuse(
-            "edge to surface is of the edges at which a side of a body ends",
-            "Name that side, as in upper: bottom.");
+            "contact.edges-of-end-face: edge to surface needs a side of the "
+            "body, whose edges are at the body's ends",
+            "Name a side, as in upper: bottom.");
     }
 
 
@@ -252,19 +256,21 @@ namespace lamella
     check_obstacle(const ContactPair &contact, const Entries &in)
     {
       const std::string rule =
-        "the obstacle '" + contact.obstacle->name + "' has no nodes";
+        "contact.obstacle-without-nodes: the obstacle '" +
+        contact.obstacle->name + "' has no nodes";
       if (contact.discretization == Discretization::node_to_node)
         in["Discretization"].refuse(
           rule, "Use auto, surface to surface, or node to surface.");
       if (contact.discretization == Discretization::edge_to_surface)
         in["Discretization"].refuse(
-          "the obstacle '" + contact.obstacle->name +
-            "' is met by all nodes of First, those at its ends among them",
+          "contact.edges-on-obstacle: the obstacle '" + contact.obstacle->name +
+            "' is in contact with all nodes of First, also those at its ends",
           "Use node to surface.");
       if (contact.discretization == Discretization::line_to_roller &&
           contact.obstacle->shape != Obstacle::Shape::cylinder)
-        in["Discretization"].refuse("the obstacle '" + contact.obstacle->name +
-                                      "' is no roller",
+        in["Discretization"].refuse("contact.not-a-cylinder: the obstacle '" +
+                                      contact.obstacle->name +
+                                      "' is no cylinder",
                                     "Use auto.");
       if (contact.slave_side == SlaveSide::second)
         in["Slave side"].refuse(rule, "Use first, or auto.");
@@ -290,7 +296,8 @@ namespace lamella
     if (contact.obstacle != nullptr)
       check_obstacle(contact, in);
     else if (contact.discretization == Discretization::line_to_roller)
-      in["Discretization"].refuse("its Second is no obstacle", "Use auto.");
+      in["Discretization"].refuse(
+        "contact.second-not-obstacle: Second is no obstacle", "Use auto.");
     else if (contact.discretization == Discretization::edge_to_surface)
       check_edges(contact, in);
     contact.search_distance = parse_search_distance(in["Search distance"]);
@@ -346,7 +353,7 @@ namespace lamella
     {
       const Tensor<1, 3> direction = entry.point();
       if (!(direction.norm() > 0.))
-        entry.refuse("must be a direction, not zero");
+        entry.refuse("contact.zero-direction: the direction must not be zero");
       return direction / direction.norm();
     }
   } // namespace
@@ -359,7 +366,7 @@ namespace lamella
     auto        obstacle = std::make_shared<Obstacle>();
     const Entry shape = in["Shape"], radius = in["Radius"];
     if (shape.is_empty())
-      shape.refuse_missing("write plane or cylinder.");
+      shape.refuse_missing("contact.shape-missing: write plane or cylinder.");
     obstacle->name         = name;
     obstacle->shape        = shape.choice<Obstacle::Shape>();
     obstacle->point        = in["Through"].point();
@@ -367,14 +374,15 @@ namespace lamella
     if (obstacle->shape == Obstacle::Shape::plane)
       {
         if (!radius.is_empty())
-          radius.refuse("a plane has no radius",
+          radius.refuse("contact.radius-of-plane: a plane has no radius",
                         "Leave the entry out, or set Shape = cylinder.");
         obstacle->direction = parse_direction(in["Normal"]);
         return obstacle;
       }
     obstacle->direction = parse_direction(in["Axis"]);
     if (radius.is_empty())
-      radius.refuse_missing("give the cylinder a positive radius.");
+      radius.refuse_missing(
+        "contact.radius-missing: give the cylinder a positive radius.");
     obstacle->radius = radius.positive();
     return obstacle;
   }

@@ -128,12 +128,12 @@ namespace lamella
     if (count == 0)
       return;
     throw NumericsError(
-      "Contact " + contact.name + "/Search distance = " +
-      to_text(*contact.search_distance) + ": " + std::to_string(count) +
-      (count == 1 ? " place that it leaves" : " places that it leaves") +
-      " without a partner, in whole or in part, come to touch '" +
-      interface.second_name + "' all the same, at " + to_text(worst->position) +
+      "contact.search-distance-too-small: Contact " + contact.name +
+      "/Search distance = " + to_text(*contact.search_distance) + ": " +
+      std::to_string(count) + (count == 1 ? " point" : " points") +
+      " without a full partner within this distance touch '" +
+      interface.second_name + "', at " + to_text(worst->position) +
       (deepest < 0. ? ", " + to_text(-deepest, 3) + " inside of it" : "") +
-      ". Take auto, or at least " + to_text(enough * widest, 2) + ".");
+      ". Use auto, or at least " + to_text(enough * widest, 2) + ".");
   }
 } // namespace lamella
