@@ -34,8 +34,9 @@ namespace lamella
       constexpr double sound = 1e-6;
       if (!(found.error <= sound))
         throw NumericsError(
-          "The contact did not settle with friction: the law is missed by " +
-          to_text(found.error, 2) + " of its size" + friction_remedy);
+          "solve.friction-not-converged: The contact with friction did not "
+          "converge: the relative error of Coulomb's law is " +
+          to_text(found.error, 2) + friction_remedy);
     }
 
 

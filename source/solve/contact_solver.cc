@@ -342,18 +342,18 @@ namespace lamella
         return row.friction > 0.;
       });
     throw NumericsError(
-      "Body '" + body + "' is not held by its contacts" +
-      (rubs ? ", friction and all" : "") + ": its loads move it on and on (" +
-      motion + ", each round " + to_text(rate, 4) +
-      " times as far as the one before), against nothing but its stabilizing "
-      "springs. Add a support, " +
-      (rubs ? "take more Friction, " : "") +
+      "solve.unconstrained-motion: Body '" + body +
+      "' has an unconstrained rigid-body motion (" + motion + ", each round " +
+      to_text(rate, 4) + " times as far as the one before): its contacts" +
+      (rubs ? " and their friction" : "") +
+      " do not balance its loads. Add a support, " +
+      (rubs ? "increase Friction, " : "") +
       (rubs && !strategy->forces_are_accurate() ?
-         "take the condensed strategy (where friction alone holds a body this "
-         "one may find no rest), " :
+         "use the condensed strategy (this one may not converge where friction "
+         "alone constrains a body), " :
          "") +
       "close its gaps by a prescribed displacement, or load it towards the "
-      "body that is to hold it.");
+      "other body.");
   }
 
 
@@ -384,15 +384,15 @@ namespace lamella
     const std::string name  = structure.bodies()[body]->name();
     if (!(rate < 0.999))
       throw_unconstrained_motion(name, worst.motion, rate);
-    throw NumericsError("The stabilizing springs of body '" + name +
-                        "' are too stiff beside the contacts that hold it (" +
-                        worst.motion + "): their share falls by the factor " +
-                        to_text(rate, 3) + " a round only. Take Body " + name +
-                        "/Stabilization = " +
-                        to_text(worst.share * wanted_rate / (1. - wanted_rate) *
-                                  (1. - rate) / rate,
-                                1) +
-                        ".");
+    throw NumericsError(
+      "solve.springs-too-stiff: The stabilizing springs of body '" + name +
+      "' are too stiff compared with its contacts (" + worst.motion +
+      "): their share falls by the factor " + to_text(rate, 3) +
+      " per round only. Use Body " + name + "/Stabilization = " +
+      to_text(worst.share * wanted_rate / (1. - wanted_rate) * (1. - rate) /
+                rate,
+              1) +
+      ".");
   }
 
 
@@ -499,8 +499,8 @@ namespace lamella
     const double size = state.u.linfty_norm(), change = du.l2_norm();
     if (!std::isfinite(change))
       throw NumericsError(
-        "The solution is not a finite number. Check the loads, and "
-        "whether the stiffnesses are beyond what double precision holds.");
+        "solve.not-finite: The solution is not finite. Check the loads and the "
+        "materials.");
     return change <= state.rounding() ? 0. : du.linfty_norm() / size;
   }
 
@@ -559,10 +559,10 @@ namespace lamella
         deepest = r;
     if (rows.empty() || rows[deepest].initial_gap >= 0.)
       return "";
-    return " Bodies overlap from the start by up to " +
+    return " Bodies overlap at the start by up to " +
            to_text(-rows[deepest].initial_gap, 4) + " (" + describe(deepest) +
-           "): take Overclosure = adjust, which takes that out of the gaps "
-           "without strain, or move them apart.";
+           "): use Overclosure = adjust, which subtracts the overlap from the "
+           "gaps, or move them apart.";
   }
 
 
@@ -578,13 +578,12 @@ namespace lamella
     for (unsigned int k = 0; k < changing.size() && k < 3; ++k)
       names += (k > 0 ? "; " : "") + describe(changing[k]);
     throw NumericsError(
-      "The contact did not settle in " +
+      "solve.not-converged: The contact did not converge in " +
       std::to_string(parameters.max_iterations) + " iterations; " +
       std::to_string(changing.size()) + " of " + std::to_string(rows.size()) +
-      " rows keep changing" + (names.empty() ? "" : " (" + names) +
-      (names.empty()       ? "" :
-       changing.size() > 3 ? "; ...)" :
-                             ")") +
+      " constraints keep changing" +
+      (names.empty() ? "" :
+                       " (" + names + (changing.size() > 3 ? "; ...)" : ")")) +
       "." + describe_overlap() + " Try " + strategy->remedy() +
       ", a finer mesh at the edge of the contact, or more Maximum iterations.");
   }

@@ -26,8 +26,9 @@ namespace lamella
   throw_unstable()
   {
     throw NumericsError(
-      std::string("With friction the contact found an answer that is "
-                  "unstable: bodies that press with their ends jam") +
+      std::string(
+        "solve.friction-unstable: The solution with friction is unstable: "
+        "bodies in contact at their ends jam") +
       friction_remedy);
   }
 

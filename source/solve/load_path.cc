@@ -46,10 +46,9 @@ namespace lamella
 
 
 
-    /// Throws NumericsError if points of @p contact that touch are off their
-    /// pairs by more than their spacing: friction remembers where pairs have
-    /// been, and these are pairs no more. @p forces and @p slips are those of
-    /// its rows.
+    /// Throws NumericsError if active points of @p contact slip by more than
+    /// their spacing, where the initial pairs are not valid. @p forces and @p
+    /// slips are those of its constraints.
     void
     check_small_slip(const ContactInterface                &contact,
                      const dealii::ArrayView<const double> &forces,
@@ -60,13 +59,12 @@ namespace lamella
           const ContactInterface::Point &point = contact.points[k];
           if (forces[k] > 0. && slips[k].norm() > point.spacing)
             throw NumericsError(
-              "Contact " + contact.name +
-              ": the bodies are off their pairs by " +
-              to_text(slips[k].norm(), 3) + " at " + to_text(point.first) +
+              "contact.large-sliding: Contact " + contact.name + ": slip at " +
+              to_text(point.first) + " is " + to_text(slips[k].norm(), 3) +
               ", " + to_text(slips[k].norm() / point.spacing, 2) +
-              " times the spacing of points there. Pairs are those of the "
-              "start, and what rubs would act off its place by as much. Give "
-              "the bodies longer elements or a smaller load.");
+              " times the spacing of points there: small-sliding contact is "
+              "not valid. Use Rotations = large, longer elements or smaller "
+              "loads.");
         }
     }
 

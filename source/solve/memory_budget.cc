@@ -36,7 +36,8 @@ namespace lamella
     if (needed > available)
       throw InputError(limit > 0. ? "Memory limit" : "",
                        limit > 0. ? gigabytes(limit) : "",
-                       what + ", and " + gigabytes(available) +
+                       "solve.out-of-memory: " + what + ", but only " +
+                         gigabytes(available) +
                          " are available on each machine" +
                          (limit > 0. ?
                             " (the program itself has taken " +
@@ -52,7 +53,7 @@ namespace lamella
     std::string
     remedies(const bool nodal)
     {
-      return "Take a coarser mesh, a lower order" +
+      return "Use a coarser mesh, a lower order" +
              std::string(nodal ? ", Linear solver = cg" : "") +
              " or more machines.";
     }

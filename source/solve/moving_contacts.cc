@@ -122,7 +122,7 @@ namespace lamella
   MovingContacts::lose(const unsigned int c, const std::string &how)
   {
     lost = "Contact " + all[c].name + " is lost" + how;
-    throw NumericsError(lost);
+    throw NumericsError("solve.contact-lost: " + lost);
   }
 
 
@@ -226,9 +226,10 @@ namespace lamella
         {
           state.force[row] = 0.;
           release.insert(c);
-          lost = "Contact " + all[c].name +
-                 " is lost: what bore a force is past an end of the other "
-                 "side, and nothing took over.";
+          lost =
+            "Contact " + all[c].name +
+            " is lost: an active constraint has left the other surface at an "
+            "end, and no edge contact covers that end.";
         }
       else
         release_facing(c);
@@ -241,11 +242,12 @@ namespace lamella
   MovingContacts::release_facing(const unsigned int c)
   {
     const std::string how =
-      ": what bears a force faces nothing, past an end of the other side "
-      "or through it. Where that end is to take over, give it a contact "
-      "of its own, edge to surface.";
+      ": an active constraint has left the other surface. If that is at an end "
+      "of the other body, add a contact of that end with Discretization = edge "
+      "to surface.";
     if (all[c].second_body && contact_objects[c]->is_automatic())
-      throw MissingEnds("Contact " + all[c].name + " is lost" + how,
+      throw MissingEnds("solve.contact-lost: Contact " + all[c].name +
+                          " is lost" + how,
                         {{c, !all[c].points_on_second}});
     lose(c, how);
   }
@@ -368,11 +370,11 @@ namespace lamella
     for (unsigned int c = 0; c < contact_objects.size(); ++c)
       if (contact_objects[c]->passes_through(before, from, state.u, to))
         lose(c,
-             ": its body went through '" + all[c].second_name +
+             ": its body passed through '" + all[c].second_name +
                "' in one step.");
     for (const unsigned int c : release)
       if (!has_contact_force(c, state))
-        throw NumericsError(lost);
+        throw NumericsError("solve.contact-lost: " + lost);
   }
 
 
@@ -391,7 +393,7 @@ namespace lamella
         numbered = GapConstraints(all);
         lose(c,
              " at load factor " + to_text(factor.of_scene()) +
-               ": nothing faces its other side any more.");
+               ": no point faces its other surface any more.");
       }
   }
 } // namespace lamella

@@ -368,7 +368,7 @@ namespace lamella
             last_failure = error.what();
             progress(last_failure);
           }
-        // That says more than what comes of it.
+        // The loss of a contact explains the failure better.
         if (!contacts.reason_of_loss().empty())
           lost_contact = contacts.reason_of_loss();
         back();
@@ -386,18 +386,20 @@ namespace lamella
                               to_text(reached.of_scene(), 6) +
                               ", on the way to " + to_text(to.of_scene(), 6);
     if (!lost_contact.empty())
-      throw NumericsError("Nothing was found " + where + ". " + lost_contact);
+      throw NumericsError("solve.contact-lost: No equilibrium was found " +
+                          where + ". " + lost_contact);
     throw NumericsError(
-      "No stable equilibrium was found " + where +
-      ": the loads may pass a limit there, or a column may buckle. Prescribe a "
-      "displacement in place of loads, or give the structure the imperfection "
-      "that it has." +
-      (contacts.none() ? "" :
-                         " A body that nothing but another body keeps from "
-                         "buckling is not found either (obstacles may).") +
+      "solve.no-equilibrium: No stable equilibrium was found " + where +
+      ": the loads may exceed a limit load, or a body may buckle. Prescribe a "
+      "displacement instead of loads, or add the imperfection of the "
+      "structure." +
+      (contacts.none() ?
+         "" :
+         " Buckling of a body that only another body restrains is not found "
+         "either (obstacles may restrain it).") +
       (structure.has_springs() ?
-         " Where little holds a body with Stabilization, smaller or larger "
-         "springs may find it (1e-8 to 1e-5)." :
+         " For a weakly constrained body with Stabilization, change the "
+         "springs (1e-8 to 1e-5)." :
          "") +
       (last_failure.empty() ? "" : " (" + last_failure + ")"));
   }

@@ -62,8 +62,9 @@ namespace lamella
     ContactSolution found =
       strategy.solve(problem, [this, rounds = 0u](const Round &round) mutable {
         if (++rounds > parameters.max_iterations)
-          throw NumericsError("The contact did not settle in " +
-                              std::to_string(rounds - 1) + " rounds.");
+          throw NumericsError(
+            "solve.not-converged: The contact did not converge in " +
+            std::to_string(rounds - 1) + " rounds. Raise Maximum iterations.");
         if (!round.changed.empty())
           progress("  contact: " + std::to_string(round.active) +
                    " rows active, " + std::to_string(round.changed.size()) +

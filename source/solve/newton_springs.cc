@@ -239,9 +239,8 @@ namespace lamella
     if (least < -parameters.instability_share * pressing / structure.size() *
                   length * length)
       throw NumericsError(
-        "Nothing but stabilizing springs keeps a body where it is: under what "
-        "bears on it it would turn over or run away. Give it a Support where "
-        "the real one is.");
+        "solve.unstable-body: Only stabilizing springs prevent a body from "
+        "turning over or sliding away under its loads. Add a Support.");
     return true;
   }
 } // namespace lamella

@@ -347,13 +347,12 @@ namespace lamella
       const std::string of_body =
         "body '" + structure.bodies()[found.stiffened]->name() + "'";
       const std::string what =
-        of_body + " is stretched where it deflects, and its supports do not "
-                  "let all of that go: ";
+        of_body + " is stretched as it deflects, since supports restrain it: ";
       if (found.stiffening < 1.)
-        return what + "what stays makes it stiffer by " +
+        return what + "this membrane force stiffens it by " +
                to_text(100. * found.stiffening, 2) + " % (stiffening " +
                to_text(found.stiffening, 2) + ")";
-      return what + "forces at these displacements are some " +
+      return what + "forces at these displacements are about " +
              to_text(1. + found.stiffening, 2) +
              " times those of the linear model (stiffening " +
              to_text(found.stiffening, 2) + ")";
@@ -366,22 +365,18 @@ namespace lamella
                       const Structure            &structure)
     {
       if (!found.buckling_factor)
-        return "displacements grow by some " +
+        return "displacements grow by about " +
                to_text(100. * found.amplification, 2) + " %";
-      const double      lambda = *found.buckling_factor;
-      const std::string of_body =
-        "body '" + structure.bodies()[found.buckled]->name() + "'";
-      if (lambda < least_buckling_factor)
-        return of_body + " buckles at " + to_text(lambda, 4) +
-               " times these loads (buckling factor " + to_text(lambda, 4) +
-               ")";
-      std::string text = of_body + " buckles at " + to_text(lambda, 4) +
+      const double lambda = *found.buckling_factor;
+      std::string  text = "body '" + structure.bodies()[found.buckled]->name() +
+                         "' buckles at " + to_text(lambda, 4) +
                          " times these loads (buckling factor " +
                          to_text(lambda, 4) + ")";
-      if (found.amplification > effect_worth_saying)
-        text += ", and what the loads make of that shape grows by " +
+      if (lambda >= least_buckling_factor &&
+          found.amplification > effect_worth_saying)
+        text += ", which amplifies the deflection in its buckling mode by " +
                 to_text(100. / (lambda - 1.), 2) +
-                " %, displacements by some " +
+                " %, displacements by about " +
                 to_text(100. * found.amplification, 2) + " %";
       return text;
     }
@@ -394,14 +389,16 @@ namespace lamella
   {
     std::vector<std::string> warnings;
     if (found.stiffening > effect_worth_saying)
-      warnings.push_back("large deflections, which the linear model leaves "
-                         "out: " +
-                         describe_stiffening(found, structure));
+      warnings.push_back(
+        "solve.large-deflections: large deflections, which the linear model "
+        "neglects: " +
+        describe_stiffening(found, structure));
     if (found.amplification > effect_worth_saying ||
         (found.buckling_factor && *found.buckling_factor * near < 1.))
-      warnings.push_back("compression, whose effect on stiffness the linear "
-                         "model leaves out: " +
-                         describe_buckling(found, structure));
+      warnings.push_back(
+        "solve.compression: compression, whose effect on the stiffness the "
+        "linear model neglects: " +
+        describe_buckling(found, structure));
     return warnings;
   }
 
@@ -412,13 +409,14 @@ namespace lamella
                      const Structure            &structure)
   {
     const std::string remedy =
-      ". The linear result is no approximation here: take Rotations = large, "
-      "or reduce the loads; or say Beyond linear range = accept if you want it all the same.";
+      ". The linear result is no approximation here. Use Rotations = large, "
+      "reduce the loads, or accept it with Beyond linear range = accept.";
     if (found.stiffening > most_stiffening)
-      throw NumericsError(
-        "Large deflections: " + describe_stiffening(found, structure) + remedy);
+      throw NumericsError("solve.large-deflections: Large deflections: " +
+                          describe_stiffening(found, structure) + remedy);
     if (found.buckling_factor && *found.buckling_factor < least_buckling_factor)
-      throw NumericsError("The scene is beyond its stability: " +
-                          describe_buckling(found, structure) + remedy);
+      throw NumericsError(
+        "solve.beyond-buckling: The loads exceed the buckling load: " +
+        describe_buckling(found, structure) + remedy);
   }
 } // namespace lamella

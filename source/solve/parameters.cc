@@ -26,7 +26,8 @@ namespace lamella
         "auto",
         selection<SolverKind>(),
         "auto: on one process cholmod, or dense blocks for beams of SV and "
-        "SV-N, mumps on several, cg for large solids; cholmod, mumps: factorize; "
+        "SV-N, mumps on several, cg for large solids; cholmod, mumps: "
+        "factorize; "
         "cg: conjugate gradients with algebraic multigrid, for solids, with "
         "little memory.");
       prm.declare_entry(
@@ -130,12 +131,14 @@ namespace lamella
         }
       substeps.number = 0;
       if (!more.empty())
-        entry.refuse("write a number, auto, or auto and the tolerance in per "
-                     "cent");
+        entry.refuse(
+          "solve.substeps-syntax: write a number, auto, or auto and the "
+          "tolerance in per cent");
       if (!tolerance.empty())
         substeps.tolerance = percent * entry.number(tolerance);
       if (!(substeps.tolerance > 0.))
-        entry.refuse("the tolerance must be positive");
+        entry.refuse(
+          "solve.tolerance-not-positive: the tolerance must be positive");
       return substeps;
     }
   } // namespace
@@ -149,7 +152,8 @@ namespace lamella
     for (const double factor : in["Load factors"].numbers())
       parameters.load_factors.emplace_back(factor);
     if (parameters.load_factors.empty())
-      in["Load factors"].refuse_missing("give one number a load step.");
+      in["Load factors"].refuse_missing(
+        "solve.load-factors-missing: give one number per load step.");
     parameters.substeps     = parse_substeps(in["Substeps"]);
     parameters.rotations    = in["Rotations"].choice<Rotations>();
     parameters.stress_axes  = in["Stress axes"].choice<StressAxes>();
@@ -160,8 +164,9 @@ namespace lamella
     if (parameters.strategy == Strategy::full &&
         (parameters.solver == SolverKind::cholmod ||
          parameters.solver == SolverKind::cg))
-      solver.refuse("Contact strategy = full factorizes with mumps",
-                    "Choose auto, or the condensed strategy.");
+      solver.refuse(
+        "solve.solver-conflict: Contact strategy = full requires mumps",
+        "Use auto, or the condensed strategy.");
     parameters.loop.max_iterations =
       in["Maximum iterations"].whole(1, max_iterations_per_solve);
     parameters.newton.max_iterations = parameters.loop.max_iterations;

@@ -412,15 +412,17 @@ namespace lamella
                  rounding = n * t * largest_penalty_ratio;
     if (rounding < 1e-4)
       return {};
-    return {"the penalty " + to_text(penalty_of_largest_ratio, 3) + " is " +
-            to_text(largest_penalty_ratio, 2) +
-            " times the stiffness of the DoFs it acts on; in K + K^p of " +
-            std::to_string(structure.n_dofs()) +
-            " DoFs double precision holds about " +
-            to_text(penalty_of_largest_ratio / largest_penalty_ratio /
-                      std::sqrt(n * t),
-                    2) +
-            " best, and what was found may be off by " + to_text(rounding, 1) +
-            ": take a softer Penalty or the condensed strategy"};
+    return {
+      "solve.penalty-too-large: the penalty " +
+      to_text(penalty_of_largest_ratio, 3) + " is " +
+      to_text(largest_penalty_ratio, 2) +
+      " times the stiffness of the DoFs that it acts on: rounding may change "
+      "the results by " +
+      to_text(rounding, 1) + ". With " + std::to_string(structure.n_dofs()) +
+      " DoFs a penalty of about " +
+      to_text(penalty_of_largest_ratio / largest_penalty_ratio /
+                std::sqrt(n * t),
+              2) +
+      " is most accurate: use it, or the condensed strategy"};
   }
 } // namespace lamella

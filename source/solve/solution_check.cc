@@ -43,9 +43,9 @@ namespace lamella
     {
       if (rotation <= meaningless_rotation)
         return "";
-      return "rotations this large are rarely intended: check first that moduli, "
-             "densities, lengths and loads are in the scene's Units. If they "
-             "are: ";
+      return "rotations this large are rarely intended. Check first that "
+             "moduli, densities, lengths and loads are in the scene's Units. "
+             "If they are: ";
     }
 
 
@@ -55,11 +55,11 @@ namespace lamella
     {
       if (checks.stabilization_share > worth_failing)
         throw NumericsError(
-          "Stabilizing springs hold " +
+          "solve.spring-energy: Stabilizing springs store " +
           to_text(100. * checks.stabilization_share, 3) +
-          " % of the energy: a body with Stabilization is not held by its "
-          "contacts. Add a support, close its gaps by a prescribed displacement, "
-          "or load it towards the body that is to hold it.");
+          " % of the energy: the contacts of a body with Stabilization do not "
+          "constrain it. Add a support, close its gaps by a prescribed "
+          "displacement, or load it towards the body that is to support it.");
     }
 
 
@@ -74,10 +74,11 @@ namespace lamella
         std::max(last(state.free_corrections), last(state.contact_corrections));
       if (!(left < sound))
         throw IllConditioned(
-          "The linear solution does not settle: the last correction is " +
+          "solve.refinement-not-converged: The iterative refinement of the "
+          "linear solution does not converge: the last correction is " +
           to_text(left, 3) +
-          " of the displacements. The scene is beyond what double precision "
-          "holds: less slender bodies or less different stiffnesses are needed.");
+          " of the displacements. The scene is too ill-conditioned for double "
+          "precision: use less slender bodies or less different stiffnesses.");
     }
 
 
@@ -91,18 +92,16 @@ namespace lamella
                            checks.force_balance),
             std::make_pair("moments on a body do not balance",
                            checks.moment_balance),
-            std::make_pair("unbalanced forces do not vanish", checks.residual),
-            std::make_pair("strain energy is not the work done",
+            std::make_pair("residual forces do not vanish", checks.residual),
+            std::make_pair("strain energy differs from the work done",
                            checks.energy_balance)})
         if (!(error < tolerable))
           throw IllConditioned(
-            "The " + std::string(what) +
-            ": the relative error "
-            "is " +
-            to_text(error, 3) +
-            ". The scene is beyond what double precision "
-            "holds: make bodies less slender, or stiffnesses "
-            "and penalties less different.");
+            "solve.not-balanced: The " + std::string(what) +
+            ": the relative error is " + to_text(error, 3) +
+            ". The scene is too ill-conditioned for double precision: make "
+            "bodies less slender, or stiffnesses and penalties less "
+            "different.");
     }
 
 
@@ -114,38 +113,38 @@ namespace lamella
     {
       if (!(contact.imbalance < tolerable))
         throw NumericsError(
-          "The forces of a contact on its two bodies differ by " +
+          "solve.contact-forces-differ: The forces of a contact on its two "
+          "bodies differ by " +
           to_text(contact.imbalance, 3) +
-          " of their sum: its rows do not follow rigid motions, a fault of "
-          "this program. Please report the scene.");
+          " of their sum, which is a fault of this program. Please report the "
+          "scene.");
       else if (contact.min_force < 0. ||
                !(contact.law_error <= std::max(sound * displacement, rounding)))
         throw NumericsError(
-          "The contact conditions do not hold: the smallest force is " +
+          "solve.contact-law-violated: The contact conditions are violated: "
+          "the smallest force is " +
           to_text(contact.min_force) +
-          ", and gaps miss the contact law by up to " +
+          ", and gaps violate the contact law by up to " +
           to_text(contact.law_error, 3) + " (relative violation " +
           to_text(contact.violation, 3) +
-          "). Try a softer penalty, or Contact strategy = condensed if it is "
+          "). Use a softer penalty, or Contact strategy = condensed if it is "
           "full.");
     }
-  } // namespace
 
 
 
-  namespace
-  {
     void
     check_small_strain(const Checks &checks)
     {
-      // At corners and below lines that press a mesh finds any strain that it
-      // is fine enough for; what sections stretch and bend by tells.
+      // Pointwise strains at corners and below line contacts depend on the
+      // mesh: the means over sections are checked.
       if (!(checks.max_mean_strain <= large_strain))
         throw NumericsError(
-          "Strains reach " + to_text(100. * checks.max_mean_strain, 3) +
-          " % along an axis, in the mean of a section, and the law of these materials, linear "
-          "in Green's strain, is made for " +
-          to_text(100. * large_strain, 2) + " % at most. Reduce the loads.");
+          "solve.strain-beyond-law: The mean axial strain of a section "
+          "reaches " +
+          to_text(100. * checks.max_mean_strain, 3) +
+          " %. The material law, linear in Green's strain, is valid up to " +
+          to_text(100. * large_strain, 2) + " %. Reduce the loads.");
     }
   } // namespace
 
@@ -162,17 +161,18 @@ namespace lamella
     for (const KktResidual &contact : checks.contacts)
       check_contact_law(contact, checks.max_displacement, state.rounding());
     if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
-      throw NumericsError("The solution is not a finite number. Check the "
-                          "loads and the materials.");
+      throw NumericsError(
+        "solve.not-finite: The solution is not finite. Check the loads and the "
+        "materials.");
     if (checks.is_large)
       check_small_strain(checks);
     else if (checks.max_rotation > rotation_limit)
       throw NumericsError(
-        "Rotations reach " + to_text(checks.max_rotation, 3) +
-        " rad, beyond Rotation limit = " + to_text(rotation_limit) + ": " +
-        rotation_remedy(checks.max_rotation) +
-        "linear kinematics does not describe this scene. Take Rotations = "
-        "large, or reduce the loads; or raise the limit if you want the linear result all the same.");
+        "solve.rotation-limit: Rotations reach " +
+        to_text(checks.max_rotation, 3) + " rad, beyond Rotation limit = " +
+        to_text(rotation_limit) + ": " + rotation_remedy(checks.max_rotation) +
+        "linear kinematics is not valid here. Use Rotations = large, reduce "
+        "the loads, or raise the limit to accept the linear result.");
   }
 
 
@@ -186,49 +186,51 @@ namespace lamella
                          const bool                is_large,
                          std::vector<std::string> &warnings)
     {
-      const std::string what = "contact " + contact.name + ": ";
+      const std::string what = ": contact " + contact.name + ": ";
       if (kkt.max_penetration > large_penetration * displacement)
         warnings.push_back(
-          what + "bodies penetrate by " + to_text(kkt.max_penetration, 3) +
-          ", " + to_text(100. * kkt.max_penetration / displacement, 2) +
-          " % of the displacements: a result of the penalty as "
-          "much as of the bodies; raise it, or take Enforcement = exact");
-      // Rows that move have no gap of the start.
+          "solve.penetration" + what + "bodies penetrate by " +
+          to_text(kkt.max_penetration, 3) + ", " +
+          to_text(100. * kkt.max_penetration / displacement, 2) +
+          " % of the displacements. Raise the penalty, or use Enforcement = "
+          "exact");
+      // Constraints that are paired anew have no initial gap.
       if (is_large)
         return;
       if (kkt.unresolved_curvature > large_averaging * displacement)
         warnings.push_back(
-          what + "gaps averaged over elements are up to " +
+          "solve.curvature-unresolved" + what +
+          "gaps averaged over elements are up to " +
           to_text(kkt.unresolved_curvature, 3) +
           " wider than those at their points, " +
           to_text(100. * kkt.unresolved_curvature / displacement, 2) +
-          " % of the displacements: the mesh is too coarse there for how the "
-          "surfaces curve. Refine it where they touch, or take Discretization "
-          "= node to surface");
+          " % of the displacements: the mesh does not resolve the curvature of "
+          "the surfaces. Refine it there, or use Discretization = node to "
+          "surface");
       double smallest = 0.;
       for (const GapConstraint &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);
       if (smallest < 0.)
-        warnings.push_back(what +
-                           "the bodies overlap from the start by up to " +
+        warnings.push_back("contact.initial-overlap" + what +
+                           "the bodies overlap at the start by up to " +
                            to_text(-smallest, 3) + " and are pushed apart");
     }
 
 
 
-    /// Of how far the theory carries.
+    /// Adds warnings of bodies with linear kinematics.
     void
     add_warnings_of_rotations(const Checks             &checks,
                               std::vector<std::string> &warnings)
     {
       if (checks.max_rotation > linear_rotation)
         warnings.push_back(
-          "rotations reach " + to_text(checks.max_rotation, 3) +
+          "solve.large-rotation: rotations reach " +
+          to_text(checks.max_rotation, 3) +
           " rad: " + rotation_remedy(checks.max_rotation) +
-          "linear kinematics makes the shape longer by rotation^2 / "
-          "2 = " +
+          "linear kinematics lengthens the shape by rotation^2 / 2 = " +
           to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
-          " %; read the results as those of a linear model");
+          " %. Use Rotations = large if that matters");
     }
 
 
@@ -241,35 +243,37 @@ namespace lamella
     {
       if (checks.max_strain > large_strain)
         warnings.push_back(
-          "strains reach " + to_text(100. * checks.max_strain, 3) +
-          " % somewhere (" + to_text(100. * checks.max_mean_strain, 2) +
-          " % along an axis, in the mean of a section): at corners and below "
-          "lines that bear a force they are what the mesh is fine enough for, "
-          "and stresses there say nothing");
+          "solve.local-strain: strains reach " +
+          to_text(100. * checks.max_strain, 3) + " % locally (" +
+          to_text(100. * checks.max_mean_strain, 2) +
+          " % in the mean of a section, along the axis). At corners and below "
+          "line contacts they depend on the mesh: do not use stresses there");
       else if (checks.max_strain > worth_naming)
         warnings.push_back(
-          "strains reach " + to_text(100. * checks.max_strain, 3) +
-          " %: a law that is linear in Green's strain and one that is linear "
-          "in the stretch differ by " +
+          "solve.large-strain: strains reach " +
+          to_text(100. * checks.max_strain, 3) +
+          " %. Stresses of laws linear in Green's strain and in the stretch "
+          "differ there by " +
           to_text(150. * checks.max_strain, 2) +
-          " % in the stress there, and materials by what nobody has measured");
+          " %. Compare with tests of the material at this strain");
       if (checks.shape_change > worth_naming)
         warnings.push_back(
-          "sections that turn as a whole keep their shape: what bending and "
-          "twisting do to it (Brazier's flattening of tubes, Lamb's of wide "
-          "strips) would change moments "
-          "or torques by some " +
+          "solve.section-shape: rigid sections neglect the change of their "
+          "shape by bending and twisting (Brazier's flattening of tubes, "
+          "Lamb's of wide strips), which would change moments or torques by up "
+          "to about " +
           to_text(100. * checks.shape_change, 2) +
-          " % somewhere. Theory = LE-N has it");
+          " %. Use Theory = LE-N to include it");
       if (checks.max_element_rotation > large_element_rotation)
         warnings.push_back(
-          "an element of an axis turns by " +
+          "solve.element-rotation: an axis element rotates by " +
           to_text(checks.max_element_rotation * 180. / dealii::numbers::PI, 3) +
-          " degrees from end to end, which it follows to some per cent only: " +
+          " degrees from end to end, which it resolves to some per cent only. "
+          "Use " +
           to_text(std::ceil(checks.max_element_rotation /
                             (large_element_rotation / 2.)),
                   3) +
-          " times as many there would turn by 10");
+          " times as many elements there, which rotate by 10 degrees each");
     }
   } // namespace
 
@@ -280,12 +284,12 @@ namespace lamella
   {
     if (const auto missed = here.largest_support_error(at); missed.share > 1.)
       throw NumericsError(
-        "Supports contradict each other at " + to_text(missed.place) +
-        ": they agree while turns are small only, and one is " +
+        "solve.supports-contradict: Supports contradict each other at " +
+        to_text(missed.place) +
+        ": they agree for small rotations only, and the error of one is " +
         to_text(missed.share, 3) +
-        " times as far off what it prescribes as sections that warp may be. "
-        "Remove one of them, or turn all of these places by one Rotation about "
-        "one place.");
+        " times the tolerance for sections that warp. Remove one of them, or "
+        "prescribe one Rotation about one place for all of them.");
   }
 
 
@@ -303,14 +307,13 @@ namespace lamella
                            checks.is_large,
                            warnings);
     if (checks.is_large)
-      add_warnings_of_rotations(checks, warnings);
-    else
       add_warnings_of_strains(checks, warnings);
+    else
+      add_warnings_of_rotations(checks, warnings);
     if (checks.stabilization_share > worth_saying)
-      warnings.push_back(
-        "stabilizing springs hold " +
-        to_text(100. * checks.stabilization_share, 2) +
-        " % of the energy; a smaller Stabilization falsifies less");
+      warnings.push_back("solve.spring-energy: stabilizing springs store " +
+                         to_text(100. * checks.stabilization_share, 2) +
+                         " % of the energy. Reduce Stabilization");
     const double first =
       state.free_corrections.empty() ? 0. : state.free_corrections.front();
     const double forces = std::max({checks.force_balance,
@@ -318,14 +321,16 @@ namespace lamella
                                     checks.residual,
                                     checks.energy_balance});
     if (forces > worth_reporting)
-      warnings.push_back("reactions and contact forces hold to " +
-                         to_text(forces, 2) +
-                         " only (their balance, relative): bodies are very "
-                         "slender or stiffnesses very different");
+      warnings.push_back(
+        "solve.not-balanced: reactions and contact forces balance to " +
+        to_text(forces, 2) +
+        " only (relative): bodies are very slender or stiffnesses very "
+        "different");
     if (first > ill_conditioned)
       warnings.push_back(
-        "the assembled matrix has lost digits (first refinement correction " +
-        to_text(first, 2) + "); the refinement restored them, down to " +
+        "solve.ill-conditioned: the assembled matrix is ill-conditioned (first "
+        "refinement correction " +
+        to_text(first, 2) + "); iterative refinement reduced it to " +
         to_text(state.free_corrections.back(), 2));
     return warnings;
   }

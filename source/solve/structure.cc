@@ -104,10 +104,9 @@ namespace lamella
         free.linfty_norm() <=
           arithmetic::rounding_of_results * at_start.linfty_norm())
       resultants.back().notes.push_back(
-        "load " + load.name +
-        ": supports hold all that it acts on, so it moves and strains nothing, "
-        "and reactions bear it where it is. Check where it and they are (On, "
-        "At)");
+        "solve.load-on-supports: load " + load.name +
+        ": all DoFs that it acts on are supported, so it causes reactions but "
+        "no displacements. Check the positions of load and supports (On, At)");
     for (const Region &region : load.on)
       if (depends_on_state(load, *all_bodies[region.body]))
         {
@@ -176,7 +175,8 @@ namespace lamella
         throw InputError(
           "Support " + names[row.support],
           "",
-          "goes another way than other supports that hold the same point, at " +
+          "solve.supports-contradict: prescribes another displacement than "
+          "other supports of the same point, at " +
             to_text(row.position),
           "Give them the same Factors, or remove one of them.");
     return u;
@@ -216,10 +216,9 @@ namespace lamella
           throw InputError(
             "Body " + all_bodies[b]->name(),
             "",
-            "can move freely: " + (free.size() == 6 ?
-                                     "no support holds it at all" :
-                                     joined(free, "; ")),
-            "Add a support that prevents this, or, if contact is to hold it, a "
+            "solve.unconstrained-motion: can move freely: " +
+              (free.size() == 6 ? "it has no support" : joined(free, "; ")),
+            "Add a support that prevents this, or, if contact constrains it, a "
             "Stabilization (Body " +
               all_bodies[b]->name() + "/Stabilization = 1e-6).");
       }
