@@ -18,14 +18,16 @@ namespace lamella
     };
     for (const LocalInteraction &interaction : interactions)
       if (interaction.is_contact_side)
-        add("body " + beam.name() + ": SV has no fields that " +
+        add("adapt.fields-missing: body " + beam.name() +
+            ": SV has no fields for the local deformation at " +
             interaction.name +
-            " can dent: forces are those of a beam, pressures and stresses "
-            "there are not to be used. Use SV-N, SV-6 say");
+            ": do not use pressures and stresses there. Use SV-N, for example "
+            "SV-6");
       else if (interaction.is_heat_source)
-        add("body " + beam.name() +
-            ": SV has no fields for heat that varies along the axis: stresses "
-            "are not to be used where it does. Use SV-N, SV-6 say");
+        add(
+          "adapt.fields-missing: body " + beam.name() +
+          ": SV has no fields for heat that varies along the axis: do not use "
+          "stresses there. Use SV-N, for example SV-6");
   }
 
 
@@ -40,15 +42,16 @@ namespace lamella
     for (unsigned int t = 0; t < interactions.size(); ++t)
       if (interactions[t].constrains_section)
         {
-          const auto held = constrained_sections(interactions, t, beam.axis());
-          if (held[0].rows.size() < beam.section().n_fields() &&
-              held[0].by[0] == interactions[t].name)
+          const auto constrained =
+            constrained_sections(interactions, t, beam.axis());
+          if (constrained[0].rows.size() < beam.section().n_fields() &&
+              constrained[0].by[0] == interactions[t].name)
             notes.push_back(
-              "body " + beam.name() + " is heated, and " +
+              "adapt.fields-missing: body " + beam.name() + " is heated, and " +
               interactions[t].name +
-              " holds its section in part: SV-N has no fields for what heat "
-              "does there, and stresses within a height or two of it are not "
-              "to be used. Use LE-N, or Theories with LE-N there");
+              " constrains its section in part: SV-N has no fields for that. "
+              "Do not use stresses within two section heights of it, or use "
+              "LE-N, or Theories with LE-N there");
         }
   }
 } // namespace lamella

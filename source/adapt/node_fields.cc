@@ -309,8 +309,8 @@ namespace lamella
 
 
 
-    /// Notes what became of @p body, which is @p beam: @p why it keeps all
-    /// fields of its section, or what has no fields.
+    /// Adds notes on @p body, which is @p beam: @p why it keeps all fields of
+    /// its section, or which interactions have no fields.
     void
     note_choice(const Beam               &beam,
                 const InteractionsOfBody &body,
@@ -320,12 +320,13 @@ namespace lamella
     {
       const Theory &theory = description.theory;
       if (!why.empty())
-        notes.push_back(
-          "body " + beam.name() + ": with " + theory.name() + " " + why +
-          (body.facts.is_unsolved ? "; its nodes" :
-                                    "; nothing is won there, and its nodes") +
-          " carry all fields of the section (" +
-          beam.section().theory().name() + ")");
+        notes.push_back("adapt.all-fields: body " + beam.name() + ": with " +
+                        theory.name() + " " + why +
+                        (body.facts.is_unsolved ?
+                           "; its nodes" :
+                           "; a reduction saves nothing there, and its nodes") +
+                        " carry all fields of the section (" +
+                        beam.section().theory().name() + ")");
       if (theory.order == 0 && description.pieces.empty())
         add_missing_field_notes(beam, body.interactions, notes);
       else if (why.empty())
@@ -352,8 +353,8 @@ namespace lamella
 
 
 
-    /// @p beam, where it turns with all fields of its section, that follow.
-    /// Throws InputError if its axis is not for that.
+    /// Returns @p beam with finite rotations and all fields of its section.
+    /// Throws InputError if its axis elements are not cubic.
     std::unique_ptr<Beam>
     with_finite_rotations_and_all_fields(const Beam            &beam,
                                          const BodyDescription &description)
@@ -362,10 +363,10 @@ namespace lamella
         throw InputError(
           "Body " + beam.name() + "/Kinematics/Axis element",
           "B" + std::to_string(beam.axis().degree() + 1),
-          "with " + description.theory.name() +
-            " the nodes of this body carry all fields of its section, and "
-            "elements of lower degree lock where these turn far",
-          "Take B4, or more elements.");
+          "adapt.axis-element-locks: with " + description.theory.name() +
+            " and Rotations = large the nodes carry all fields of the section, "
+            "and elements of lower degree lock",
+          "Use B4.");
       return std::make_unique<TotalLagrangianBeam>(
         beam.name(),
         beam.fields().shared_section(),
@@ -395,7 +396,7 @@ namespace lamella
       for (InteractionsOfBody &body : loaded)
         {
           const Beam &beam = *beams[body.number];
-          // One that is going to keep all fields of its section wants none.
+          // A body with all fields of its section needs none.
           const bool uses_responses =
             descriptions[body.number].theory.order > 0 &&
             !plan(body.facts, rules.plan).all_fields;
@@ -500,7 +501,8 @@ namespace lamella
           *beams[b], b, descriptions[b].pieces, contacts, notes);
     for (auto &[key, of_section] : loaded)
       replace(bodies, descriptions, gravity, of_section, rules, notes);
-    // Not before all touches are found, which the fields of whole sections say.
+    // Not before all interactions are found, which the fields of whole sections
+    // say.
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (is_chosen(descriptions[b]) && descriptions[b].theory.is_layerwise())
         bodies[b] = make_by_degrees(descriptions[b], *beams[b]);

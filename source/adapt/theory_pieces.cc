@@ -81,11 +81,11 @@ namespace lamella
       if (contact.discretization == Discretization::surface_to_surface &&
           std::any_of(contact.rows.begin(), contact.rows.end(), reaches))
         notes.push_back(
-          "body " + beam.name() + ": rows of contact " + contact.name +
-          " outnumber what nodes of LE of a lower degree can deform; where "
-          "it closes there its force is right and single pressures are not "
-          "to be used. Let the piece of the highest degree reach further, or "
-          "use Discretization = node to surface");
+          "adapt.too-many-constraints: body " + beam.name() + ": contact " +
+          contact.name +
+          " has more constraints than DoFs of LE with a lower degree, so only "
+          "its resultant force is accurate there. Extend the piece of the "
+          "highest degree, or use Discretization = node to surface");
   }
 
 

@@ -25,7 +25,7 @@ namespace lamella
 {
   namespace
   {
-    /// Throws NumericsError if no contact of @p run touches in its last step
+    /// Throws NumericsError if @p run has no active contact in its last step
     /// and all goals are zero.
     void
     check_active_contact(const Simulation &run)
@@ -36,9 +36,9 @@ namespace lamella
           std::all_of(all.begin(), all.end(), [&goals](const auto &quantity) {
             return goals.numbers().value(quantity) == 0.;
           }))
-        throw NumericsError("No contact touches in the last load step, and all "
-                            "goals are 0. Move or load the bodies towards each "
-                            "other until they touch.");
+        throw NumericsError(
+          "estimate.no-contact: No contact is active in the last load step, "
+          "and all goals are 0. Move or load the bodies towards each other.");
     }
   } // namespace
 
@@ -82,7 +82,7 @@ namespace lamella
       next = built();
     const double most = scene.goals.budget_dofs;
     if (most > 0 && next->results().n_dofs() > most)
-      throw NumericsError("the next model has " +
+      throw NumericsError("estimate.budget-exceeded: the next model has " +
                           std::to_string(next->results().n_dofs()) +
                           " DoFs, more than the budget of " +
                           std::to_string(scene.goals.budget_dofs));
@@ -135,7 +135,7 @@ namespace lamella
     };
     if (!passes.all().empty() && !goals.empty() &&
         std::all_of(goals.begin(), goals.end(), has_none))
-      throw NumericsError(goals.front().why);
+      throw NumericsError("estimate.no-error-bars: " + goals.front().why);
   }
 
 
@@ -155,10 +155,11 @@ namespace lamella
       if ((loads[k].force - before[k].force).norm() >
           pass_rules.loads_agree * size)
         throw NumericsError(
-          "load " + loads[k].name + " is " + to_text(loads[k].force) +
-          " on the next model and was " + to_text(before[k].force) +
-          ": it varies too fast for its integration. Give it as pieces, a load "
-          "each");
+          "estimate.load-not-integrated: load " + loads[k].name + " is " +
+          to_text(loads[k].force) + " on the next model and was " +
+          to_text(before[k].force) +
+          ": it varies too fast for its integration. Divide it into several "
+          "loads");
   }
 
 

@@ -79,11 +79,11 @@ namespace lamella
         if (level == along.size())
           {
             if (points.size() == most_points)
-              refuse(path,
-                     "the box has so many elements that its mean would take "
-                     "more than " +
-                       std::to_string(most_points) + " points",
-                     "Give a smaller box.");
+              refuse(
+                path,
+                "recover.box-too-fine: the mean over the box needs more than " +
+                  std::to_string(most_points) + " points",
+                "Give a smaller box.");
             points.push_back(x);
             weights.push_back(weight);
             return;
@@ -163,10 +163,10 @@ namespace lamella
           {
             const auto limits = body.bounding_box().get_boundary_points();
             refuse(path,
-                   "the box must lie in body '" + body.name() +
-                     "', which extends from " + to_text(limits.first) + " to " +
-                     to_text(limits.second) + ", but has the point " +
-                     to_text(points[i]),
+                   "recover.box-outside: the box must lie in body '" +
+                     body.name() + "', which extends from " +
+                     to_text(limits.first) + " to " + to_text(limits.second) +
+                     ", but has the point " + to_text(points[i]),
                    "Make it smaller or move the probe.");
           }
       return found;

@@ -24,10 +24,10 @@ namespace lamella
       throw InputError(
         path,
         name_of(StressValues::equilibrium),
-        "is of beams whose section is a laminate or a rectangle, "
-        "but body '" +
+        "recover.not-a-laminate: needs beams whose section is a laminate or a "
+        "rectangle, but body '" +
           body.name() + "' " + why,
-        "Take recovered, nodal or element.");
+        "Use recovered, nodal or element.");
     }
 
 
@@ -40,13 +40,14 @@ namespace lamella
         refuse(body, path, "is a solid");
       for (const Ply &ply : body.plies())
         if (ply.plane.normal_at || ply.plane.normal != Point<2>(0., 1.))
-          refuse(body, path, "has plies that do not lie level");
+          refuse(body, path, "has inclined plies");
       if (body.is_heated())
-        throw InputError(path,
-                         name_of(StressValues::equilibrium),
-                         "does not know of heat, and body '" + body.name() +
-                           "' has a Temperature",
-                         "Take recovered, nodal or element.");
+        throw InputError(
+          path,
+          name_of(StressValues::equilibrium),
+          "recover.equilibrium-with-heat: neglects heat, but body '" +
+            body.name() + "' has a Temperature",
+          "Use recovered, nodal or element.");
     }
 
 
@@ -141,7 +142,7 @@ namespace lamella
           const FacetInFrame   in_frame{body, frame, facet};
           const BoundingBox<2> cell(in_frame.corners());
           if (!in_frame.is_rectangle(cell))
-            refuse(body, path, "has cells in its section that are none");
+            refuse(body, path, "has section cells that are no rectangles");
           cells.push_back(cell);
         }
       return cells;
@@ -202,7 +203,7 @@ namespace lamella
       }
     const BoundingBox<2> all(corners);
     if (std::abs(all.volume() - area) > rounding * area)
-      refuse(body, path, "has a section with gaps or corners that turn in");
+      refuse(body, path, "has a section with gaps or reentrant corners");
     const auto [low, high] = all.get_boundary_points();
     const double y0 =
       box.frame.to_body(body.surface_facets("start")[0].corners[0])[1];

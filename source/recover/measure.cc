@@ -39,19 +39,21 @@ namespace lamella
 
 
 
-    /// What is subtracted from what: the two sides of the only minus between
-    /// blanks (names have some without).
+    /// Returns the two sides of the only minus between blanks (names may have
+    /// one without).
     std::vector<Entry>
     sides_of(const Entry &entry)
     {
       if (entry.is_empty())
-        entry.refuse_missing("write PROBE: COLUMN - PROBE: COLUMN.");
+        entry.refuse_missing(
+          "recover.difference-missing: write PROBE: COLUMN - PROBE: COLUMN.");
       const std::string &text  = entry.text();
       const auto         minus = text.find(difference);
       if (minus == std::string::npos ||
           text.find(difference, minus + 1) != std::string::npos)
-        entry.refuse("must be the difference of two columns, with one minus "
-                     "between blanks, as in tip: uz - root: uz");
+        entry.refuse(
+          "recover.difference-syntax: must be the difference of two columns, "
+          "with one minus between blanks, as in tip: uz - root: uz");
       return {Entry(entry.path(), trimmed(text.substr(0, minus))),
               Entry(entry.path(),
                     trimmed(text.substr(minus + difference.size())))};
@@ -59,20 +61,23 @@ namespace lamella
 
 
 
-    /// What @p entry, Over, divides by, with @p distance between the probes.
+    /// Returns the divisor of @p entry, Divided by, with @p distance between
+    /// the probes.
     double
     parse_over(const Entry &entry, const double distance)
     {
       if (entry.text() == "distance")
         {
           if (distance == 0.)
-            entry.refuse("the two probes are at the same place",
-                         "Move one of them, or give a number.");
+            entry.refuse(
+              "recover.same-point: the two probes are at the same point",
+              "Move one of them, or give a number.");
           return distance;
         }
       const double over = entry.number();
       if (over == 0.)
-        entry.refuse("must not be zero", "Give a number, or distance.");
+        entry.refuse("recover.zero-divisor: must not be zero",
+                     "Give a number, or distance.");
       return over;
     }
   } // namespace
@@ -101,11 +106,12 @@ namespace lamella
       }
     const NamedQuantity &a = quantity.terms[0], &b = quantity.terms[1];
     if (a.kind() != b.kind())
-      of.refuse(a.column + " and " + b.column +
+      of.refuse("recover.kinds-differ: " + a.column + " and " + b.column +
                   " are of different kinds and have no difference",
                 "Take two displacements, two strains or two stresses.");
     if (a.label() == b.label())
-      of.refuse("is zero whatever happens", "Name two probes, or two columns.");
+      of.refuse("recover.same-column: is always zero",
+                "Name two probes, or two columns.");
     quantity.over =
       parse_over(in["Divided by"], places.front().distance(places.back()));
     quantity.keeps_unit =
@@ -126,7 +132,8 @@ namespace lamella
       {
         const auto refuse = [&measure](const std::string &kind) {
           Entry("Measures", measure.name)
-            .refuse("'" + measure.name + "' is the name of a " + kind + ", too",
+            .refuse("recover.ambiguous-name: '" + measure.name +
+                      "' is the name of a " + kind + ", too",
                     "Rename one of the two.");
         };
         if (std::any_of(names.probes.begin(),

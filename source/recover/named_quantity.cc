@@ -113,8 +113,8 @@ namespace lamella
 
 
 
-    /// The column that @p words begin with, and the strip that they end with;
-    /// @p of_contact is whether there may be one.
+    /// Returns the column at the beginning of @p words and the strip at their
+    /// end; @p of_contact is whether a strip is allowed.
     std::pair<std::string, std::optional<ContactStrip>>
     parse_strip(const Entry       &text,
                 const std::string &words,
@@ -129,15 +129,16 @@ namespace lamella
       if (in == parts.end())
         return {column, std::nullopt};
       if (!of_contact)
-        text.refuse("only contacts have strips",
-                    "Leave out what follows " + column + ".");
+        text.refuse("recover.strip-without-contact: only contacts have strips",
+                    "Leave out the text after " + column + ".");
       const auto axis = parts.end() - in == 4 ? axis_of(in[1]) : std::nullopt;
       if (!axis)
-        text.refuse("a strip is written in AXIS FROM TO, as in roller: fz in "
-                    "y 40 60");
+        text.refuse(
+          "recover.strip-syntax: write a strip as in AXIS FROM TO, for example "
+          "roller: fz in y 40 60");
       const ContactStrip strip{*axis, text.number(in[2]), text.number(in[3])};
       if (!(strip.from < strip.to))
-        text.refuse("a strip must begin below its end",
+        text.refuse("recover.strip-empty: a strip must begin below its end",
                     "Exchange " + in[2] + " and " + in[3] +
                       ", or give it a width.");
       return {column, strip};
@@ -161,8 +162,8 @@ namespace lamella
 
 
 
-    /// What a support or a contact gives, if one is called @p name; @p words
-    /// are its column and strip, @p text is all that the scene says of it.
+    /// Returns the quantity of the support or contact @p name; @p words are its
+    /// column and strip, @p text is the whole entry.
     NamedQuantity
     find_resultant(const Entry         &text,
                    const std::string   &name,
@@ -172,8 +173,10 @@ namespace lamella
       const bool of_support = names.supports.count(name) > 0,
                  of_contact = names.contacts.count(name) > 0;
       if (of_support && of_contact)
-        text.refuse("both a support and a contact are called '" + name + "'",
-                    "Rename one of the two.");
+        text.refuse(
+          "recover.ambiguous-name: both a support and a contact are called '" +
+            name + "'",
+          "Rename one of the two.");
       NamedQuantity quantity;
       if (!of_support && !of_contact)
         return quantity;
@@ -184,9 +187,9 @@ namespace lamella
                        contact_quantity_names().begin(),
                        contact_quantity_names().end());
       if (std::find(columns.begin(), columns.end(), column) == columns.end())
-        text.refuse(name + " is no probe but a " +
-                    (of_contact ? "contact" : "resultant") +
-                    ": its quantities are " + joined(columns));
+        text.refuse("recover.unknown-column: the quantities of " +
+                    std::string(of_contact ? "contact " : "support ") + name +
+                    " are " + joined(columns));
       quantity.strip  = strip;
       quantity.of     = of_support ? NamedQuantity::ObjectKind::support :
                                      NamedQuantity::ObjectKind::contact;
@@ -202,7 +205,7 @@ namespace lamella
 
 
 
-    /// A column of @p probe, which @p place (NAME or NAME/PLY) begins with.
+    /// Returns a column of @p probe at @p place (NAME or NAME/PLY).
     NamedQuantity
     find_column(const Entry                    &text,
                 const Probe                    &probe,
@@ -221,13 +224,14 @@ namespace lamella
           const double     ply  = text.number(place[1]);
           if (place.size() > 2 ||
               !(ply >= 1. && ply <= most && ply == std::floor(ply)))
-            text.refuse("plies are counted from 1 at the bottom, as in tip/2: "
-                        "syz");
+            text.refuse(
+              "recover.ply-number: plies are numbered from 1 at the bottom, as "
+              "in tip/2: syz");
           quantity.ply = static_cast<unsigned int>(ply);
         }
       const auto &columns = field_names();
       if (std::find(columns.begin(), columns.end(), column) == columns.end())
-        text.refuse("a probe gives no '" + column + "'",
+        text.refuse("recover.unknown-column: a probe has no '" + column + "'",
                     "The nearest is '" + nearest_name(column, columns) +
                       "'; all of them: " + joined(columns) + ".");
       quantity.given = first_of(probe.references, column);
@@ -242,7 +246,8 @@ namespace lamella
   {
     const auto parts = text.items(':');
     if (parts.size() != 2)
-      text.refuse("write PROBE: COLUMN, as in tip: uz");
+      text.refuse(
+        "recover.quantity-syntax: write PROBE: COLUMN, as in tip: uz");
     const auto               place = split(parts[0], '/');
     std::vector<std::string> names;
     for (const Probe &probe : probes)
@@ -251,7 +256,7 @@ namespace lamella
           return find_column(text, probe, place, parts[1]);
         names.push_back(probe.name);
       }
-    text.refuse("no probe is called '" + parts[0] + "'",
+    text.refuse("recover.unknown-name: no probe is called '" + parts[0] + "'",
                 names.empty() ?
                   "Add it to Probes." :
                   "The nearest is '" + nearest_name(parts[0], names) + "'.");
@@ -263,12 +268,13 @@ namespace lamella
   parse_quantity(const Entry &text, const QuantityNames &names)
   {
     if (text.text().find_first_of(",;") != std::string::npos)
-      text.refuse("between quantities stands '|'",
+      text.refuse("recover.quantity-syntax: separate quantities by '|'",
                   "Write them as in tip: uz | clamp: fz.");
     const auto parts = text.items(':');
     if (parts.size() != 2)
-      text.refuse("write NAME: QUANTITY, as in tip: uz, with '|' between "
-                  "several");
+      text.refuse(
+        "recover.quantity-syntax: write NAME: QUANTITY, as in tip: uz, with "
+        "'|' between several");
     const auto place = split(parts[0], '/');
     for (const Probe &probe : names.probes)
       if (!place.empty() && probe.name == place[0])
@@ -277,7 +283,8 @@ namespace lamella
       if (measure.name == parts[0])
         {
           if (parts[1] != measure.quantity.column)
-            text.refuse(measure.name + " is a measure: its only quantity is " +
+            text.refuse("recover.unknown-column: " + measure.name +
+                        " is a measure; its only quantity is " +
                         measure.quantity.column);
           NamedQuantity quantity = measure.quantity;
           quantity.path          = text.path();
@@ -286,10 +293,11 @@ namespace lamella
     const NamedQuantity resultant =
       find_resultant(text, parts[0], parts[1], names);
     if (resultant.of == NamedQuantity::ObjectKind::undefined)
-      text.refuse("no probe, measure, support or contact is called '" +
-                    parts[0] + "'",
-                  "The nearest is '" +
-                    nearest_name(parts[0], all_names(names)) + "'.");
+      text.refuse(
+        "recover.unknown-name: no probe, measure, support or contact is called "
+        "'" +
+          parts[0] + "'",
+        "The nearest is '" + nearest_name(parts[0], all_names(names)) + "'.");
     return resultant;
   }
 
@@ -317,9 +325,10 @@ namespace lamella
         std::string(1, "xyz"[std::max((facing + 1) % 3, (facing + 2) % 3)])},
       " or ");
     const auto refuse_axis = [&](const std::string &what) {
-      entry.refuse("the contact faces along " + std::string(1, "xyz"[facing]) +
-                     ", where it has no " + what,
-                   "Take " + across + ".");
+      entry.refuse(
+        "recover.axis-along-normal: the contact normal points along " +
+          std::string(1, "xyz"[facing]) + ", where the contact has no " + what,
+        "Use " + across + ".");
     };
     if (quantity.column == std::string("width ") + "xyz"[facing])
       refuse_axis("width");
@@ -329,10 +338,12 @@ namespace lamella
       refuse_axis("strips");
     const auto [begin, end] = search_radius_along(points, quantity.strip->axis);
     if (quantity.strip->to <= begin || quantity.strip->from >= end)
-      entry.refuse("the strip is outside of the contact, which reaches from " +
-                     to_text(begin) + " to " + to_text(end) + " along " +
-                     "xyz"[quantity.strip->axis],
-                   "Move it there.");
+      entry.refuse(
+        "recover.strip-outside: the strip is outside of the contact, which "
+        "extends from " +
+          to_text(begin) + " to " + to_text(end) + " along " +
+          "xyz"[quantity.strip->axis],
+        "Move it there.");
   }
 
 
@@ -383,10 +394,13 @@ namespace lamella
       return;
     const Entry entry(quantity.path, quantity.label());
     if (plies == std::vector<std::string>{"0"})
-      entry.refuse("the probe is a box that reaches into several plies, and "
-                   "its mean is one of all of them",
-                   "Leave out the ply, or make the box smaller.");
-    entry.refuse("the probe does not lie in this ply but in " + joined(plies));
+      entry.refuse(
+        "recover.ply-of-box: the probe is a box over several plies, with one "
+        "mean for all of them",
+        "Leave out the ply, or make the box smaller.");
+    entry.refuse(
+      "recover.wrong-ply: the probe does not lie in this ply but in " +
+      joined(plies));
   }
 
 
@@ -396,8 +410,8 @@ namespace lamella
                    const std::vector<std::string> &plies)
   {
     Entry(quantity.path, quantity.label())
-      .refuse("the probe lies between the plies " + joined(plies) +
-                ", and the values there differ",
+      .refuse("recover.probe-on-interface: the probe lies between the plies " +
+                joined(plies) + ", whose values differ there",
               "Name one: " + quantity.name + "/" + plies.front() + ": " +
                 quantity.column + ".");
   }

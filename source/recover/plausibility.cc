@@ -179,15 +179,16 @@ namespace lamella
           }
     if (n_pairs > 0)
       sentences.push_back(
-        "bodies " + bodies[who.first]->name() + " and " +
-        bodies[who.second]->name() + " overlap by " + to_text(worst.value, 2) +
+        "recover.overlap-without-contact: bodies " + bodies[who.first]->name() +
+        " and " + bodies[who.second]->name() + " overlap by " +
+        to_text(worst.value, 2) +
         (units.length.empty() ? "" : " " + units.length) + " at " +
         to_text(worst.place) +
         (n_pairs > 1 ?
-           ", and " + std::to_string(n_pairs - 1) + " other pairs likewise" :
+           ", and so do " + std::to_string(n_pairs - 1) + " other pairs" :
            "") +
-        ": no contact is between them, so they pass through each other. Name "
-        "a Contact of the two surfaces that are to meet");
+        ": they have no contact and pass through each other. Add a Contact of "
+        "the two surfaces");
   }
 
 
@@ -231,21 +232,23 @@ namespace lamella
         // Body::size() is half the largest extension.
         const double length = 2. * body.size();
         if (strain.value > large_strain)
-          sentences.push_back(
-            "strains of body " + body.name() + " reach " +
-            to_text(100. * strain.value, 2) + " % at " + to_text(strain.place) +
-            ", and few solids are linear beyond 2 %" + remedy);
+          sentences.push_back("recover.implausible-strain: strains of body " +
+                              body.name() + " reach " +
+                              to_text(100. * strain.value, 2) + " % at " +
+                              to_text(strain.place) +
+                              "; few solids are linear beyond 2 %" + remedy);
         if (displacement.value > length)
           sentences.push_back(
-            "body " + body.name() + " moves by " +
-            to_text(displacement.value, 3) + " " + units.length + " at " +
-            to_text(displacement.place) + ", more than its " + "own length, " +
-            to_text(length, 3) + " " + units.length + remedy);
+            "recover.implausible-displacement: body " + body.name() +
+            " moves by " + to_text(displacement.value, 3) + " " + units.length +
+            " at " + to_text(displacement.place) +
+            ", more than its own length, " + to_text(length, 3) + " " +
+            units.length + remedy);
       }
     if (!is_rigid && largest < small_strain && largest > arithmetic::rounding)
-      sentences.push_back("strains reach " + to_text(largest, 2) +
-                          " and no more: intended loads cause larger ones" +
-                          remedy);
+      sentences.push_back("recover.implausible-strain: strains reach only " +
+                          to_text(largest, 2) +
+                          "; intended loads cause larger ones" + remedy);
   }
 
 
@@ -269,12 +272,12 @@ namespace lamella
         farthest->displacement.value >
           arithmetic::decimal_tolerance * structure.size())
       sentences.push_back(
-        "body " + bodies[farthest - moved.begin()]->name() + " moves by " +
+        "recover.rigid-motion: body " +
+        bodies[farthest - moved.begin()]->name() + " moves by " +
         to_text(farthest->displacement.value, 3) + " at " +
         to_text(farthest->displacement.place) +
-        ", and nothing is strained: it moves or tips over as a rigid body, no "
-        "force resists, and the displacement is arbitrary. Check where its "
-        "contacts and supports are");
+        " without strains: it is a rigid-body motion without resistance, of "
+        "arbitrary size. Check the positions of contacts and supports");
   }
 
 

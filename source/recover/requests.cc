@@ -21,12 +21,13 @@ namespace lamella
       {
         const auto parts = split(piece, ':');
         if (parts.size() < 3)
-          entry.refuse("'" + piece +
-                       "' must be quantity: value: source, with '|' between "
-                       "references");
+          entry.refuse(
+            "recover.reference-syntax: '" + piece +
+            "' must be quantity: value: source, with '|' between references");
         if (std::find(quantities.begin(), quantities.end(), parts[0]) ==
             quantities.end())
-          entry.refuse("there is no quantity '" + parts[0] + "'",
+          entry.refuse("recover.unknown-column: there is no quantity '" +
+                         parts[0] + "'",
                        "The nearest is '" + nearest_name(parts[0], quantities) +
                          "'; all of them: " + joined(quantities) + ".");
         references.push_back({parts[0],
@@ -48,7 +49,7 @@ namespace lamella
     parse_place(const Entry &entry, const std::vector<std::string> &bodies)
     {
       if (entry.is_empty())
-        entry.refuse_missing("write BODY: x, y, z.");
+        entry.refuse_missing("recover.position-missing: write BODY: x, y, z.");
       const auto [body, place] = parse_on_body(entry, bodies);
       return {body, entry.point(place)};
     }
@@ -107,8 +108,9 @@ namespace lamella
     const auto [body, position] = parse_place(in["At"], bodies);
     const dealii::Point<3> box  = in["Box"].point();
     if (box[0] < 0. || box[1] < 0. || box[2] < 0.)
-      in["Box"].refuse("the edges of a box must not be negative",
-                       "Give three lengths; 0 where it has no extent.");
+      in["Box"].refuse(
+        "recover.negative-edge: the edges of a box must not be negative",
+        "Give three lengths; 0 where it has no extent.");
     return {name,
             body,
             position,
@@ -142,9 +144,10 @@ namespace lamella
     const auto [first, from] = parse_place(in["From"], bodies);
     const auto [second, to]  = parse_place(in["To"], bodies);
     if (first != second)
-      in.refuse("From and To must be on the same body");
+      in.refuse("recover.two-bodies: From and To must be on the same body");
     if (from.distance(to) == 0.)
-      in.refuse("From and To are the same point", "Move one of them.");
+      in.refuse("recover.same-point: From and To are the same point",
+                "Move one of them.");
     return {name,
             first,
             from,
@@ -178,7 +181,9 @@ namespace lamella
   {
     const Entry at = in["At"];
     if (at.is_empty())
-      at.refuse_missing("write BODY: distance from the start of its axis.");
+      at.refuse_missing(
+        "recover.position-missing: write BODY: distance from the start of its "
+        "axis.");
     const auto [body, distance] = parse_on_body(at, bodies);
     return {name,
             body,

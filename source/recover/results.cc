@@ -280,8 +280,8 @@ namespace lamella
     {
       const auto place = std::find(names.begin(), names.end(), name);
       if (place == names.end())
-        throw InputError("The results have no " + kind + " '" + name +
-                         "'. They have: " + joined(names) + ".");
+        throw InputError("recover.unknown-name: The results have no " + kind +
+                         " '" + name + "'. They have: " + joined(names) + ".");
       return place - names.begin();
     }
   } // namespace
@@ -292,7 +292,7 @@ namespace lamella
   Results::last() const
   {
     if (steps.empty())
-      throw InputError("The results have no load step.");
+      throw InputError("recover.no-load-step: The results have no load step.");
     return steps.back();
   }
 
@@ -310,8 +310,9 @@ namespace lamella
         return row;
       else
         plies.push_back(std::to_string(row.ply + 1));
-    throw InputError("The probe '" + name + "' is not in ply " +
-                     std::to_string(ply) + " but in " + joined(plies) + ".");
+    throw InputError("recover.wrong-ply: The probe '" + name +
+                     "' is not in ply " + std::to_string(ply) + " but in " +
+                     joined(plies) + ".");
   }
 
 

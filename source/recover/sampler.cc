@@ -155,8 +155,8 @@ namespace lamella
     if (body.cut(cut.position, 1, Vector(body.n_dofs())).empty())
       throw InputError("Cut " + cut.name + "/At",
                        "",
-                       "the axis of body '" + body.name() +
-                         "' does not reach " + to_text(cut.position),
+                       "recover.cut-outside: the axis of body '" + body.name() +
+                         "' does not extend to " + to_text(cut.position),
                        "Give a distance from its start, up to its Length.");
   }
 

@@ -50,14 +50,13 @@ namespace lamella
         {
           const auto criterion = named<Criterion>(item);
           if (!criterion)
-            entry.refuse("there is no criterion '" + item + "'",
-                         "The nearest is '" +
-                           nearest_name(item, criterion_names()) +
-                           "'; all of them: " + joined(criterion_names()) +
-                           ".");
+            entry.refuse(
+              "recover.unknown-criterion: there is no criterion '" + item + "'",
+              "The nearest is '" + nearest_name(item, criterion_names()) +
+                "'; all of them: " + joined(criterion_names()) + ".");
           if (std::find(criteria.begin(), criteria.end(), *criterion) !=
               criteria.end())
-            entry.refuse("'" + item + "' stands there twice");
+            entry.refuse("recover.named-twice: '" + item + "' is given twice");
           criteria.push_back(*criterion);
         }
       return criteria;
@@ -81,7 +80,8 @@ namespace lamella
       std::sort(numbers.begin(), numbers.end());
       if (const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
           twice != numbers.end())
-        entry.refuse("'" + bodies[*twice] + "' stands there twice");
+        entry.refuse("recover.named-twice: '" + bodies[*twice] +
+                     "' is given twice");
       return numbers;
     }
 
@@ -92,16 +92,15 @@ namespace lamella
     {
       const std::vector<std::string> corners = split(text, ':');
       if (corners.size() != 2)
-        entry.refuse("'" + text + "' is no box: it must be two corners",
+        entry.refuse("recover.not-a-box: '" + text +
+                       "' must be two corners of a box",
                      "Write x, y, z: x, y, z, and '|' between boxes.");
       const std::array<Point<3>, 2> box = {
         {entry.point(corners[0]), entry.point(corners[1])}};
       for (unsigned int c = 0; c < 3; ++c)
         if (box[0][c] > box[1][c])
-          entry.refuse("'" + text +
-                         "' is no box: its first corner has the "
-                         "larger " +
-                         std::string(1, "xyz"[c]),
+          entry.refuse("recover.not-a-box: the first corner of box '" + text +
+                         "' has the larger " + std::string(1, "xyz"[c]),
                        "Give the corner with the smaller coordinates first.");
       return box;
     }
@@ -121,14 +120,15 @@ namespace lamella
     result.stress = in["Stress"].choice<StressValues>();
     if (result.stress != StressValues::recovered &&
         result.stress != StressValues::equilibrium)
-      in["Stress"].refuse("places near failure are judged by better stresses "
-                          "than the elements' own",
-                          "Write recovered or equilibrium.");
+      in["Stress"].refuse(
+        "recover.stress-not-accurate: reserve factors need more accurate "
+        "stresses than those of elements or nodes",
+        "Use recovered or equilibrium.");
     if (result.criteria.empty())
       for (const char *name : {"Bodies", "Excluded boxes"})
         if (!in[name].is_empty())
-          in[name].refuse("there are no Criteria to look at plies by",
-                          "Give some, or leave this out.");
+          in[name].refuse("recover.no-criteria: has no effect without Criteria",
+                          "Give Criteria, or leave this out.");
     return result;
   }
 } // namespace lamella

@@ -140,9 +140,9 @@ namespace lamella
           throw InputError(
             "Strength/Criteria",
             name_of(criterion),
-            "no ply that is looked at has it to fear",
-            "It is of cores, whose material has Core strengths, and of the "
-            "plies upon them; others are of plies that are no cores.");
+            "recover.criterion-unused: applies to no ply of the bodies",
+            "It applies to cores, whose material has Core strengths, and to "
+            "plies upon them; other criteria to plies that are no cores.");
       }
   }
 
@@ -155,14 +155,13 @@ namespace lamella
   {
     const std::string missing = missing_entry(criterion, ply.properties);
     if (!missing.empty())
-      throw InputError("Strength/Criteria",
-                       name_of(criterion),
-                       "material '" + ply.material + "' of body '" +
-                         body.name() + "' has no " + missing,
-                       "Give it " + missing + " in subsection Material " +
-                         ply.material +
-                         ", or leave out the criterion, or the body from "
-                         "Strength/Bodies.");
+      throw InputError(
+        "Strength/Criteria",
+        name_of(criterion),
+        "recover.strength-missing: material '" + ply.material + "' of body '" +
+          body.name() + "' has no " + missing,
+        "Give it " + missing + " in subsection Material " + ply.material +
+          ", or remove the criterion, or the body from Strength/Bodies.");
   }
 
 

@@ -114,17 +114,19 @@ namespace lamella
          prescribed_functionals(supports, bodies))
       if (row.row.body == worst->body && !supports[row.support].isostatic &&
           row.position.distance(x) <= near)
-        why = "support " + supports[row.support].name + " holds that point";
+        why = "support " + supports[row.support].name + " acts on that point";
     if (why.empty() && worst->stress_discrepancy > much)
       why = "the element's stress and the recovered one differ by " +
             to_text(100. * worst->stress_discrepancy, 2) + " % there";
     if (why.empty())
       return "";
-    return "the smallest reserve factor, " + to_text(*worst->reserve, 4) +
-           " of ply " + std::to_string(worst->ply + 1) + " of body '" +
+    return "recover.stress-singular: the smallest reserve factor, " +
+           to_text(*worst->reserve, 4) + " of ply " +
+           std::to_string(worst->ply + 1) + " of body '" +
            bodies[worst->body]->name() + "' at " + to_text(x) +
-           ", may be of a singular stress and fall with each refinement: " +
+           ", may belong to a singular stress and decrease with each "
+           "refinement: " +
            why +
-           "; leave the place out (Strength/Excluded boxes), or refine and see";
+           ". Exclude the place (Strength/Excluded boxes), or refine the mesh";
   }
 } // namespace lamella
