@@ -421,12 +421,9 @@ namespace lamella
                    rules.min_search_elements,
                    rules.max_search_elements));
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// Returns the grading targets of all automatic axes, on the current axes
     /// of @p bodies.
     std::vector<GradingTargets>

@@ -219,12 +219,9 @@ namespace lamella
         master->body().surface_point(facet.side, hit.st).location);
       return gap;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     std::optional<MasterPoint>
     master_point_for(const ContactSurfacePair &sides, const SurfacePoint &point)
     {

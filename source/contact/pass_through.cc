@@ -139,12 +139,9 @@ namespace lamella
                                 surface.facets()[projection->facet].depth) ==
                deep_penetrations;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// The nodes of both surfaces before and after, how far they move towards
     /// each other at most, and the shallowest and the deepest cell below them.
     struct Passage

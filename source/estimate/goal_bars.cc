@@ -146,12 +146,9 @@ namespace lamella
         add_support_effects(run, out, cache, *goals);
       return goals;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// Returns the bars of a @p run with large rotations, by a coarser axis.
     GoalBars
     bars_for_large_rotations(const Simulation &run,

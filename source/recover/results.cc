@@ -236,9 +236,16 @@ namespace lamella
   {
     std::vector<std::string> warnings = notes;
     for (const StepWarning &warning : warnings_by_kind(*this))
-      warnings.push_back(
-        (load_steps > 1 || warning.at_failure ? place_of(warning) : "") +
-        warning.text);
+      {
+        // The place follows the identifier.
+        static const std::regex identifier(R"(^[a-z]+\.[a-z0-9-]+: )");
+        std::string             text = warning.text;
+        std::smatch             found;
+        std::regex_search(text, found, identifier);
+        if (load_steps > 1 || warning.at_failure)
+          text.insert(found.length(), place_of(warning));
+        warnings.push_back(text);
+      }
     warnings.insert(warnings.end(), endnotes.begin(), endnotes.end());
     return merged(warnings);
   }

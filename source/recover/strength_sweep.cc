@@ -30,12 +30,9 @@ namespace lamella
       constexpr double nothing_left = 1e-6;
       return 1. / std::max(*assessment.reserve, nothing_left);
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// The points of elements that share corners come several times.
     std::vector<Point<3>>
     without_duplicates(std::vector<Point<3>> points, const double same)

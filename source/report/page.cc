@@ -59,9 +59,9 @@ namespace lamella
   {
     const std::string python = python_with("jinja2");
     if (python.empty())
-      throw InputError("report: there is no python3 with Jinja2 to make the "
-                       "page with. Install the package python3-jinja2, as "
-                       "scripts/setup does.");
+      throw InputError(
+        "report.no-jinja2: there is no python3 with Jinja2 to make the page. "
+        "Install the package python3-jinja2, as scripts/setup does.");
     // Names of files are UTF-8 whatever the user's language is.
     exec_program(python,
                  {"-X",

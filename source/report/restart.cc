@@ -191,8 +191,8 @@ namespace lamella
     };
     std::ifstream file(directory + name, std::ios::binary);
     if (!file)
-      fail("there is no run of Lamella to go on with. Leave out --resume, or "
-           "name its folder.");
+      fail("report.no-restart: there is no run of Lamella to resume. Leave out "
+           "--resume, or name its folder.");
     Restart restart;
     try
       {
@@ -201,26 +201,31 @@ namespace lamella
       }
     catch (const std::exception &)
       {
-        fail("its file 'restart' is damaged, or of another program. Run the "
-             "scene from the start, without --resume.");
+        fail(
+          "report.restart-damaged: its file 'restart' is damaged, or of "
+          "another program. Run the scene from the start, without --resume.");
       }
     if (restart.version != version())
-      fail("the run is of version " + restart.version +
+      fail("report.restart-version: the run is of version " + restart.version +
            " of Lamella, this is " + version() +
            ". Run the scene from the start, without --resume.");
     if (restart.scene.size() > scene.size() &&
         restart.scene.compare(0, scene.size(), scene) == 0)
-      fail("the run has changed the axis or the contacts of its scene, as the "
-           "end of " +
-           directory +
-           "/scene.prm says, and cannot go on from there. Run the scene from "
-           "the start, without --resume.");
+      fail(
+        "report.restart-revised: the run has changed the axis or the contacts "
+        "of its scene, as the end of " +
+        directory +
+        "/scene.prm says, and cannot be resumed. Run the scene from the start, "
+        "without --resume.");
     if (restart.scene != scene)
-      fail("the run is of another scene; what it is of stands in " + directory +
-           "/scene.prm. Give that scene, or leave out --resume.");
+      fail(
+        "report.restart-of-other-scene: the run is of another scene, which is "
+        "in " +
+        directory + "/scene.prm. Give that scene, or leave out --resume.");
     if (restart.finished)
-      fail("the run is finished; nothing is left to resume. Leave out --resume "
-           "to run it anew.");
+      fail(
+        "report.restart-finished: the run is finished. Leave out --resume to "
+        "run it anew.");
     return restart;
   }
 } // namespace lamella

@@ -75,12 +75,14 @@ namespace lamella
         alone = descriptor >= 0 || !writes;
       }
     if (!true_on_all_processes(writes))
-      throw InputError("results cannot be written there. Name a folder that "
-                       "can be created and written.")
+      throw InputError(
+        "report.folder-not-writable: results cannot be written there. Name a "
+        "folder that can be created and written.")
         .at("--output " + folder + ": ");
     if (!true_on_all_processes(alone))
-      throw InputError("another run is at work there. Wait for it, or name "
-                       "another folder.")
+      throw InputError(
+        "report.folder-in-use: another run writes there. Wait for it, or name "
+        "another folder.")
         .at("--output " + folder + ": ");
   }
 
@@ -137,16 +139,16 @@ namespace lamella
   ResultsFolder::make_room()
   {
     if (!true_on_all_processes(still_exists()))
-      throw InputError("the folder was removed or renamed while the run was at "
-                       "work, and what it had written with it. Run the scene "
-                       "again.")
+      throw InputError(
+        "report.folder-removed: the folder was removed or renamed during the "
+        "run, with its results. Run the scene again.")
         .at("--output " + folder + ": ");
     if (is_cleared)
       return;
     is_cleared = true;
     if (is_root_process())
       remove_earlier_results(folder);
-    // Nobody writes before all of it is gone.
+    // No process writes before all of it is removed.
     true_on_all_processes(true);
   }
 } // namespace lamella

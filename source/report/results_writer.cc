@@ -46,8 +46,10 @@ namespace lamella
           std::error_code   error;
           const std::string path = place.path() + "/" + name;
           if (std::filesystem::file_size(path, error) < size || error)
-            throw InputError(name + " has become shorter since. Run the scene "
-                                    "from the start, without --resume.")
+            throw InputError(
+              "report.file-truncated: " + name +
+              " has been truncated. Run the scene from the start, without "
+              "--resume.")
               .at("--resume --output " + place.path() + ": ");
           std::filesystem::resize_file(path, size);
         }

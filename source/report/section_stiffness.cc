@@ -45,8 +45,9 @@ namespace lamella
             const double scale = std::sqrt(m[i][i]) * std::sqrt(m[j][j]);
             if (!(scale > 0.) || !std::isfinite(m[i][j]))
               throw NumericsError(
-                "The section's cells are too thin, or its stiffnesses too far "
-                "apart, for what double precision holds.");
+                "report.section-ill-conditioned: The section is too "
+                "ill-conditioned for double precision: its cells are too thin, "
+                "or its stiffnesses differ too much.");
             if (i != j && std::abs(m[i][j]) < negligible * scale)
               m[i][j] = 0.;
           }
@@ -88,8 +89,9 @@ namespace lamella
                                  result.kGA_x,
                                  result.kGA_z})
         if (!(value > 0.) || !std::isfinite(value))
-          throw NumericsError("The section's 6 x 6 compliance has lost its "
-                              "digits: its stiffnesses are too far apart.");
+          throw NumericsError(
+            "report.section-ill-conditioned: The 6 x 6 compliance of the "
+            "section is too ill-conditioned: its stiffnesses differ too much.");
       return result;
     }
 
@@ -188,7 +190,8 @@ namespace lamella
       {
         if (n_dofs(*mesh, theory.order) > max_dofs)
           throw NumericsError(
-            "The section has more than 300,000 DoFs in LE-1. Mesh it coarser.");
+            "report.section-too-large: The section has more than 300,000 DoFs "
+            "in LE-1. Use a coarser mesh.");
         compute(*make_section(std::move(mesh), theory), result);
       }
     catch (const NumericsError &error)

@@ -84,12 +84,9 @@ namespace lamella
         }
       out << "\n";
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// `Xt 2326.2, Xc 1200.1`.
     std::string
     listed(const std::vector<std::pair<const char *, double>> &numbers)

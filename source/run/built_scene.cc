@@ -112,14 +112,14 @@ namespace lamella
     for (const auto &body : whole->bodies())
       if (const SolverKind kind = body->solver_kind(given.solve.solver);
           body->has_finite_rotations() && kind == SolverKind::cg)
-        throw InputError("Linear solver",
-                         name_of(given.solve.solver),
-                         "with Rotations = large each stiffness is factorized, "
-                         "which tells whether a state is stable, and body '" +
-                           body->name() + "' with " +
-                           std::to_string(body->n_dofs()) +
-                           " DoFs would be solved by cg",
-                         "Choose cholmod, or fewer hexahedra.");
+        throw InputError(
+          "Linear solver",
+          name_of(given.solve.solver),
+          "run.cg-with-large-rotations: Rotations = large checks stability by "
+          "factorizing each stiffness, but body '" +
+            body->name() + "' with " + std::to_string(body->n_dofs()) +
+            " DoFs would be solved by cg",
+          "Use cholmod, or fewer hexahedra.");
   }
 
 
@@ -315,14 +315,14 @@ namespace lamella
     throw InputError(
       "Contact " + contacts[worst].name + "/Overclosure",
       name_of(given.contacts[worst].overclosure),
-      "the bodies '" + whole->bodies()[contacts[worst].first_body]->name() +
-        "' and '" + contacts[worst].second_name +
-        "' overlap from the start by " + to_text(deepest, 4) + " at " +
-        to_text(place) +
-        ", where supports hold both: no contact force can push them apart "
-        "there",
-      "Take Overclosure = adjust, which takes the overlap out of the gaps "
-      "without strain, or move the bodies apart by that.");
+      "run.overlap-supported: the bodies '" +
+        whole->bodies()[contacts[worst].first_body]->name() + "' and '" +
+        contacts[worst].second_name + "' overlap at the start by " +
+        to_text(deepest, 4) + " at " + to_text(place) +
+        ", where both have supports, so that no contact force can separate "
+        "them",
+      "Use Overclosure = adjust, which subtracts the overlap from the gaps, or "
+      "move the bodies apart.");
   }
 
 

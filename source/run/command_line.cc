@@ -58,7 +58,9 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       const bool   is_number = number_error(text).rule.empty();
       const double n         = is_number ? to_number(text) : 0.;
       if (!(n >= 1. && n <= 1024. && n == std::floor(n)))
-        throw InputError("--threads must be a whole number from 1 to 1024.");
+        throw InputError(
+          "run.threads-out-of-range: --threads must be a whole number from 1 "
+          "to 1024.");
       return static_cast<unsigned int>(n);
     }
 
@@ -71,11 +73,12 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       if (!command.overrides.empty() || command.validate ||
           command.print_parameters || command.resume)
         throw InputError(
-          "report tells what a run has left and takes --output only: --set, "
+          "run.option-not-for-report: report takes --output only: --set, "
           "--validate, --print-parameters and --resume belong to a run.");
       if (!command.version && !command.help && command.scene.empty())
-        throw InputError("no folder is given: name the one that a run has left "
-                         "its results in, lamella report DIR.");
+        throw InputError(
+          "run.no-folder: no folder is given. Name the results folder of a "
+          "run: lamella report DIR.");
     }
 
 
@@ -86,11 +89,12 @@ by Ctrl-C, which says what stands in the folder and how to go on.
     {
       if (!command.overrides.empty() || command.validate ||
           command.print_parameters || command.resume || !command.output.empty())
-        throw InputError("new writes a scene, NAME.prm, and takes --kind only: "
-                         "all other options belong to a run of it.");
+        throw InputError(
+          "run.option-not-for-new: new writes a scene and takes --kind only; "
+          "all other options belong to a run.");
       if (!command.version && !command.help && command.scene.empty())
-        throw InputError("no name is given: say lamella new NAME, and NAME.prm "
-                         "is written.");
+        throw InputError(
+          "run.no-name: no name is given. lamella new NAME writes NAME.prm.");
     }
 
 
@@ -102,14 +106,16 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       using Task           = CommandLine::Task;
       const bool exporting = command.task == Task::export_calculix;
       if (exporting && !calculix)
-        throw InputError("export writes decks of CalculiX only: say lamella "
-                         "export --calculix SCENE.prm.");
+        throw InputError(
+          "run.export-without-format: export writes decks of CalculiX only: "
+          "use lamella export --calculix SCENE.prm.");
       if (!exporting && (calculix || !command.element.empty() ||
                          !command.contact_stiffness.empty()))
-        throw InputError("--calculix, --element and --contact-stiffness belong "
-                         "to lamella export.");
+        throw InputError(
+          "run.option-of-export: --calculix, --element and --contact-stiffness "
+          "belong to lamella export.");
       if (command.task != Task::new_scene && !command.kind.empty())
-        throw InputError("--kind belongs to lamella new.");
+        throw InputError("run.option-of-new: --kind belongs to lamella new.");
       if (command.task == Task::report)
         return check_report(command);
       if (command.task == Task::new_scene)
@@ -117,17 +123,17 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       if (command.task != Task::run &&
           (command.validate || command.print_parameters || command.resume))
         throw InputError(
-          "--validate, --print-parameters and --resume belong to "
-          "a run: leave out trade or export. (A trade goes on by "
+          "run.option-of-run: --validate, --print-parameters and --resume "
+          "belong to a run: leave out trade or export. (A trade resumes by "
           "itself.)");
       if (command.resume && (command.validate || command.print_parameters))
         throw InputError(
-          "--resume goes on with a run; leave out --validate and "
-          "--print-parameters.");
+          "run.options-conflict: --resume continues a run: leave out "
+          "--validate and --print-parameters.");
       const bool needs_scene =
         !command.version && !command.help && !command.print_parameters;
       if (needs_scene && command.scene.empty())
-        throw InputError("no scene is given.\n" + usage());
+        throw InputError("run.no-scene: no scene is given.\n" + usage());
     }
 
 
@@ -187,12 +193,13 @@ by Ctrl-C, which says what stands in the folder and how to go on.
             else if (takes_value(word))
               {
                 if (i + 1 == words.size())
-                  throw InputError(word + " needs a value after it.");
+                  throw InputError("run.value-missing: " + word +
+                                   " needs a value after it.");
                 take(word, words[++i]);
               }
             else if (word.compare(0, 1, "-") == 0)
-              throw InputError("there is no option " + word +
-                               "; the nearest is " +
+              throw InputError("run.unknown-option: there is no option " +
+                               word + "; the nearest is " +
                                nearest_name(word, options()) + ".");
             else
               set_scene_file(word);
@@ -228,10 +235,9 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       {
         if (!result.scene.empty())
           throw InputError(
-            std::string(result.task == CommandLine::Task::report ?
-                          "one folder" :
-                          "one scene") +
-            " at a time: both '" + result.scene + "' and '" + word +
+            std::string("run.two-scenes: only one ") +
+            (result.task == CommandLine::Task::report ? "folder" : "scene") +
+            " can be given, but both '" + result.scene + "' and '" + word +
             "' are given.");
         result.scene = word;
       }

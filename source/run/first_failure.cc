@@ -39,12 +39,12 @@ namespace lamella
         std::none_of(structure.prescribed().begin(),
                      structure.prescribed().end(),
                      is_driven))
-      throw InputError("Find",
-                       "first failure",
-                       "there is no load: nothing in the scene grows with the "
-                       "load factor",
-                       "Add a load (temperatures do not grow), Gravity, or a "
-                       "displacement of a support or an obstacle.");
+      throw InputError(
+        "Find",
+        "first failure",
+        "run.no-growing-load: no load of the scene grows with the load factor",
+        "Add a load (temperatures do not grow), Gravity, or a "
+        "displacement of a support or an obstacle.");
   }
 
 
@@ -151,11 +151,11 @@ namespace lamella
   {
     const std::string safe = to_text(result.safe, 6);
     if (!upper())
-      return "no ply fails up to load factor " + safe;
+      return "run.no-failure: no ply fails up to load factor " + safe;
     if (*upper() != without_state)
       return "";
-    return "no ply fails up to load factor " + safe + ", and at " +
-           to_text(*without_state, 6) +
-           " there is no result to judge: " + reason;
+    return "run.failure-not-found: no ply fails up to load factor " + safe +
+           ", and at " + to_text(*without_state, 6) +
+           " there is no result: " + reason;
   }
 } // namespace lamella

@@ -61,7 +61,7 @@ namespace lamella
           ", taken by Rotations = auto: " + why;
     out << why << std::endl;
     (linear_suffices ? large : linear).reset();
-    chosen().add_endnote(why);
+    chosen().add_endnote("run.rotations-chosen: " + why);
   }
 
 

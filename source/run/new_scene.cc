@@ -39,9 +39,10 @@ namespace lamella
           return replaced(replaced(text, "NAME.prm", file),
                           "results/NAME",
                           "results/" + name);
-      throw InputError("there is no template of that kind; the nearest is " +
-                       nearest_name(kind, kinds_of_new_scenes()) +
-                       ", all of them: " + joined(kinds_of_new_scenes()) + ".")
+      throw InputError(
+        "run.unknown-kind: there is no template of that kind; the nearest is " +
+        nearest_name(kind, kinds_of_new_scenes()) +
+        ", all of them: " + joined(kinds_of_new_scenes()) + ".")
         .at("--kind " + kind + ": ");
     }
   } // namespace
@@ -71,14 +72,17 @@ namespace lamella
       text_of(kind, file, fs::path(file).stem().string());
     std::error_code error;
     if (fs::exists(file, error))
-      throw InputError(file + " is there already, and is not overwritten. Name "
-                              "another scene, or remove it.")
+      throw InputError(
+        "run.scene-exists: " + file +
+        " exists and is not overwritten. Name another scene, or remove it.")
         .at(place);
     OutputFile target(file);
     target.stream() << text;
     if (!target.stream() || !target.commit())
-      throw InputError(file + " cannot be written. Name a scene in a folder "
-                              "that is there and can be written.")
+      throw InputError(
+        "run.scene-not-writable: " + file +
+        " cannot be written. Name a scene in a folder that exists and can be "
+        "written.")
         .at(place);
     out << "Scene: " << file << " (" << kind << "). It runs as it is: lamella "
         << file << std::endl;

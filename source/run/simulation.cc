@@ -106,9 +106,10 @@ namespace lamella
       scene.contacts.push_back(part);
       scene.contact_references[part.name];
       return "contact " + whole + ": an end of body '" + body +
-             "' presses where constraints on faces do not hold it. Its nodes "
-             "have their own, contact " +
-             part.name + ", whose force is in that of " + whole + " as well";
+             "' is in contact outside of the face constraints. Contact " +
+             part.name +
+             " of its nodes is added; its force is included in that of " +
+             whole;
     }
   } // namespace
 
@@ -195,7 +196,7 @@ namespace lamella
   Simulation::solve_as_built(const Observer &observer)
   {
     prepare();
-    // What touched is told by rows where pairs may be others in the next step.
+    // Active constraints are evaluated before the next step pairs them anew.
     if (last_has_state_only &&
         (!path->has_more() || built->structure().has_finite_rotations()))
       complete_last_step();

@@ -81,10 +81,10 @@ namespace lamella
       }
     return names.empty() ?
              "" :
-             "nothing presses in contact " + joined(names) +
-               ": no load step brings more than a force of rounding there. "
-               "Close the gap (Origin of a body, Through of an obstacle), or "
-               "check the direction of loads and prescribed displacements";
+             "run.idle-contact: no force acts in contact " + joined(names) +
+               " in any load step. Close the gap (Origin of a body, Through of "
+               "an obstacle), or check the direction of loads and prescribed "
+               "displacements";
   }
 
 
@@ -135,11 +135,11 @@ namespace lamella
     add(warnings_of_isostatic_supports(solved));
     if (solved.change && *solved.change > scene.solve.substeps.tolerance)
       warnings.push_back(
-        "twice as many substeps, " + std::to_string(solved.substeps) +
-        ", still changed the load step by " +
+        "run.substeps-too-few: doubling the substeps, to " +
+        std::to_string(solved.substeps) + ", still changed the load step by " +
         to_text(100. * *solved.change, 2) +
-        " %: where it slips while pressures change, results depend on the way; "
-        "put load factors between");
+        " %: results depend on the load path where contacts slip. Add load "
+        "factors between");
     add(warnings_of_defects(sampled.defects));
     if (built.strength() != nullptr)
       if (const std::string doubt = worst_reserve_warning(
@@ -153,21 +153,21 @@ namespace lamella
 
   namespace
   {
-    /// Returns a warning that points @p spacing apart touch the roller of
-    /// @p contact, with the remedy; a line to it if @p may_be.
+    /// Returns a warning that contact points on the roller of @p contact are
+    /// @p spacing apart. Suggests line contact if @p may_be.
     std::string
     describe_coarse_points(const ContactInterface &contact,
                            const double            spacing,
                            const bool              may_be)
     {
       const double radius = contact.obstacle->radius;
-      return "contact " + contact.name + ": points that touch are " +
-             to_text(spacing, 3) + " apart on a roller of radius " +
-             to_text(radius, 4) +
-             ", so that the direction of its force is off by up to " +
-             to_text(0.5 * spacing / radius, 2) + " rad: take " +
+      return "run.roller-points-too-coarse: contact " + contact.name +
+             ": contact points are " + to_text(spacing, 3) +
+             " apart on a roller of radius " + to_text(radius, 4) +
+             ", so the direction of its force has an error of up to " +
+             to_text(0.5 * spacing / radius, 2) + " rad. Use " +
              (may_be ? "Discretization = line to roller, or " : "") +
-             "shorter elements wherever it touches";
+             "shorter elements at the roller";
     }
   } // namespace
 
@@ -192,10 +192,10 @@ namespace lamella
                      contact.discretization == Discretization::line_to_roller;
         if (is_line && wraps_around)
           warnings.push_back(
-            "contact " + contact.name + ": the body bends around '" +
-            contact.second_name +
-            "', where a line is not all that touches: take Discretization = "
-            "auto or surface to surface");
+            "run.line-contact-not-valid: contact " + contact.name +
+            ": the body bends around '" + contact.second_name +
+            "', so the contact is no line. Use Discretization = auto or "
+            "surface to surface");
         if (is_line || wraps_around)
           continue;
         const ContactArc arc = contact_arc(contact, active);
@@ -276,18 +276,19 @@ namespace lamella
         0. :
         std::sqrt(1.5 * contact.obstacle->radius * penetration.depth);
     throw UndetectedPenetration(
-      "contact " + contact.name + ": nothing touches, but '" +
+      "run.penetration-undetected: contact " + contact.name +
+        ": no point is in contact, but '" +
         (penetration.of_second ?
            structure.bodies()[contact.first_body]->name() :
            contact.second_name) +
         "' is inside of the body at " + to_text(penetration.position) +
         ", between its points, by " + to_text(penetration.depth, 2) +
-        ". Give body '" + structure.bodies()[body]->name() +
+        ". Use for body '" + structure.bodies()[body]->name() +
         "' Axis elements = auto, or " +
         (longest > 0. ? "elements of at most " + to_text(longest, 2) :
                         std::string("shorter elements")) +
         " there (Axis breaks)" +
-        (longest > 0. ? "; or take Discretization = line to roller." : "."),
+        (longest > 0. ? ", or Discretization = line to roller." : "."),
       body,
       scene.bodies[body].placement.to_body(penetration.position)[1],
       longest);
@@ -297,7 +298,8 @@ namespace lamella
 
   namespace
   {
-    /// Bodies whose ends have rows, and against which others, by name.
+    /// Returns pairs of names: a body whose ends have contact constraints, and
+    /// the other body.
     std::set<std::pair<std::string, std::string>>
     ends_with_rows(const std::vector<ContactInterface> &contacts,
                    const Bodies                        &bodies)
@@ -357,7 +359,7 @@ namespace lamella
                     other = contact.second_name;
         if (end->second)
           std::swap(one, other);
-        // Of several contacts of the same surfaces one says it.
+        // Contacts of the same surfaces give one warning.
         if (!have_rows.emplace(one, other).second)
           continue;
         const bool is_automatic = built.contact_objects()[c]->is_automatic();
@@ -365,12 +367,12 @@ namespace lamella
           missing.push_back({c, end->second});
         (is_automatic ? of_missing : warnings)
           .push_back(
-            "contact " + contact.name + ": an end of body '" + one + "' is " +
-            to_text(end->depth, 2) + " behind the surface of body '" + other +
-            "', where no row holds it: beside this contact take one of the same "
-            "surfaces with Discretization = edge to surface, whose Points on are "
-            "of body '" +
-            one + "'");
+            "run.end-penetration: contact " + contact.name +
+            ": an end of body '" + one + "' is " + to_text(end->depth, 2) +
+            " behind the surface of body '" + other +
+            "', where it has no contact constraints. Add a contact of the same "
+            "surfaces with Discretization = edge to surface and body '" +
+            one + "' as Slave side");
       }
     if (!missing.empty())
       throw MissingEnds(of_missing.front(), missing);
@@ -382,8 +384,8 @@ namespace lamella
   double
   StepRecorder::largest_moment(const SolvedStep &solved) const
   {
-    // Couples bear on thin sections with forces that are far larger than what
-    // they are over the size of the scene.
+    // Couples act on thin sections by forces far larger than the couple over
+    // the size of the scene.
     const double size    = structure.size();
     double       largest = 0.;
     for (const LoadResultant &load : structure.load_resultants())
@@ -417,8 +419,8 @@ namespace lamella
     constexpr double         worth_saying = 1e-3;
     const Checks            &checks       = solved.checks;
     std::vector<std::string> warnings;
-    // What balances on the undeformed body (check_isostatic_balance()) need not
-    // where it has gone.
+    // Loads that balance on the undeformed body (check_isostatic_balance())
+    // need not balance on the deformed one.
     double largest = 0.;
     if (checks.is_large)
       largest = std::max(
@@ -438,16 +440,15 @@ namespace lamella
         if (scene.supports[s].isostatic && share > worth_saying &&
             (checks.is_large || !checks.contacts.empty()))
           warnings.push_back(
-            "the hold of body '" +
+            "run.isostatic-support-loaded: the isostatic support of body '" +
             structure.bodies()[scene.supports[s].isostatic->body]->name() +
-            "' bears a force of " + to_text(reaction.force) +
+            "' carries a force of " + to_text(reaction.force) +
             " and a moment of " + to_text(reaction.moment) + ", " +
             to_text(100. * share, 2) + " % of the largest: " +
             (checks.is_large ?
-               "where bodies have gone loads and contact forces " :
+               "loads and contact forces on the deformed bodies " :
                "contact forces off their main direction ") +
-            "do not balance in motions that it takes out. Put a support where "
-            "the real one is, if that is too much");
+            "do not balance. Add a real support if that is too much");
       }
     return warnings;
   }
@@ -467,12 +468,12 @@ namespace lamella
           const double       share) {
         if (share > much)
           warnings.push_back(
-            kind + " " + name +
-            ": transverse stresses by equilibrium miss the traction on the "
-            "upper face by " +
+            "run.equilibrium-defect: " + kind + " " + name +
+            ": the error of transverse stresses by equilibrium at the upper "
+            "face is " +
             to_text(100. * share, 2) +
-            " % of the largest; put more elements along the axis there, or "
-            "look further away from supports, edges and concentrated loads");
+            " % of the largest. Use more elements along the axis there, or a "
+            "place further away from supports, edges and concentrated loads");
       });
     return warnings;
   }

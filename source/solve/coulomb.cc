@@ -644,12 +644,9 @@ namespace lamella
                           rules.slow_decrease_factor));
       return best;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// @p problem with the softness @p share of each point's largest diagonal
     /// entry, about @p lambda: a proximal point.
     CoulombProblem

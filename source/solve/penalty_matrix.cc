@@ -128,12 +128,9 @@ namespace lamella
       all.compress();
       return dofs_of(all);
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// The DoFs that remain of @p dofs, flagged in @p written.
     void
     add_free(const Constraints &constraints,
