@@ -177,8 +177,7 @@ namespace lamella
 
 
 
-    /// What a piece tells: weighted section vectors, and how far from the held
-    /// end each is.
+    /// Weighted section vectors of a piece, and their distances from the end.
     struct Snapshots
     {
       std::vector<Vector> vectors;

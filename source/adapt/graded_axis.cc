@@ -202,8 +202,7 @@ namespace lamella
 
 
 
-    /// The smallest gaps of @p contact at each place along the axis of the body
-    /// @p number, @p beam.
+    /// Smallest gaps of @p contact along the axis of @p beam, body @p number.
     std::map<double, double>
     gaps_along(const ContactInterface &contact,
                const unsigned int      number,
@@ -424,8 +423,7 @@ namespace lamella
 
 
 
-    /// Returns the grading targets of all automatic axes, on the current axes
-    /// of @p bodies.
+    /// Returns the grading targets of all automatic axes of @p bodies.
     std::vector<GradingTargets>
     grading_targets(const std::vector<BodyDescription> &bodies,
                     const SectionMeshes                &meshes,

@@ -18,8 +18,7 @@ namespace lamella
 
 
 
-    /// Returns whether @p region of @p beam is a side, or a line along the
-    /// axis.
+    /// Returns whether @p region of @p beam is a side or a line along the axis.
     bool
     acts_along(const Region &region, const Beam &beam)
     {

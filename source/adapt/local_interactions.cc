@@ -230,8 +230,7 @@ namespace lamella
 
 
 
-    /// What @p contact presses and, along two tangents, rubs of the body number
-    /// @p body, @p beam.
+    /// Normal and tangential tractions of @p contact on @p beam, body @p body.
     void
     add_contact(const Beam                    &beam,
                 const unsigned int             body,

@@ -95,8 +95,7 @@ namespace lamella
 
 
 
-    /// The fields that each node of @p beam carries, @p near the groups of
-    /// each.
+    /// Fields at each node of @p beam; @p near are the groups of each.
     FieldLists
     lists_of(const Beam                                &beam,
              const std::vector<std::set<unsigned int>> &near,
@@ -127,8 +126,7 @@ namespace lamella
 
 
 
-    /// What supports hold of a node whose groups are @p near, but clamps, on
-    /// average.
+    /// Mean share of a node's fields that supports (no clamps) constrain.
     double
     mean_constrained(const std::vector<std::set<unsigned int>> &near,
                      const SectionFields                       &fields)
@@ -262,8 +260,7 @@ namespace lamella
 
 
 
-    /// The heat of @p beam at as many nodes of its axis as span that at the
-    /// others.
+    /// Heat of @p beam at nodes whose values span those at the others.
     std::vector<Beam::SectionThermalLoad>
     independent_heat(const Beam &beam, const FieldRules &rules)
     {
@@ -335,8 +332,7 @@ namespace lamella
 
 
 
-    /// @p beam, on the same axis, with the fields @p lists of @p space at its
-    /// nodes.
+    /// Returns @p beam with the fields @p lists of @p space at its nodes.
     std::unique_ptr<Beam>
     with_lists(const Beam                                   &beam,
                const std::shared_ptr<const SectionSpace>    &space,
@@ -422,8 +418,7 @@ namespace lamella
 
 
 
-    /// From where to where along the body number @p body stresses are asked
-    /// for.
+    /// Interval along body @p body in which stresses are requested.
     std::vector<std::pair<double, double>>
     requested_ranges(const unsigned int              body,
                      const std::vector<StressRange> &requested)
@@ -501,8 +496,7 @@ namespace lamella
           *beams[b], b, descriptions[b].pieces, contacts, notes);
     for (auto &[key, of_section] : loaded)
       replace(bodies, descriptions, gravity, of_section, rules, notes);
-    // Not before all interactions are found, which the fields of whole sections
-    // say.
+    // After all interactions are found: they use the fields of whole sections.
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (is_chosen(descriptions[b]) && descriptions[b].theory.is_layerwise())
         bodies[b] = make_by_degrees(descriptions[b], *beams[b]);

@@ -99,8 +99,7 @@ namespace lamella
 
   namespace
   {
-    /// Why a body of SV-N keeps all fields of its section; empty if it need
-    /// not.
+    /// Returns why a body of SV-N keeps all section fields, or an empty text.
     std::string
     reason_for_all_fields(const PlanInput &facts, const PlanRules &rules)
     {
@@ -179,8 +178,7 @@ namespace lamella
 
 
 
-    /// Non-zeros of the factor of @p beam, its nodes eliminated as
-    /// predicted_costs() says.
+    /// Factor non-zeros of @p beam, eliminated as in predicted_costs().
     double
     non_zeros_of(const Beam &beam)
     {

@@ -30,8 +30,7 @@ namespace lamella
 
 
 
-    /// Loads that answers are wanted to, and the fields that each of these
-    /// joins.
+    /// Loads whose responses are needed, and the fields that each adds.
     struct ResponseTakers
     {
       std::vector<Vector>                loads;

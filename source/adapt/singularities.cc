@@ -50,8 +50,7 @@ namespace lamella
 
 
 
-    /// What holds the surface @p surface of the body number @p body, be it on
-    /// all of the body.
+    /// Returns what constrains @p surface of body @p body, or all of the body.
     HeldAxes
     constrained_directions(const std::string          &surface,
                            const unsigned int          body,
@@ -84,8 +83,7 @@ namespace lamella
 
 
 
-    /// The outward normal of the facets of @p surface of @p body that
-    /// @p position is on.
+    /// Outward normal of the facets of @p surface of @p body at @p position.
     std::vector<Tensor<1, 3>>
     normals_at(const Point<3>    &position,
                const Body        &body,

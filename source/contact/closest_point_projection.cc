@@ -42,8 +42,7 @@ namespace lamella
 
 
 
-    /// Whether @p st is on the facet, or @p or_near it: as far beyond a side as
-    /// a projection goes.
+    /// Returns whether @p st is on the facet, or @p or_near it by a tolerance.
     bool
     is_on(const MeshSurface::Facet &facet,
           const Point<2>           &st,

@@ -664,8 +664,7 @@ namespace lamella
       }
     catch (const InputError &)
       {
-        // Nothing faces the other side any more: what carried force is lost,
-        // and counted as such.
+        // No pair is left: the constraints are counted as lost.
       }
     return count;
   }

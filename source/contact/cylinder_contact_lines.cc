@@ -17,8 +17,7 @@ namespace lamella
 
   namespace
   {
-    // Of a facet's length: how far a projection goes beyond a side with a
-    // neighbor.
+    // Share of a facet's length that a projection may exceed shared sides by.
     constexpr double past_the_side = 0.05;
 
 
@@ -127,8 +126,7 @@ namespace lamella
                                              const Obstacle    &roller,
                                              ContactInterface  &interface)
   {
-    // The nearest row of each station, stations in units far below any
-    // distance of nodes.
+    // The nearest row of each station, in units far below node distances.
     const double unit = arithmetic::decimal_tolerance * surface.body().size();
     std::map<long, unsigned int> nearest;
     const auto                   far = [&](const unsigned int k) {
@@ -265,8 +263,7 @@ namespace lamella
               const std::vector<unsigned int> &active)
   {
     const Obstacle &roller = *interface.obstacle;
-    // Distance of the rows @p k and @p j if they are on one line along the
-    // body, else nothing.
+    // Distance of rows @p k and @p j on one line along the body, else none.
     const auto apart = [&](const unsigned int j,
                            const unsigned int k) -> std::optional<double> {
       const Tensor<1, 3> way =

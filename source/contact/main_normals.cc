@@ -18,8 +18,7 @@ namespace lamella
     {
       /// Body of the surface; null for an obstacle.
       std::vector<SurfacePoint> points;
-      /// Direction of the straight generators, or the normal of a
-      /// plane.
+      /// Direction of the straight generators, or the normal of a plane.
       Tensor<1, 3> ruling;
       bool         is_plane = false;
     };
@@ -43,8 +42,7 @@ namespace lamella
 
 
 
-    /// Returns the normal of @p side near the places @p near if it is flat
-    /// there.
+    /// Returns the normal of @p side near the points @p near if flat there.
     std::optional<Tensor<1, 3>>
     flat_normal(const Side &side, const std::vector<Point<3>> &near)
     {

@@ -222,8 +222,7 @@ namespace lamella
           if (a && b)
             hanging.push_back({k, {{*a, *b}}});
         }
-    // Short edges first, since a node may hang on one that hangs on a longer
-    // edge itself.
+    // Short edges first: a node may hang on an edge that hangs on a longer one.
     const auto length = [&](const HangingNode &node) {
       return nodes[node.ends[0]].position.distance(
         nodes[node.ends[1]].position);

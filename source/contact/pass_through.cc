@@ -17,8 +17,7 @@ namespace lamella
 
   namespace
   {
-    /// From the axis to a place, across it, and whether the axis is ahead
-    /// there.
+    /// Vector across the axis to a point, and whether the axis is ahead there.
     struct Beside
     {
       Tensor<1, 3> r;

@@ -30,8 +30,7 @@ namespace lamella
 
 
 
-    /// Exact for a hat function times trace functions of both facets, where
-    /// these are flat.
+    /// Exact for a hat function times trace functions of two flat facets.
     const Quadrature<2> &
     rule_of_segment(const MeshSurface::Facet &slave,
                     const MeshSurface::Facet &master)

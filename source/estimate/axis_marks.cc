@@ -123,8 +123,7 @@ namespace lamella
       double error = 0.;
     };
 
-    /// Returns the elements of body @p body with their errors; empty if one is
-    /// unknown for some goal.
+    /// Returns elements of @p body with errors; empty if one is unknown.
     std::vector<Span>
     spans_of(const AxisMesh                &axis,
              const unsigned int             body,

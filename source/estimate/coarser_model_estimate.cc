@@ -142,8 +142,7 @@ namespace lamella
                        of_run.numbers().value(goal) - half->value(goal))}};
     const double of_section = own->section.last, of_axis = own->axis.last,
                  both = std::abs(of_section) + std::abs(of_axis);
-    // Models that are poorer in both do not separate the sources; surpluses
-    // do.
+    // Models coarser in both do not separate the sources; surpluses do.
     const bool is_told = bar.parts.size() == 2;
     const auto part    = [&](const unsigned int k, const double last) {
       return std::copysign(is_told    ? bar.parts[k] :

@@ -13,8 +13,7 @@ namespace lamella
     , any_friction(has_source(run.model().scene(), Source::path) &&
                    run.model().scene().solve.rotations != Rotations::large)
   {
-    // States with friction depend on the path: poorer models are solved
-    // instead.
+    // States with friction depend on the path: coarser models are solved.
     if (!any_penalty || any_friction)
       return;
     std::vector<GapConstraint> rows(run.model().rows().begin(),

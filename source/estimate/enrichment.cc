@@ -40,8 +40,7 @@ namespace lamella
     {
       const bool layers_are_cheap = size.nodes > 0 && body.pieces.empty() &&
                                     !reason_for_layerwise(size, rules).empty();
-      // Pieces of plain SV beside LE are a user's choice of places for
-      // responses.
+      // Pieces of plain SV beside LE are a choice of the user.
       for (Theory *theory : theories_of(body))
         if (theory->is_single_layer() ||
             (theory->is_saint_venant() && theory->order < rules.min_waves))
@@ -82,8 +81,7 @@ namespace lamella
 
 
 
-    /// Returns whether the section of @p body has corners that can have more
-    /// layers.
+    /// Returns whether the section of @p body has corners to refine.
     bool
     may_have_layers(const Scene           &scene,
                     const BodyDescription &body,
@@ -97,8 +95,7 @@ namespace lamella
 
 
 
-    /// Returns whether the degree of @p body's section stays and its cells are
-    /// divided instead.
+    /// Returns whether cells of @p body's section are divided at fixed degree.
     bool
     keeps_degree(const Scene           &scene,
                  const BodyDescription &body,

@@ -10,8 +10,7 @@ namespace lamella
 {
   namespace
   {
-    /// Returns why the changes @p first and @p second of successive refinements
-    /// give no bar.
+    /// Returns why successive changes @p first and @p second give no bar.
     std::string
     distrust_reason(const double    first,
                     const double    second,

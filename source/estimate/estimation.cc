@@ -163,8 +163,7 @@ namespace lamella
     for (const Step &step : steps)
       if (some.size() == 1 && some.front() == step.source)
         before_richest = step.to;
-    // LE in place of other fields gets a richer section instead, which may be
-    // a known model.
+    // LE in place of other fields gets a richer, possibly known, section.
     std::vector<Source> refined;
     for (Source source : some)
       {

@@ -30,8 +30,7 @@ namespace lamella
       if (!HalvedAxisEstimate::unavailable_reason(run).empty())
         return {};
       const GoalParameters &goals = run.model().scene().goals;
-      // A tolerance leads to LE-3, which LE-2 is close to; LE-1 is far from
-      // LE-2.
+      // A tolerance leads to LE-3, close to LE-2; LE-1 is far from LE-2.
       if (!goals.tolerances.empty())
         return HalvedAxisPlan{1, 3};
       if (goals.bars != ErrorBars::automatic)

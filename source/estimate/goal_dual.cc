@@ -224,8 +224,7 @@ namespace lamella
   {
     Pair        result = zero(), correction = zero();
     BlockVector left = derivative.u;
-    // Vectors are empty without active rows; deal.II does not compute with
-    // them.
+    // deal.II does not compute with empty vectors (no active rows).
     Vector right(derivative.force);
     for (double &value : right)
       value = -value;

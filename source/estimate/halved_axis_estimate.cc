@@ -50,8 +50,7 @@ namespace lamella
 
 
 
-    /// Returns H_r of the scene of H_p, with LE-@p degree in place of other
-    /// theories.
+    /// Returns H_r of the scene of H_p, with LE-@p degree as theory.
     Scene
     with_enriched_section(Scene scene, const unsigned int degree)
     {

@@ -169,8 +169,7 @@ namespace lamella
     }
 
 
-    /// Returns the refinements @p what of sections with their numbers, if not
-    /// zero.
+    /// Returns the nonzero refinements @p what of sections.
     std::string
     describe(const std::string                         &what,
              const std::map<std::string, unsigned int> &times)

@@ -30,8 +30,7 @@ namespace lamella
 
 
 
-    /// Returns the error of @p goal from elements that are not bisected, if the
-    /// axis is refined.
+    /// Returns the error of @p goal from elements that are not bisected.
     double
     of_others(const GoalResult &goal, const PassRefinement &refined)
     {

@@ -210,8 +210,7 @@ namespace lamella
       return std::find(wanted.begin(), wanted.end(), source) != wanted.end();
     };
     refined = {wanted, {}};
-    // Other fields have other errors along the axis; those of EBBT do not
-    // apply.
+    // Errors along the axis depend on the fields; those of EBBT do not apply.
     if (!wants(Source::fields))
       next =
         merged(next, kept, passes.active_goals(), pass_rules.max_merged_share);

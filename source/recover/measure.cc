@@ -39,8 +39,7 @@ namespace lamella
 
 
 
-    /// Returns the two sides of the only minus between blanks (names may have
-    /// one without).
+    /// Returns the two sides of the only minus between blanks.
     std::vector<Entry>
     sides_of(const Entry &entry)
     {
@@ -61,8 +60,7 @@ namespace lamella
 
 
 
-    /// Returns the divisor of @p entry, Divided by, with @p distance between
-    /// the probes.
+    /// Returns the divisor in @p entry; @p distance is between the probes.
     double
     parse_over(const Entry &entry, const double distance)
     {

@@ -145,8 +145,7 @@ namespace lamella
   unsigned int
   PatchFit::Polynomial::fit(const std::vector<PatchPoint> &points)
   {
-    // The terms' values at the points, made orthonormal; each vector with its
-    // coefficients.
+    // Orthonormalized values of the terms at the points, with coefficients.
     std::vector<std::vector<double>> of_points, vectors, expansions;
     std::vector<FieldValues>         rest;
     for (const PatchPoint &point : points)

@@ -315,8 +315,7 @@ namespace lamella
     for (const Place &element : elements)
       {
         const auto own_degrees = body.recovery_degrees_of(element.cell);
-        // All places of an element share its Gauss points, but for coordinates
-        // that stay.
+        // All places of an element share its Gauss points.
         Place corner = element;
         for (unsigned int d = 0; d < 3; ++d)
           if (degrees[d] > 0)
@@ -371,8 +370,7 @@ namespace lamella
 
 
 
-    /// Whether the columns of @p a and @p b have the same directions, in
-    /// whatever order.
+    /// Whether the columns of @p a and @p b have the same set of directions.
     bool
     same_directions(const Tensor<2, 3> &a, const Tensor<2, 3> &b)
     {

@@ -47,8 +47,7 @@ namespace lamella
     {
       /// What is left of it without its numbers.
       std::string kind;
-      /// Step of the largest load factor among its steps; null if it belongs to
-      /// first failure.
+      /// Step of its largest load factor; null if it is of first failure.
       std::string        text;
       const StepResults *step;
       /// In their order, and whether all of them say the same.
@@ -69,8 +68,7 @@ namespace lamella
 
 
 
-    /// Adds the warnings of @p first failure to @p all, to known kinds if
-    /// possible.
+    /// Merges the warnings of @p first failure into @p all.
     void
     add_first_failure(const FirstFailure &first, std::vector<StepWarning> &all)
     {
@@ -196,8 +194,7 @@ namespace lamella
 
 
 
-    /// Returns @p warnings, merging those that differ by the name of a contact
-    /// or a body only.
+    /// Merges @p warnings that differ only by the name of a contact or body.
     std::vector<std::string>
     merged(const std::vector<std::string> &warnings)
     {

@@ -193,8 +193,7 @@ namespace lamella
       };
     }
 
-    /// What has been left of equilibrium since the last call; none where it
-    /// was not asked for.
+    /// Equilibrium defects since the last call; none if not requested.
     std::optional<double>
     defect(const unsigned int body, const StressValues values)
     {

@@ -139,8 +139,7 @@ namespace lamella
       points.push_back({x, nearness});
     }
 
-    /// Those near to @p most, the largest of all processes; @p same is a
-    /// length.
+    /// Returns those near @p most, the largest of all processes, by @p same.
     std::vector<Point<3>>
     nearest(const double most, const double same) const
     {

@@ -129,8 +129,7 @@ namespace lamella
     : contact(contact)
     , structure(structure)
   {
-    // The nodes of the side that carries them are known, the places opposite
-    // by their positions.
+    // Slave nodes are known, opposite points by their positions.
     const std::vector<Location> nodes = point_locations();
     std::vector<Point<3>>       opposite;
     for (const ContactInterface::Point &point : contact.points)

@@ -51,8 +51,7 @@ namespace lamella
 
 
 
-    /// The largest of @p columns over all probes: what is rounding beside it
-    /// reads 0.
+    /// Largest of @p columns over all probes: rounding beside it becomes 0.
     double
     displacement_scale(const StepResults &step, const Columns &columns)
     {

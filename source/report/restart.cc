@@ -148,8 +148,7 @@ namespace boost
     void
     serialize(Archive &archive, lamella::Restart &restart, const unsigned int)
     {
-      // Who changes what is kept counts it up: programs of one version may
-      // differ in it.
+      // To be incremented with each change of what is stored.
       constexpr unsigned int layout = 3;
       unsigned int           found  = layout;
       archive               &found;

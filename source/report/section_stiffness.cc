@@ -21,8 +21,7 @@ namespace lamella
 
 
 
-    /// DoFs of LE-@p degree: three a vertex and a node inside of each side and
-    /// cell.
+    /// DoFs of LE-@p degree: 3 per vertex and node inside of sides and cells.
     double
     n_dofs(const SectionMesh &section, const unsigned int degree)
     {

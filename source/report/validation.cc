@@ -14,8 +14,7 @@ namespace lamella
 {
   namespace
   {
-    /// ` [N mm^2]`: force times length to the power @p n; nothing without
-    /// units.
+    /// ` [N mm^2]`: force times length^@p n; empty without units.
     std::string
     unit(const Units &units, const int n)
     {
@@ -52,8 +51,7 @@ namespace lamella
 
 
 
-    /// ` in the wall 'left', normal (-1, 0)`; nothing of a level ply that is in
-    /// no wall.
+    /// ` in the wall 'left', normal (-1, 0)`; empty for level plies in no wall.
     std::string
     in_words(const PlyPlane &plane)
     {

@@ -152,8 +152,7 @@ namespace lamella
           round_fields(fields, first, 6, grid.offsets);
         grid.points.values = std::move(positions);
         grid.at_points.push_back({"displacement", 3, std::move(displacements)});
-        // Of all names displacements come first, the jump, which is not known
-        // here, last.
+        // Displacements are first; the jump, not known here, is last.
         std::vector<std::string> names(field_names().begin() + 3,
                                        field_names().end() - 1);
         names.push_back("inverse_reserve_factor");

@@ -160,8 +160,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
 
 
 
-    /// Reads words into a CommandLine: its options by their names, and what is
-    /// none, the scene.
+    /// Reads words into a CommandLine: options by their names, then the scene.
     class WordReader
     {
     public:

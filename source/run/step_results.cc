@@ -96,8 +96,7 @@ namespace lamella
         for (unsigned int k = 0; k < contact.rows.size(); ++k)
           {
             const ContactInterface::Point &pair = contact.points[k];
-            // Of rows that move Eq. 17 of the places that face each other, if
-            // they do.
+            // Rows of finite rotations: Eq. 17 at points that are paired.
             const bool moves = structure.has_finite_rotations() &&
                                !contact.rows[k].parts.empty();
             rows.push_back(

@@ -384,8 +384,7 @@ namespace lamella
   double
   StepRecorder::largest_moment(const SolvedStep &solved) const
   {
-    // Couples act on thin sections by forces far larger than the couple over
-    // the size of the scene.
+    // Couples act on thin sections by forces far above couple / scene size.
     const double size    = structure.size();
     double       largest = 0.;
     for (const LoadResultant &load : structure.load_resultants())

@@ -25,8 +25,7 @@ namespace lamella
 
 
 
-    /// Of each prescribed row of supports where it acts: of bodies that turn in
-    /// the state @p u.
+    /// Prescribed rows of supports; for finite rotations in the state @p u.
     std::vector<Point<3>>
     places_of_supports(const Structure &structure, const BlockVector &u)
     {
@@ -101,8 +100,7 @@ namespace lamella
                   std::vector<Resultant>      &reactions,
                   BodyForces                  &on_body)
     {
-      // Each support is a force of its own: two opposite reactions must not
-      // hide in a sum of zero.
+      // Each support is checked alone: opposite reactions would cancel.
       const Point<3>      center = on_body.body.center();
       std::vector<Wrench> of_support(reactions.size()),
         resultant_of_work(reactions.size());
@@ -162,8 +160,7 @@ namespace lamella
 
 
 
-    /// Adds the forces of the stabilizing springs of body @p b; returns their
-    /// energy.
+    /// Adds the forces of the springs of body @p b; returns their energy.
     double
     add_springs(const Structure   &structure,
                 const unsigned int b,

@@ -18,8 +18,7 @@ namespace lamella
     constexpr unsigned int most_cone_steps = 60;
     /// Of x . z over the sizes of both, and of z - W x - q.
     constexpr double enough = 1e-11;
-    /// How much of the way to the boundary of the cones is gone, and a step
-    /// that is none.
+    /// Share of the way to the boundary of the cones, and a negligible step.
     constexpr double almost = 0.99, no_step = 1e-8, longest_step = 1e3;
 
 

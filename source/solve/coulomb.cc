@@ -27,8 +27,7 @@ namespace lamella
 
 
 
-    /// Forces of a step of Newton's method, and of the matrix that made them
-    /// the sign.
+    /// Newton forces, and those of the matrix that determined the signs.
     struct NewtonStep
     {
       bool         is_solved = false;

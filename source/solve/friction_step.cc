@@ -133,8 +133,7 @@ namespace lamella
 
   namespace
   {
-    /// The mean of the normal forces of row @p r on the way from @p before to
-    /// @p state.
+    /// Mean normal force of row @p r between @p before and @p state.
     double
     mean_force(const State &before, const State &state, const unsigned int r)
     {

@@ -218,8 +218,7 @@ namespace lamella
                                 const std::vector<double> &overlap,
                                 const double               closed)
   {
-    // The worst penetrations first settles soonest where few rows of many stay
-    // active.
+    // Worst penetrations first: fastest if few rows of many stay active.
     constexpr std::size_t                        few = 8;
     std::vector<unsigned int>                    next;
     std::vector<std::pair<double, unsigned int>> closing;

@@ -100,8 +100,7 @@ namespace lamella
 
 
 
-    /// What the @p forces of the rows do to the body on their @p side, each,
-    /// about its center.
+    /// Resultant of the row @p forces on the body at @p side, about its center.
     std::vector<Wrench>
     wrenches_of_rows(const ContactInterface &contact,
                      const ConstraintForces &forces,

@@ -87,8 +87,7 @@ namespace lamella
     require(size.bytes,
             "Body '" + body.name() + "' has a " + what,
             remedies(body.is_nodal()));
-    // Matrices are there by now; what follows (rows, output) is small beside
-    // them.
+    // Matrices exist by now; what follows (rows, output) is small.
     const double peak = dealii::Utilities::MPI::sum(
       std::max(peak_memory(), resident_memory() + size.bytes), communicator());
     return "body " + body.name() + ", " + what + "; about " + gigabytes(peak) +

@@ -18,8 +18,7 @@ namespace lamella
 
 
 
-    /// What the last digits of the displacements @p u make of forces of the
-    /// body @p b.
+    /// Forces of body @p b by rounding errors of the displacements @p u.
     double
     rounding_of_forces(const TangentOperator &here,
                        const BlockVector     &u,

@@ -26,8 +26,7 @@ namespace lamella
                      near = 0.1;
     // Beyond these the linear result is no approximation of anything.
     constexpr double most_stiffening = 1., least_buckling_factor = 1.;
-    // Of the energy of all bodies; what holds less is moved as a whole, and its
-    // ratios are of rounding.
+    // Share of the energy of all bodies: below it, bodies move rigidly.
     constexpr double share_that_counts = 1e-3;
 
 
@@ -64,15 +63,13 @@ namespace lamella
       /// K^-1 @p load with the active rows closed.
       BlockVector
       solve(const BlockVector &load);
-      /// Takes the parts along all q out of @p v, whose load is @p load;
-      /// returns them.
+      /// Subtracts the parts along all q from @p v, of @p load; returns them.
       std::vector<double>
       orthogonalize(BlockVector &v, BlockVector &load) const;
       /// Makes @p v and its load the next q, unless it has no length.
       bool
       append(BlockVector v, BlockVector load);
-      /// The share of the energy of @p mode, of unit energy, that stabilizing
-      /// springs hold.
+      /// Share of stabilizing springs in the (unit) energy of @p mode.
       double
       share_of_springs(const BlockVector &mode) const;
 

@@ -235,8 +235,7 @@ namespace lamella
 
 
 
-    /// Adds warnings of strains and of sections of bodies with finite
-    /// rotations.
+    /// Adds warnings of strains and sections, for finite rotations.
     void
     add_warnings_of_strains(const Checks             &checks,
                             std::vector<std::string> &warnings)
