@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
 #include <lamella/recover/sampler.h>
@@ -346,6 +347,6 @@ namespace lamella
       out << "\nNo error bars: " << results.no_goals_reason << ".\n";
     print_cost(out, results);
     for (const std::string &warning : results.all_warnings())
-      out << "\nNote: " << warning << ".\n";
+      out << "\n" << note_line(warning) << "\n";
   }
 } // namespace lamella

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/version.h>
 #include <lamella/body/fields.h>
@@ -369,7 +370,13 @@ namespace lamella
     if (!results.no_goals_reason.empty())
       json["no_error_bars"] = results.no_goals_reason;
     json["converged"] = results.converged;
-    json["warnings"]  = results.all_warnings();
+    json["warnings"]  = Json::array();
+    for (const std::string &warning : results.all_warnings())
+      {
+        const Message message(warning);
+        json["warnings"].push_back(
+          {{"identifier", message.identifier}, {"text", message.text}});
+      }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   }
 } // namespace lamella

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/run/first_failure.h>
@@ -89,9 +90,7 @@ namespace lamella
     catch (const NumericsError &error)
       {
         without_state = factor;
-        reason        = trimmed(error.what());
-        if (!reason.empty() && reason.back() == '.')
-          reason.pop_back();
+        reason        = strip_period(error.what());
         out << "  load factor " << to_text(factor, 6)
             << ", no result: " << reason << std::endl;
       }

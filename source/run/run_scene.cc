@@ -114,7 +114,7 @@ namespace lamella
           else
             // Notes may explain the failure.
             for (const std::string &note : found.notes)
-              simulation.output() << "Note: " << note << ".\n";
+              simulation.output() << note_line(note) << "\n";
           if (writer.folder().has_earlier_results())
             throw NumericsError(std::string(error.what()) +
                                 " (The results in " + directory +
@@ -256,7 +256,7 @@ namespace lamella
     print_bodies(out, built.structure(), built.interfaces(), scene.units);
     built.print_plans(out);
     for (const std::string &warning : simulation.results().notes)
-      out << "Note: " << warning << ".\n";
+      out << note_line(warning) << "\n";
     out << "The scene is valid; nothing was solved";
     if (directory.empty())
       out << " or written." << std::endl;

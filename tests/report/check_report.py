@@ -225,7 +225,7 @@ def check_words(page, output):
     summary = json.loads((output / "summary.json").read_text())
     told = re.sub(r"\s+", " ", page.text["warnings"]).lower()
     expect(summary["warnings"] and all(
-        re.sub(r"\s+", " ", w).lower() in told for w in summary["warnings"]),
+        re.sub(r"\s+", " ", w["text"]).lower() in told for w in summary["warnings"]),
         f"{len(summary['warnings'])} warnings of the run")
 
 

@@ -259,7 +259,7 @@ def run(lamella, scene, folder, name, *entries):
             "forces": {name: math.hypot(*contact["force"])
                        for name, contact in summary.get("contacts", {}).items()},
             "rotation": summary.get("max_rotation", 0.),
-            "goals": summary.get("goals", {}), "notes": summary["warnings"]}, ""
+            "goals": summary.get("goals", {}), "notes": [w["text"] for w in summary["warnings"]]}, ""
 
 
 def distances(one, other):
