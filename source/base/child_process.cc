@@ -176,15 +176,15 @@ namespace lamella
     const auto         begin = Clock::now();
     std::array<int, 2> ends;
     std::cout.flush();
-    // Who started us may have it ignored, and then nobody tells how a child
-    // ended.
+    // If SIGCHLD is ignored (inherited), the status of a child is lost.
     std::signal(SIGCHLD, SIG_DFL);
     if (pipe(ends.data()) != 0)
-      throw InputError("cannot start a process: too many files are open.");
+      throw InputError("base.too-many-files: cannot start a process: too many "
+                       "files are open.");
     const pid_t child = fork();
     if (child < 0)
-      throw InputError("cannot start a process: the system has no room for "
-                       "one more. Close other programs.");
+      throw InputError("base.no-process: cannot start a process: the system "
+                       "allows no more. Close other programs.");
     if (child == 0)
       {
         close(ends[0]);
@@ -246,7 +246,8 @@ namespace lamella
     pointers.push_back(nullptr);
     std::cout.flush();
     execv(program.c_str(), pointers.data());
-    throw InputError("cannot run " + program + ": " + std::strerror(errno));
+    throw InputError("base.program-not-run: cannot run " + program + ": " +
+                     std::strerror(errno));
   }
 
 
@@ -286,8 +287,8 @@ namespace lamella
     for (const fs::path &folder : {installed, fs::path(LAMELLA_SCRIPTS)})
       if (fs::is_regular_file(folder / name, error))
         return (folder / name).string();
-    throw InputError("the program " + name + " is neither in " +
-                     installed.string() +
+    throw InputError("base.program-missing: the program " + name +
+                     " is neither in " + installed.string() +
                      " nor in " LAMELLA_SCRIPTS ". Install Lamella again.");
   }
 } // namespace lamella

@@ -54,10 +54,10 @@ namespace lamella
   Entry::positive() const
   {
     if (is_empty())
-      refuse_missing("give a positive number.");
+      refuse_missing("entry.missing: give a positive number.");
     const double value = number();
     if (!(value > 0.))
-      refuse("must be positive");
+      refuse("entry.not-positive: must be positive");
     return value;
   }
 
@@ -82,7 +82,8 @@ namespace lamella
     for (const double value : values)
       {
         if (!(value > previous && value < end))
-          refuse("must ascend between 0 and " + name + " " + to_text(end));
+          refuse("entry.not-ascending: must ascend between 0 and " + name +
+                 " " + to_text(end));
         previous = value;
       }
     return values;
@@ -97,8 +98,8 @@ namespace lamella
     for (const double value : numbers())
       {
         if (!(value >= least && value <= most && value == std::floor(value)))
-          refuse("must be a whole number from " + std::to_string(least) +
-                 " to " + std::to_string(most));
+          refuse("entry.not-whole: must be a whole number from " +
+                 std::to_string(least) + " to " + std::to_string(most));
         values.push_back(static_cast<unsigned int>(value));
       }
     return values;
@@ -111,7 +112,7 @@ namespace lamella
   {
     const std::vector<unsigned int> values = whole_numbers(least, most);
     if (values.size() != 1)
-      refuse("must be one whole number");
+      refuse("entry.not-one-number: must be one whole number");
     return values[0];
   }
 
@@ -123,7 +124,8 @@ namespace lamella
     const Entry               part(where, piece);
     const std::vector<double> x = part.numbers();
     if (x.size() != 3)
-      refuse((part.text() == what ? "" : "'" + part.text() + "' ") +
+      refuse("entry.not-a-point: " +
+             std::string(part.text() == what ? "" : "'" + part.text() + "' ") +
              "must be three numbers between commas, as in 0.05, 1, 0.106");
     return {x[0], x[1], x[2]};
   }
@@ -142,7 +144,7 @@ namespace lamella
   Entry::boolean() const
   {
     if (what != "true" && what != "false")
-      refuse("must be true or false");
+      refuse("entry.not-boolean: must be true or false");
     return what == "true";
   }
 
@@ -154,7 +156,7 @@ namespace lamella
                const std::string              &list) const
   {
     if (std::find(names.begin(), names.end(), what) == names.end())
-      refuse("there is no " + kind + " '" + what + "'",
+      refuse("entry.unknown-name: there is no " + kind + " '" + what + "'",
              "The nearest of " + list + " is '" + nearest_name(what, names) +
                "'.");
     return what;

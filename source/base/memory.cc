@@ -171,7 +171,8 @@ namespace lamella
     words >> number >> unit >> more;
     const double factor = unit == "GB" ? 1e9 : unit == "MB" ? 1e6 : 0.;
     if (factor == 0. || !more.empty() || !(entry.number(number) > 0.))
-      entry.refuse("must be auto or a positive number of GB or MB, as in 2 GB");
+      entry.refuse("base.invalid-memory: must be auto or a positive number of "
+                   "GB or MB, as in 2 GB");
     return factor * entry.number(number);
   }
 
@@ -202,10 +203,11 @@ namespace lamella
         return;
       }
     throw InputError(
-      "the address space of this process is limited to " +
-      gigabytes(limit.rlim_cur) + " (ulimit -v), and less than " +
+      "base.address-space-limited: the address space of this process is "
+      "limited to " +
+      gigabytes(limit.rlim_cur) +
+      " (ulimit -v), of which the program's libraries leave less than " +
       gigabytes(least) +
-      " of it are left for computing once the program's libraries are loaded. "
-      "Raise it, or bound memory by the entry Memory limit instead.");
+      ". Raise it, or bound memory by the entry Memory limit.");
   }
 } // namespace lamella

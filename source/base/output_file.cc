@@ -76,8 +76,8 @@ namespace lamella
   void
   throw_cannot_write(const std::string &path)
   {
-    throw InputError("Cannot write " + path +
-                     ". Is the disk full, or was the folder removed? What was "
-                     "written before is whole.");
+    throw InputError("base.cannot-write: cannot write " + path +
+                     ". Is the disk full, or was the folder removed? Files "
+                     "written before are complete.");
   }
 } // namespace lamella

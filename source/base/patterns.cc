@@ -135,21 +135,21 @@ namespace lamella
 
 
 
-      /// What a number of the range from @p low to @p high must be.
+      /// Returns the rule for numbers from @p low to @p high.
       std::string
       rule_of_range(const std::string &low, const std::string &high)
       {
         const double least = std::stod(low);
         if (std::abs(std::stod(high)) < largest_number)
-          return "must lie between " + to_text(least) + " and " +
-                 to_text(std::stod(high));
-        return least > 0. ? "must be positive" : "must not be negative";
+          return "entry.out-of-range: must lie between " + to_text(least) +
+                 " and " + to_text(std::stod(high));
+        return least > 0. ? "entry.not-positive: must be positive" :
+                            "entry.negative: must not be negative";
       }
 
 
 
-      /// Throws InputError for numbers that are not in the range of @p pattern,
-      /// or not whole.
+      /// Throws InputError for a number out of the range of @p pattern.
       [[noreturn]] void
       refuse_range(const Entry &entry, const std::string &pattern)
       {
@@ -158,17 +158,17 @@ namespace lamella
           "\\[Integer range (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]"),
           range("\\[Double (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]");
         if (std::regex_match(pattern, part, whole))
-          entry.refuse("must be a whole number from " + part[1].str() + " to " +
-                       part[2].str());
+          entry.refuse("entry.not-whole: must be a whole number from " +
+                       part[1].str() + " to " + part[2].str());
         if (std::regex_match(pattern, part, range))
           entry.refuse(rule_of_range(part[1], part[2]));
-        entry.refuse("does not match " + pattern);
+        entry.refuse("entry.pattern-mismatch: does not match " + pattern);
       }
 
 
 
-      /// Throws InputError for what is no list of so many numbers: @p list has
-      /// the pattern of each, the least and the largest count.
+      /// Throws InputError for an invalid list; @p list has the pattern of its
+      /// items, the least and the largest count.
       [[noreturn]] void
       refuse_list(const Entry &entry, const std::smatch &list)
       {
@@ -177,8 +177,8 @@ namespace lamella
           {
             if (least == 3)
               entry.point();
-            entry.refuse("there are " + std::to_string(n) +
-                           " values, and it takes " + std::to_string(least),
+            entry.refuse("entry.wrong-count: there are " + std::to_string(n) +
+                           " values instead of " + std::to_string(least),
                          "Write them between commas.");
           }
         entry.numbers();
@@ -214,11 +214,11 @@ namespace lamella
       if (std::regex_match(pattern, part, list))
         refuse_list(entry, part);
       if (std::regex_match(pattern, part, choice))
-        entry.refuse("must be " + alternatives(part[1]));
+        entry.refuse("entry.unknown-choice: must be " + alternatives(part[1]));
       if (pattern == "[Bool]")
         entry.boolean();
-      // What is no number, or none to compute with, says so first: so do an
-      // empty text, and several numbers where one belongs.
+      // Errors of spelling precede bounds; they include an empty text and
+      // several numbers instead of one.
       if (pattern.find("[Integer") != 0)
         entry.number();
       refuse_range(entry, pattern);

@@ -75,21 +75,21 @@ namespace lamella
     const std::string word  = trimmed(text);
     char             *end   = nullptr;
     const double      value = std::strtod(word.c_str(), &end);
-    // strtod takes hexadecimal numbers, too; nobody means them.
+    // strtod also accepts hexadecimal numbers.
     if (word.empty() || *end != '\0' || !std::isfinite(value) ||
         word.find_first_of("xX") != std::string::npos)
-      return {"'" + word + "' is not a number",
+      return {"entry.not-a-number: '" + word + "' is not a number",
               "Write it plainly, without a unit, as in 0.05 or 5e-2."};
-    // What is too small for a double is 0 to strtod, but not to the user.
+    // strtod returns 0 for numbers below the range of doubles.
     const bool is_zero =
       word.substr(0, word.find_first_of("eE")).find_first_of("123456789") ==
       std::string::npos;
     if (!is_zero &&
         (std::abs(value) < smallest_number || std::abs(value) > largest_number))
-      return {"'" + word +
-                "' is beyond what can be computed with: other than 0, numbers "
-                "lie between 1e-30 and 1e30",
-              "Take other units."};
+      return {"entry.number-out-of-range: '" + word +
+                "' is out of range: numbers other than 0 must lie between "
+                "1e-30 and 1e30",
+              "Choose other units."};
     return {};
   }
 

@@ -15,7 +15,8 @@ namespace lamella
       return {"mm", "N", "MPa", 1e-6};
     if (words == "none")
       return {"", "", "", 1.};
-    entry.refuse("must be 'm, N' (stress in Pa), 'mm, N' (stress in MPa) or "
-                 "'none' (no labels, built-in materials in Pa)");
+    entry.refuse(
+      "base.unknown-units: must be 'm, N' (stress in Pa), 'mm, N' (stress in "
+      "MPa) or 'none' (no labels, built-in materials in Pa)");
   }
 } // namespace lamella
