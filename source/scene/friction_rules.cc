@@ -21,8 +21,9 @@ namespace lamella
                 quantity.column == "dissipated" &&
                 contact.name == quantity.name && contact.friction == 0.)
               Entry(quantity.path, quantity.label())
-                .refuse("contact " + contact.name + " has no friction",
-                        "Give it some (Friction), or leave this out.");
+                .refuse("scene.no-friction: contact " + contact.name +
+                          " has no friction",
+                        "Give it a Friction, or leave this quantity out.");
     }
   } // namespace
 
@@ -36,19 +37,17 @@ namespace lamella
     if (contact == nullptr)
       {
         if (scene.solve.substeps.number != 1)
-          in["Substeps"].refuse(
-            "no contact has friction, so the way to a load step changes "
-            "nothing",
-            "Leave it out.");
+          in["Substeps"].refuse("scene.substeps-without-friction: no contact "
+                                "has friction, so substeps change nothing",
+                                "Leave it out.");
         return;
       }
-    const std::string rule = "contact " + contact->name + " has friction";
     if (!scene.goals.tolerances.empty())
       throw InputError(
         "Goals/Tolerance",
         "",
-        rule + ", and a run to a tolerance makes no load steps shorter",
-        "Leave Tolerance out; Error bars = true says how "
-        "sure the numbers are.");
+        "scene.tolerance-with-friction: contact " + contact->name +
+          " has friction, and a run to a tolerance does not refine load steps",
+        "Leave Tolerance out; Error bars = true estimates the errors.");
   }
 } // namespace lamella

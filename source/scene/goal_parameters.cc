@@ -37,21 +37,22 @@ namespace lamella
       Anything(),
       "The numbers that the run is made for, between '|': PROBE: COLUMN (of "
       "probes.csv; PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, "
-      "mz), CONTACT: fx (and so on, pressure, width, width x, dissipated), or of a strip "
-      "of a contact CONTACT: fx in AXIS FROM TO, as in roller: fz in y 40 60. "
-      "By default those of Trade, else what the scene gives References for, "
-      "and of probes without any the largest displacement and stress.");
+      "mz), CONTACT: fx (and so on, pressure, width, width x, dissipated), or "
+      "of a strip of a contact CONTACT: fx in AXIS FROM TO, as in roller: fz "
+      "in y 40 60. By default those of Trade, else what the scene gives "
+      "References for, and of probes without any the largest displacement and "
+      "stress.");
     prm.declare_entry(
       "Tolerance",
       "",
       Anything(),
-      "One for all quantities, or one each between commas. In per cent (1 or "
-      "1 %) of the value, or of the largest of its kind in the scene, of "
-      "strains and stresses in the material, where it is below a thousandth "
-      "of that; or in the unit of the quantity (0.5 MPa, 0.01 mm; 1e-6 abs of "
-      "what has none). The run refines its theory and its meshes until all "
-      "errors are estimated to be below. Empty: what the scene says is run, "
-      "and nothing else.");
+      "One for all quantities, or one each between commas. In per cent (1 or 1 "
+      "%) of the value, or of the largest of its kind in the scene, of strains "
+      "and stresses in the material, where it is below a thousandth of that; "
+      "or in the unit of the quantity (0.5 MPa, 0.01 mm; 1e-6 abs of what has "
+      "none). The run refines its theory and its meshes until all errors are "
+      "estimated to be below. Empty: what the scene says is run, and nothing "
+      "else.");
     prm.declare_entry("Error bars",
                       name_of(ErrorBars::automatic),
                       selection<ErrorBars>(),
@@ -73,10 +74,11 @@ namespace lamella
       // Shortest bar (error_bar.h), in per cent.
       constexpr double of_rounding = 1e-6;
       if (!(per_cent > 0. && per_cent <= 100.))
-        entry.refuse("must be more than 0 and at most 100 per cent");
+        entry.refuse("scene.per-cent-out-of-range: must be more than 0 and at "
+                     "most 100 per cent");
       if (per_cent < of_rounding)
-        entry.refuse("is below what the arithmetic leaves of any number, 1e-6 "
-                     "per cent",
+        entry.refuse("scene.tolerance-below-rounding: is below the rounding "
+                     "error of any number, 1e-6 per cent",
                      "Give 1e-6 or more; 0.1 is a small tolerance.");
       return per_cent / 100.;
     }
@@ -107,8 +109,8 @@ namespace lamella
           const std::string label = "'" + quantity.label() + "'",
                             own   = quantity.unit(units);
           if (unit != "abs" && unit != own)
-            entry.refuse(label +
-                           (own.empty() ? " has no unit, and so not '" :
+            entry.refuse("scene.wrong-unit: " + label +
+                           (own.empty() ? " has no unit and cannot be in '" :
                                           " is in " + own + ", not in '") +
                            unit + "'",
                          "Write a number of per cent, or one with " +
@@ -116,7 +118,8 @@ namespace lamella
                            "abs, as in 0.5 " + (own.empty() ? "abs" : own) +
                            ".");
           if (unit == "abs" && quantity.kind() != quantities[0].kind())
-            entry.refuse("'" + quantities[0].label() + "' and " + label +
+            entry.refuse("scene.mixed-units: '" + quantities[0].label() +
+                           "' and " + label +
                            " are of different kinds and have no unit in common",
                          "Give one for each, or per cent.");
         }
@@ -140,10 +143,10 @@ namespace lamella
       if (unit.empty() || unit == "%")
         return {share_of_one(entry, number), false};
       if (!(number > 0.))
-        entry.refuse("must be more than 0");
+        entry.refuse("entry.not-positive: must be more than 0");
       if (!goals.probes_as_goals.empty())
-        entry.refuse("displacements and stresses of probes have no unit in "
-                     "common",
+        entry.refuse("scene.mixed-units: displacements and stresses of probes "
+                     "have no unit in common",
                      "Name Quantities, or give per cent.");
       check_unit(entry, unit, quantities, units);
       return {number, true};
@@ -160,13 +163,15 @@ namespace lamella
                      const Units          &units)
     {
       if (entry.text().find_first_of("|;") != std::string::npos)
-        entry.refuse("between tolerances stands ','",
-                     "Write them as in 1, 0.5 MPa.");
+        entry.refuse(
+          "scene.tolerance-separator: tolerances are separated by ','",
+          "Write them as in 1, 0.5 MPa.");
       const std::vector<std::string> pieces = entry.items();
       const bool                     is_one = pieces.size() <= 1;
       if (!is_one && pieces.size() != n)
-        entry.refuse("there are " + std::to_string(n) + " quantities and " +
-                       std::to_string(pieces.size()) + " tolerances",
+        entry.refuse("scene.tolerance-count: there are " + std::to_string(n) +
+                       " quantities and " + std::to_string(pieces.size()) +
+                       " tolerances",
                      "Give one for all, or one for each in Quantities.");
       std::vector<Tolerance> tolerances;
       for (const std::string &piece : pieces)
@@ -189,7 +194,9 @@ namespace lamella
     {
       const double value = entry.number();
       if (!(value >= 0. && value <= most))
-        entry.refuse("must be 0 (none) or more, at most " + to_text(most));
+        entry.refuse(
+          "scene.budget-out-of-range: must be 0 (none) or more, at most " +
+          to_text(most));
       return value;
     }
   } // namespace
@@ -220,19 +227,21 @@ namespace lamella
       {
         for (const char *budget : {"Budget DoFs", "Budget seconds"})
           if (in[budget].number() > 0.)
-            in[budget].refuse("there is no Tolerance to reach within it",
+            in[budget].refuse("scene.budget-without-tolerance: a budget limits "
+                              "a run to a Tolerance, and there is none",
                               "Give one, or leave out the budget.");
       }
     else
       {
         if (goals.bars == ErrorBars::never)
-          in["Error bars"].refuse("a Tolerance cannot be reached without them",
+          in["Error bars"].refuse("scene.tolerance-without-bars: a Tolerance "
+                                  "cannot be reached without error bars",
                                   "Leave it at auto.");
         if (goals.quantities.empty() && goals.probes_as_goals.empty())
-          in["Tolerance"].refuse("there is nothing to be accurate in, since "
-                                 "the scene has neither probes nor References "
-                                 "of supports and contacts",
-                                 "Add a probe, or name Quantities.");
+          in["Tolerance"].refuse(
+            "scene.no-goals: the Tolerance applies to no quantity: the scene "
+            "has neither probes nor References of supports and contacts",
+            "Add a probe, or name Quantities.");
         if (goals.bars == ErrorBars::automatic)
           goals.bars = ErrorBars::always;
       }

@@ -59,8 +59,9 @@ namespace lamella
         }
       if (told == nullptr)
         return "";
-      return "the angle " + to_text(told->angle) + " of a ply is pi / " +
-             std::to_string(part) + ", and none exceeds " + to_text(most) +
+      return "scene.angle-in-radians: the angle " + to_text(told->angle) +
+             " of a ply is pi / " + std::to_string(part) +
+             ", and none exceeds " + to_text(most) +
              ": angles are in degrees, and this would be " +
              std::to_string(180 / part);
     }
@@ -89,9 +90,9 @@ namespace lamella
       if (E >= soft * units.pascal || is_soft ||
           !material_warnings("", material, units).empty())
         return "";
-      return "its stiffest material, " + stiffest.material + ", has " + name +
-             " = " + to_text(E) + " " + units.stress +
-             ", and plies and metals have more than " +
+      return "scene.soft-material: its stiffest material, " +
+             stiffest.material + ", has " + name + " = " + to_text(E) + " " +
+             units.stress + ", and plies and metals have more than " +
              to_text(soft * units.pascal) + " " + units.stress +
              " (foams and rubbers less). Units = " + units.length + ", " +
              units.force + " has stresses in " + units.stress +
@@ -110,7 +111,7 @@ namespace lamella
         1e6 * std::min(box.side_length(0), box.side_length(1)) / meter(units);
       if (thickness >= thinnest && thickness <= thickest)
         return "";
-      return "is " + to_text(box.side_length(0)) + " by " +
+      return "scene.section-size: is " + to_text(box.side_length(0)) + " by " +
              to_text(box.side_length(1)) + " " + units.length +
              (thickness < thinnest ? ", thinner than a micrometer" :
                                      ", thicker than 10 m") +
@@ -156,8 +157,9 @@ namespace lamella
           const double in_micrometers   = 1e6 * thickness / meter(units);
           if (c.E1 > stiff * units.pascal && c.E1 > of_fibers * c.E3 &&
               (in_micrometers < thinnest || in_micrometers > thickest))
-            return "has a ply of " + name + " of the thickness " +
-                   to_text(thickness) + " " + units.length +
+            return "scene.ply-thickness: has a ply of " + name +
+                   " of the thickness " + to_text(thickness) + " " +
+                   units.length +
                    (in_micrometers < thinnest ?
                       ", thinner than its fibers (5 micrometers)" :
                       ", thicker than 100 mm") +
@@ -185,9 +187,14 @@ namespace lamella
                   ply_thickness_warning(scene.sections.at(name), scene) :
                   size);
             }
-          for (const std::string &doubt : of_section)
-            if (!doubt.empty())
-              plausibility_warnings.push_back("section " + name + ": " + doubt);
+          for (const std::string &warning : of_section)
+            if (!warning.empty())
+              {
+                const Message message(warning);
+                plausibility_warnings.push_back(message.identifier +
+                                                ": section " + name + ": " +
+                                                message.text);
+              }
         }
       return plausibility_warnings;
     }
@@ -206,17 +213,16 @@ namespace lamella
     const bool   is_mm = scene.units.length == "mm";
     const double there = is_mm ? g : g / thousand;
     if (!scene.units.length.empty() && there > least && there < most)
-      plausibility_warnings.push_back("Gravity is " + to_text(g) + " " +
-                                      scene.units.length +
+      plausibility_warnings.push_back("scene.gravity: Gravity is " +
+                                      to_text(g) + " " + scene.units.length +
                                       "/s^2, and that of the Earth is " +
                                       (is_mm ? "9810 mm/s^2" : "9.81 m/s^2"));
     for (const Support &support : scene.supports)
       if (support.rotation && support.rotation->norm() > 2. * pi)
         plausibility_warnings.push_back(
-          "support " + support.name + ": its Rotation, " +
-          to_text(support.rotation->norm()) +
-          ", is in rad and more than a turn; a degree is "
-          "0.0174533");
+          "scene.rotation-above-turn: support " + support.name +
+          ": its Rotation, " + to_text(support.rotation->norm()) +
+          " rad, is more than a revolution; a degree is 0.0174533 rad");
     return plausibility_warnings;
   }
 } // namespace lamella

@@ -12,7 +12,8 @@ namespace lamella
 {
   namespace
   {
-    const std::string rule           = "Rotations = large does not know it yet",
+    const std::string rule = "scene.not-with-large-rotations: is not available "
+                             "with Rotations = large",
                       linear_as_well = " Or take Rotations = linear.";
 
 
@@ -41,18 +42,18 @@ namespace lamella
       const unsigned int cubic                = 3;
       const bool         has_finite_rotations = theory.has_rotating_sections();
       if (!can_rotate(theory))
-        refuse(
-          place + "Kinematics/Theory",
-          theory.name(),
-          "Rotations = large wants sections that turn or that can deform "
-          "as a turned one does",
-          "Take EBBT, TBT, SV or SV-N, or LE-N, TE-N from TE-2 on, or solid-2.");
+        refuse(place + "Kinematics/Theory",
+               theory.name(),
+               "scene.theory-cannot-rotate: Rotations = large needs a theory "
+               "whose sections rotate, or can represent a rotation",
+               "Take EBBT, TBT, SV or SV-N, or LE-N, TE-N from TE-2 on, or "
+               "solid-2.");
       if (!has_finite_rotations && !theory.is_solid() &&
           body.axis.degree != cubic)
         refuse(place + "Kinematics/Axis element",
                "B" + std::to_string(body.axis.degree + 1),
-               "elements of lower degree lock where they bend and stretch at "
-               "once",
+               "scene.membrane-locking: elements of lower degree lock in "
+               "combined bending and stretching",
                "Take B4.");
     }
 
@@ -118,18 +119,18 @@ namespace lamella
       const bool        is_line =
         contact.discretization == Discretization::line_to_roller;
       if (is_line && has_area_penalty(contact))
-        throw InputError(
-          place + "Penalty",
-          "",
-          "a line to a roller has no area that a penalty would be of",
-          "Take Enforcement = exact, or Penalty = auto.");
+        throw InputError(place + "Penalty",
+                         "",
+                         "scene.penalty-of-line: line contact with a roller "
+                         "has no area, to which a Penalty refers",
+                         "Take Enforcement = exact, or Penalty = auto.");
       if (is_line && !has_roller(contact, body))
-        throw InputError(
-          place + "Discretization",
-          name_of(contact.discretization),
-          "the roller does not lie across the axis of a beam, which body '" +
-            body.name + "' would have to be",
-          "Take auto.");
+        throw InputError(place + "Discretization",
+                         name_of(contact.discretization),
+                         "scene.no-line-contact: line to roller needs a beam "
+                         "with its axis across the roller, and body '" +
+                           body.name + "' is none",
+                         "Take auto.");
       if (contact.discretization != Discretization::automatic ||
           !allows_line_contact(contact, body) ||
           !needs_line_contact(body, *contact.obstacle))
@@ -147,8 +148,8 @@ namespace lamella
       if (contact.discretization == Discretization::node_to_node)
         refuse(place + "Discretization",
                name_of(contact.discretization),
-               "pairs of nodes stay pairs, and surfaces of bodies that turn "
-               "slide",
+               "scene.fixed-pairs: pairs of nodes are fixed, and surfaces "
+               "slide in large rotations",
                "Take surface to surface or node to surface.");
       choose_line(contact, body);
       if (contact.discretization == Discretization::automatic)
@@ -188,7 +189,7 @@ namespace lamella
         refuse("Goals/Tolerance",
                "",
                rule,
-               "Leave it out, and run the scene with more elements beside it.");
+               "Leave it out, and compare with a run on more elements.");
       if (goals.bars == ErrorBars::richer)
         refuse("Goals/Error bars",
                name_of(goals.bars),
@@ -206,8 +207,8 @@ namespace lamella
         if (load.is_follower && scene.solve.rotations == Rotations::linear)
           throw InputError("Load " + load.name + "/Pressure",
                            load.pressure.text() + ", follows",
-                           "with Rotations = linear nothing turns that a load "
-                           "could follow",
+                           "scene.follower-load-linear: a load follows "
+                           "rotations, and Rotations are linear",
                            "Leave out 'follows', or take Rotations = large.");
     }
   } // namespace
@@ -240,10 +241,11 @@ namespace lamella
   {
     scene.solve.rotations = Rotations::large;
     if (n_processes() > 1)
-      throw InputError("Rotations",
-                       name_of(scene.solve.rotations),
-                       "it runs on one process",
-                       "Run it without mpirun, or take linear.");
+      throw InputError(
+        "Rotations",
+        name_of(scene.solve.rotations),
+        "scene.rotations-in-parallel: large rotations run on one process",
+        "Run it without mpirun, or take linear.");
     if (scene.solve.strategy == Strategy::full)
       refuse("Contact strategy",
              name_of(scene.solve.strategy),
@@ -257,10 +259,10 @@ namespace lamella
     for (const Load &load : scene.loads)
       if (!load.pressure.empty() && !load.is_follower)
         scene.warnings.push_back(
-          "load " + load.name +
-          ": its Pressure is dead: per undeformed area, along the normal of "
-          "the undeformed surface. Write `" +
-          load.pressure.text() + ", follows` if it is to turn with the body");
+          "scene.dead-pressure: load " + load.name +
+          ": its Pressure is a dead load: per undeformed area, along the "
+          "normal of the undeformed surface. Write `" +
+          load.pressure.text() + ", follows` for a follower load");
     for (ContactPair &contact : scene.contacts)
       check_contact(scene, contact);
     check_requests(scene);
@@ -302,7 +304,8 @@ namespace lamella
             throw;
           scene.solve.rotations = Rotations::linear;
           scene.warnings.push_back(
-            "Rotations = auto is linear, as large would be refused: " +
+            "scene.rotations-linear: Rotations = auto is linear, since large "
+            "is not possible: " +
             error.path() +
             (error.value().empty() ? "" : " = " + error.value()) + ": " +
             error.rule());

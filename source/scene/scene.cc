@@ -45,13 +45,13 @@ namespace lamella
         "section's own Saint-Venant fields and its responses to what touches "
         "it at N wave numbers; SV is SV-0), solid-N (no beams but hexahedra of "
         "degree N, 1 or 2, on the same meshes).");
-      prm.declare_entry("Gravity",
-                        "0, 0, 0",
-                        patterns::numbers(3),
-                        "Acceleration along the scene's x, y and z "
-                        "[length/s^2], 0, 0, -9.81 in m: the weight of all "
-                        "bodies, whose materials then need a Density. A load, "
-                        "times the load factor.");
+      prm.declare_entry(
+        "Gravity",
+        "0, 0, 0",
+        patterns::numbers(3),
+        "Acceleration along the scene's x, y and z [length/s^2], 0, 0, -9.81 "
+        "in m: the weight of all bodies, whose materials then need a Density. "
+        "A load, times the load factor.");
     }
 
 
@@ -78,8 +78,7 @@ namespace lamella
         "Write VTU",
         "true",
         Bool(),
-        "Whether to write the deformed bodies for ParaView: true "
-        "or false.");
+        "Whether to write the deformed bodies for ParaView: true or false.");
       prm.declare_entry(
         "Find",
         "",
@@ -135,21 +134,22 @@ namespace lamella
           for (const std::string &name : names[kind.list])
             {
               if (!std::regex_match(name, form))
-                entry.refuse("'" + name + "' is not a name",
+                entry.refuse("scene.invalid-name: '" + name + "' is not a name",
                              "Names begin with a letter and go on with "
                              "letters, digits, '_' and '-'.");
               if (!seen.insert(name).second)
-                entry.refuse("'" + name + "' stands there twice");
+                entry.refuse("scene.repeated-name: '" + name + "' is repeated");
             }
         }
       for (const std::string &name : names["Obstacles"])
         for (const std::string &body : names["Bodies"])
           if (name == body)
-            in["Obstacles"].refuse("'" + name + "' is the name of a body, too",
+            in["Obstacles"].refuse("scene.obstacle-named-as-body: '" + name +
+                                     "' is also the name of a body",
                                    "Rename one of the two.");
       for (const char *list : {"Materials", "Sections", "Bodies"})
         if (names[list].empty())
-          in[list].refuse_missing("a scene needs at least one name there.");
+          in[list].refuse_missing("scene.empty-list: give at least one name.");
       return names;
     }
 
@@ -167,11 +167,12 @@ namespace lamella
         {
           const std::string path = kind.kind + " " + name;
           if (!text.has_subsection(path))
-            throw InputError(kind.list,
-                             joined(names),
-                             "there is no 'subsection " + path +
-                               "' for the name in the list",
-                             "Add it, or remove the name.");
+            throw InputError(
+              kind.list,
+              joined(names),
+              "scene.name-without-subsection: there is no 'subsection " + path +
+                "' for the name in the list",
+              "Add it, or remove the name.");
           reading.prm.enter_subsection(path);
           kind.resolve(reading, name, Entries(reading.prm, path));
           reading.prm.leave_subsection();
@@ -189,9 +190,9 @@ namespace lamella
       if (entry.is_empty())
         return false;
       if (entry.text() != "first failure")
-        entry.refuse("must be `first failure`, or empty");
+        entry.refuse("scene.unknown-find: must be `first failure`, or empty");
       if (strength.criteria.empty())
-        entry.refuse("there are no criteria to fail by",
+        entry.refuse("scene.no-criteria: there are no failure criteria",
                      "Give Criteria in subsection Strength, and Strengths of "
                      "the materials.");
       return true;
@@ -251,7 +252,8 @@ namespace lamella
       };
       if (any(scene.probes) || any(scene.lines) || any(scene.cuts) ||
           (by_equilibrium(scene.strength) && !scene.strength.criteria.empty()))
-        gravity.refuse("Stress = equilibrium does not know of weight",
+        gravity.refuse("scene.equilibrium-with-gravity: Stress = equilibrium "
+                       "does not include weight",
                        "Take recovered stresses, or leave out Gravity.");
     }
 
@@ -264,9 +266,9 @@ namespace lamella
     {
       const std::string path = first_with_factors(scene);
       if (scene.find_first_failure && !path.empty())
-        in["Find"].refuse(path +
-                            " has Factors of its own, and what is raised until "
-                            "a ply fails is the load factor",
+        in["Find"].refuse("scene.find-with-factors: " + path +
+                            " has its own Factors, but the load factor is "
+                            "raised until a ply fails",
                           "Leave Factors out.");
     }
 
@@ -334,11 +336,12 @@ namespace lamella
       if (trimmed(text.says(path).value_or("")) != "auto")
         return false;
       if (!has_tolerance)
-        throw InputError(path,
-                         "auto",
-                         "only a run to a tolerance chooses its theory",
-                         "Name a theory, or give a Tolerance in subsection "
-                         "Goals.");
+        throw InputError(
+          path,
+          "auto",
+          "scene.auto-theory-without-tolerance: only a run to a tolerance "
+          "chooses its theory",
+          "Name a theory, or give a Tolerance in subsection Goals.");
       return true;
     }
 

@@ -65,8 +65,8 @@ namespace lamella
       return text.rfind(mark, 0) == 0;
     };
     if (begins("\xff\xfe") || begins("\xfe\xff"))
-      throw InputError("the file is text in UTF-16. Save it as UTF-8 (or "
-                       "ASCII).")
+      throw InputError("scene.utf-16: the file is text in UTF-16. Save it as "
+                       "UTF-8 (or ASCII).")
         .at(file + ": ");
     const std::string result = begins("\xef\xbb\xbf") ? text.substr(3) : text;
     for (std::size_t i = 0; i < result.size();)
@@ -74,8 +74,8 @@ namespace lamella
         const std::size_t n = length_of_character(result, i);
         if (n == 0)
           throw InputError(
-            "the line has a byte that no text in UTF-8 has there. Save the "
-            "file as UTF-8 (or ASCII), or write the line anew.")
+            "scene.not-utf-8: the line is not valid UTF-8. Save the file as "
+            "UTF-8 (or ASCII), or write the line again.")
             .at(line_prefix(
               file, 1 + std::count(result.begin(), result.begin() + i, '\n')));
         i += n;
@@ -114,10 +114,9 @@ namespace lamella
       while (!line.empty() && line.back() == '\\')
         {
           if (begin_of_comment(line) != std::string::npos)
-            throw InputError(
-              "a comment ends with a backslash, which would make the next line "
-              "a part of it. Remove the backslash, or write something behind "
-              "it.")
+            throw InputError("scene.continued-comment: a comment ends with a "
+                             "backslash, which joins the next line to it. "
+                             "Remove the backslash, or write text after it.")
               .at(place);
           std::string next;
           std::getline(lines, next);
@@ -126,9 +125,9 @@ namespace lamella
           if ((next.compare(0, 4, "set ") == 0 &&
                next.find('=') != std::string::npos) ||
               next.compare(0, 11, "subsection ") == 0)
-            throw InputError("the line ends with a backslash, which makes the "
-                             "next, '" +
-                             next + "', a part of it. Remove the backslash.")
+            throw InputError("scene.continued-line: the line ends with a "
+                             "backslash, which joins the next line, '" +
+                             next + "', to it. Remove the backslash.")
               .at(place);
           line = line.substr(0, line.size() - 1) + next;
         }
@@ -149,9 +148,9 @@ namespace lamella
     {
       if ((word == "subsection" || word == "set") &&
           rest.substr(0, rest.find('=')).find('/') != std::string::npos)
-        throw InputError("'" + line +
-                         "' has a '/' in a name. Open subsections one in the "
-                         "other; '/' stands between them with --set only.")
+        throw InputError("scene.slash-in-name: '" + line +
+                         "' has a '/' in a name. Nest subsections; '/' "
+                         "separates them in --set only.")
           .at(here);
     }
 
@@ -166,9 +165,10 @@ namespace lamella
       if (entry.value.empty() && has_comment)
         throw InputError(entry.path,
                          "",
-                         "the value is empty, since '#' begins a comment",
-                         "Write the value before it, or '\\#' for a '#' "
-                         "of the value, or leave the entry out.")
+                         "scene.value-in-comment: the value is empty, since "
+                         "'#' begins a comment",
+                         "Write the value before it, or '\\#' for a '#' of the "
+                         "value, or leave the entry out.")
           .at(here);
     }
 
@@ -177,10 +177,10 @@ namespace lamella
     [[noreturn]] void
     refuse_scene_line(const std::string &line, const std::string &here)
     {
-      throw InputError("'" + line +
-                       "' is not understood. A line is 'subsection NAME', "
-                       "'set ENTRY = VALUE' or the 'end' of an open "
-                       "subsection; '#' begins a comment.")
+      throw InputError(
+        "scene.invalid-line: '" + line +
+        "' is not understood. A line is 'subsection NAME', 'set ENTRY = VALUE' "
+        "or the 'end' of an open subsection; '#' begins a comment.")
         .at(here);
     }
 
@@ -219,7 +219,8 @@ namespace lamella
       check_end(const std::string &file) const
       {
         if (!names.empty())
-          throw InputError("subsection " + names.back() + " has no 'end'.")
+          throw InputError("scene.missing-end: subsection " + names.back() +
+                           " has no 'end'.")
             .at(line_prefix(file, lines.back()));
       }
     };

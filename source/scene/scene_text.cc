@@ -111,9 +111,9 @@ namespace lamella
       for (auto a = items.begin(); a != items.end(); ++a)
         for (auto b = std::next(a); b != items.end(); ++b)
           if (a->path == b->path)
-            throw InputError(kind + " " + a->path +
-                             " was given already in line " +
-                             std::to_string(a->line) + ". Keep one of the two.")
+            throw InputError("scene.repeated-item: " + kind + " " + a->path +
+                             " is already in line " + std::to_string(a->line) +
+                             ". Keep one of the two.")
               .at(line_prefix(file, b->line));
     }
 
@@ -125,8 +125,9 @@ namespace lamella
     {
       const auto equals = assignment.find('=');
       if (equals == std::string::npos || equals == 0)
-        throw InputError("write SUBSECTION/ENTRY=VALUE, as in \"Body "
-                         "upper/Kinematics/Theory=LE-3\".")
+        throw InputError(
+          "scene.invalid-override: write SUBSECTION/ENTRY=VALUE, as in \"Body "
+          "upper/Kinematics/Theory=LE-3\".")
           .at("--set " + assignment + ": ");
       std::vector<std::string> parts = split(assignment.substr(0, equals), '/');
       for (std::string &part : parts)
@@ -149,8 +150,8 @@ namespace lamella
     refuse_repetition(entries, "entry", file);
     refuse_repetition(subsections, "subsection", file);
     if (entries.empty())
-      throw InputError("the scene is empty. `lamella --print-parameters` "
-                       "prints what it may say.")
+      throw InputError("scene.empty: the scene is empty. `lamella "
+                       "--print-parameters` prints the entries of a scene.")
         .at(file + ": ");
     for (const std::string &assignment : overrides)
       set_entry(override_entry(checked_bytes(assignment, "--set")));
@@ -358,7 +359,7 @@ namespace lamella
     const std::string other = begin + nearest_name(bare[0], unlisted);
     throw InputError(list,
                      given->value,
-                     "'" + bare[0] +
+                     "scene.name-without-subsection: '" + bare[0] +
                        "' has no subsection, and the subsection '" + other +
                        "' (line " +
                        std::to_string(find(subsections, other)->line) +
@@ -391,15 +392,16 @@ namespace lamella
   {
     std::ifstream input(file);
     if (!input || std::filesystem::is_directory(file))
-      throw InputError("cannot read this scene file. Check its name and that "
-                       "it may be read.")
+      throw InputError("scene.cannot-read: cannot read this scene file. Check "
+                       "its name and that it may be read.")
         .at(file + ": ");
     std::string text(longest_scene + 1, ' ');
     input.read(text.data(), text.size());
     text.resize(input.gcount());
     if (text.size() > longest_scene)
-      throw InputError("has more than 16 MB, so it is no scene. Name a text of "
-                       "subsections and entries.")
+      throw InputError(
+        "scene.file-too-large: the file has more than 16 MB, so it is no "
+        "scene. Name a text of subsections and entries.")
         .at(file + ": ");
     return SceneText(text, file, overrides);
   }
@@ -433,17 +435,18 @@ namespace lamella
             parent(item.path).empty() ? "" : " in " + parent(item.path);
           const std::string renamed = new_name(item.path);
           if (!renamed.empty())
-            throw InputError("the entry '" + last_part(item.path) + "'" +
-                             where + " is now called '" + renamed +
-                             "'. Rename it.")
+            throw InputError("scene.renamed-entry: the entry '" +
+                             last_part(item.path) + "'" + where +
+                             " is now called '" + renamed + "'. Rename it.")
               .at(place(item));
           const std::string nearest =
             nearest_name(last_part(item.path),
                          children(declared, parent(item.path)));
-          throw InputError(
-            "there is no entry '" + last_part(item.path) + "'" + where +
-            (nearest.empty() ? ". Remove it." :
-                               "; the nearest is '" + nearest + "'."))
+          throw InputError("scene.unknown-entry: there is no entry '" +
+                           last_part(item.path) + "'" + where +
+                           (nearest.empty() ?
+                              ". Remove it." :
+                              "; the nearest is '" + nearest + "'."))
             .at(place(item));
         }
   }
@@ -465,17 +468,18 @@ namespace lamella
     const std::string nearest = nearest_name(name, alike);
     if (!parent(item.path).empty())
       throw InputError(
-        "there is no subsection '" + name + "' in " + parent(item.path) +
+        "scene.unknown-subsection: there is no subsection '" + name + "' in " +
+        parent(item.path) +
         (nearest.empty() ? "" : "; the nearest is '" + nearest + "'") +
-        ". Remove it, or put the 'end' that is missing before it.")
+        ". Remove it, or add the missing 'end' before it.")
         .at(place(item));
-    throw InputError(
-      "there is no subsection '" + name +
-      "': its name must stand in its list (Materials, Sections, Bodies, ...). "
-      "Add it there, or remove the subsection" +
-      (are_alike(name, nearest) ?
-         "; or is the nearest meant, '" + nearest + "'?" :
-         "."))
+    throw InputError("scene.unknown-subsection: there is no subsection '" +
+                     name +
+                     "': its name must stand in its list (Materials, Sections, "
+                     "Bodies, ...). Add it there, or remove the subsection" +
+                     (are_alike(name, nearest) ?
+                        "; or is the nearest meant, '" + nearest + "'?" :
+                        "."))
       .at(place(item));
   }
 

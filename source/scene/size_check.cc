@@ -64,16 +64,16 @@ namespace lamella
         const double bytes     = bytes_per_entry * entries,
                      available = available_memory(scene.solve.memory_limit);
         if (dofs > small && bytes > available)
-          throw InputError(
-            "Body " + body.name,
-            "",
-            body.theory.name() + " on its section and axis has " +
-              to_text(dofs, 3) + " DoFs and needs more than " +
-              gigabytes(bytes) + " for its stiffness alone; " +
-              gigabytes(available) + " are available",
-            "Take fewer cells (Section " + body.section +
-              "/Cells across, Cells per ply), fewer Axis elements, or a lower "
-              "order.");
+          throw InputError("Body " + body.name,
+                           "",
+                           "scene.too-large: " + body.theory.name() +
+                             " on its section and axis has " +
+                             to_text(dofs, 3) + " DoFs and needs more than " +
+                             gigabytes(bytes) + " for its stiffness alone; " +
+                             gigabytes(available) + " are available",
+                           "Take fewer cells (Section " + body.section +
+                             "/Cells across, Cells per ply), fewer Axis "
+                             "elements, or a lower order.");
       }
   }
 } // namespace lamella

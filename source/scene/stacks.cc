@@ -63,8 +63,9 @@ namespace lamella
             {
               for (const std::string &other : given.items())
                 if (copy == other)
-                  given.refuse("'" + copy + "' is also the name of a copy of " +
-                                 kind + " " + name,
+                  given.refuse("scene.name-of-copy: '" + copy +
+                                 "' is also the name of a copy of " + kind +
+                                 " " + name,
                                "Rename one of the two.");
               names.push_back(copy);
             }
@@ -108,8 +109,8 @@ namespace lamella
       const double step   = longer.is_empty() ? 0. : longer.number();
       const double length = entry(text, body + "Length").positive();
       if (length + (n - 1) * step <= 0.)
-        longer.refuse("the last of " + std::to_string(n) +
-                        " copies would have the length " +
+        longer.refuse("scene.copy-length-not-positive: the last of " +
+                        std::to_string(n) + " copies would have the length " +
                         to_text(length + (n - 1) * step),
                       "Take a smaller step, or fewer copies.");
       for (const char *const what : {"Copies", "Origin step", "Length step"})
@@ -180,10 +181,10 @@ namespace lamella
         return;
       if (first_is_stack && second_is_stack && first.first != second.first)
         entry(text, path + "Second")
-          .refuse("First and Second are two stacks, " + first.first + " and " +
-                    second.first,
-                  "Name one copy of one of them, " +
-                    copy_name(second.first, 1) + " say.");
+          .refuse("scene.two-stacks: First and Second are two stacks, " +
+                    first.first + " and " + second.first,
+                  "Name one copy of one of them, such as " +
+                    copy_name(second.first, 1) + ".");
       const bool         within = first_is_stack && second_is_stack;
       const unsigned int n =
         stacks.at(first_is_stack ? first.first : second.first);
@@ -220,8 +221,8 @@ namespace lamella
         else
           for (const char *const step : {"Origin step", "Length step"})
             if (const Entry given = entry(text, path + step); !given.is_empty())
-              given.refuse("a step is from one copy of the body to the next, "
-                           "and it has no copies",
+              given.refuse("scene.step-without-copies: the step leads from one "
+                           "copy of the body to the next, and it has no copies",
                            "Set Copies, or leave the step out.");
       }
     if (stacks.empty())

@@ -29,9 +29,9 @@ namespace lamella
       scene.materials[name] = MaterialParameters::parse(in, scene.units);
       // The half-cylinders of the Hertz paper have no unit.
       if (in["Library"].text() != "hertz-200")
-        for (const std::string &doubt :
+        for (const std::string &warning :
              material_warnings(name, scene.materials[name], scene.units))
-          scene.warnings.push_back(doubt);
+          scene.warnings.push_back(warning);
     }
 
 
@@ -82,12 +82,11 @@ namespace lamella
     void
     declare_references(ParameterHandler &prm)
     {
-      prm.declare_entry(
-        "References",
-        "",
-        Anything(),
-        "Values to print beside the resultant, quantity: value: "
-        "source, between '|'. Quantities: fx, fy, fz.");
+      prm.declare_entry("References",
+                        "",
+                        Anything(),
+                        "Values to print beside the resultant, quantity: "
+                        "value: source, between '|'. Quantities: fx, fy, fz.");
     }
 
 
@@ -140,9 +139,9 @@ namespace lamella
                  .second)
             throw InputError("Support " + support.name,
                              "",
-                             "that is what Isostatic support of the body '" +
-                               scene.bodies[b].name +
-                               "' is called among the supports",
+                             "scene.name-of-isostatic-support: the Isostatic "
+                             "support of body '" +
+                               scene.bodies[b].name + "' has this name",
                              "Rename the support.");
           scene.supports.push_back(support);
         }
@@ -159,12 +158,13 @@ namespace lamella
       load.history =
         HistoryParameters::parse(in, reading.scene.solve.load_factors);
       if (load.history > 0 && !load.temperature.empty())
-        in["Factors"].refuse("a Temperature acts in full in each load step",
+        in["Factors"].refuse("scene.temperature-with-factors: a Temperature "
+                             "acts fully in each load step",
                              "Leave Factors out.");
       reading.scene.loads.push_back(load);
       if (name == weight_load_name && reading.scene.gravity.norm() > 0.)
-        in.refuse("Gravity is what the weight of the bodies is called among "
-                  "the loads",
+        in.refuse("scene.load-named-gravity: the weight of the bodies has the "
+                  "name Gravity",
                   "Rename the load.");
     }
 
@@ -223,10 +223,12 @@ namespace lamella
               (last.obstacle != nullptr || same(other->second, last.second))) ||
              (last.obstacle == nullptr && same(other->first, last.second) &&
               same(other->second, last.first))))
-          throw InputError("Contact " + last.name,
-                           "",
-                           "pairs the same surfaces as Contact " + other->name,
-                           "Keep one of the two.");
+          throw InputError(
+            "Contact " + last.name,
+            "",
+            "scene.repeated-contact: pairs the same surfaces as Contact " +
+              other->name,
+            "Keep one of the two.");
     }
 
 

@@ -70,12 +70,12 @@ namespace lamella
       const double ratio =
         shear_error(body, laminate->plies(scene.materials), laminate->width);
       if (std::abs(ratio - 1.) > worth_saying)
-        notes.push_back("body " + body.name + ": by the section's constants " +
-                        body.theory.name() + " is " +
-                        describe_stiffness(ratio) +
-                        " in bending at this length (12 E I / (k G A L^2)), "
-                        "since it does not follow the shear of these plies. "
-                        "Use LE-N");
+        notes.push_back(
+          "scene.shear-of-theory: body " + body.name +
+          ": by the section's constants " + body.theory.name() + " is " +
+          describe_stiffness(ratio) +
+          " in bending at this length (12 E I / (k G A L^2)), since it does "
+          "not describe the shear of these plies. Use LE-N");
     }
 
 
@@ -93,13 +93,12 @@ namespace lamella
         return;
       const auto found = torsional_stiffness(*make_section(mesh, body.theory));
       if (found && *found > (1. + torsion_worth_saying) * *truth)
-        notes.push_back("body " + body.name + ": in torsion " +
-                        body.theory.name() + " is " +
-                        to_text(*found / *truth, 2) +
-                        " times as stiff as LE-2 on this section (G J " +
-                        to_text(*found, 3) + " and " + to_text(*truth, 3) +
-                        "), and in whatever bends its walls alike. Use LE-N "
-                        "where the body twists");
+        notes.push_back(
+          "scene.torsion-of-theory: body " + body.name + ": in torsion " +
+          body.theory.name() + " is " + to_text(*found / *truth, 2) +
+          " times as stiff as LE-2 on this section (G J " + to_text(*found, 3) +
+          " and " + to_text(*truth, 3) +
+          "), also where its walls bend. Use LE-N if the body twists");
     }
 
     /// Returns the relative increase of the axial stiffness without lateral
@@ -176,13 +175,12 @@ namespace lamella
         cost * contraction_stiffening(mesh, p) * longest / body.axis.length;
       if (longest > coarse * width && error > worth)
         notes.push_back(
-          "body " + body.name +
-          ": a support holds its section as a whole where the element is " +
+          "scene.long-element-at-clamp: body " + body.name +
+          ": a support constrains its whole section where the element is " +
           to_text(longest, 3) + " long, " + to_text(longest / width, 2) +
           " times the section's width: deflections may be " +
-          to_text(100. * error, 1) +
-          " % too small. Next to a clamp elements of " +
-          to_text(fine * width, 2) + " would do (Axis breaks)");
+          to_text(100. * error, 1) + " % too small. Use elements of " +
+          to_text(fine * width, 2) + " next to a clamp (Axis breaks)");
     }
   } // namespace
 
@@ -236,16 +234,16 @@ namespace lamella
           if (!body.theory.is_solid() && body.axis.degree < 3 &&
               !body.axis.assumed_shear)
             notes.push_back(
-              "body " + body.name + ": B" +
+              "scene.shear-locking: body " + body.name + ": B" +
               std::to_string(body.axis.degree + 1) +
               " elements with full Shear strains are too stiff in bending "
-              "where they are longer than the section is high (shear "
-              "locking); use B4, or Shear strains = auto");
+              "where they are longer than the section is high (shear locking); "
+              "use B4, or Shear strains = auto");
           if (has_LE_1(body))
-            notes.push_back("body " + body.name +
-                            ": LE-1 (L4) cells cannot contract linearly "
-                            "through their height and are too stiff in "
-                            "bending (Poisson locking); use LE-2");
+            notes.push_back(
+              "scene.poisson-locking: body " + body.name +
+              ": LE-1 (L4) cells cannot contract linearly through their height "
+              "and are too stiff in bending (Poisson locking); use LE-2");
         }
       return notes;
     }
@@ -264,10 +262,10 @@ namespace lamella
               !std::holds_alternative<Laminate>(shape) &&
               !std::holds_alternative<ThinWalled>(shape))
             notes.push_back(
-              "body " + body.name +
-              ": hexahedra of solid-1 have straight edges and are too stiff in "
-              "bending where section cells are no rectangles and elements "
-              "long, tens of per cent on a section of this shape (" +
+              "scene.distorted-solid-1: body " + body.name +
+              ": hexahedra of solid-1 are too stiff in bending if they are "
+              "long and their section cells are no rectangles: by tens of per "
+              "cent on a section of this shape (" +
               name_of(shape) + "); use solid-2");
         }
       return notes;
@@ -292,9 +290,9 @@ namespace lamella
           const double ratio = stiffness.EI_untwisted / stiffness.EI;
           if (ratio > 1.01)
             notes.push_back(
-              "body " + body.name + ": the layup twists when it bends, which " +
-              body.theory.name() +
-              " cannot follow; by lamination theory it is " +
+              "scene.bend-twist-coupling: body " + body.name +
+              ": the layup twists when it bends, which " + body.theory.name() +
+              " cannot describe; by lamination theory it is " +
               to_text(ratio, 3) +
               " times too stiff in bending. Use TE-2 or more, or LE-N");
         }

@@ -20,24 +20,22 @@ namespace lamella
     {
       prm.declare_entry(
         "Variants",
-        "EBBT | TBT | TE-1 | TE-2 | TE-3 | TE-4 | "
-        "SV | SV-3 | SV-6 | SV-10 | LE-1 | "
-        "LE-2, axis 0.5, section 0.5 | LE-2, axis 0.5 | LE-2 | "
-        "LE-3, section 0.5 | LE-2, section 2 | LE-3 | solid-1 | solid-2 | solid-2, axis 2 | "
-        "LE-3, axis 2",
+        "EBBT | TBT | TE-1 | TE-2 | TE-3 | TE-4 | SV | SV-3 | SV-6 | SV-10 | "
+        "LE-1 | LE-2, axis 0.5, section 0.5 | LE-2, axis 0.5 | LE-2 | LE-3, "
+        "section 0.5 | LE-2, section 2 | LE-3 | solid-1 | solid-2 | solid-2, "
+        "axis 2 | LE-3, axis 2",
         Anything(),
-        "Variants between '|', cheap ones first and the finest last. A variant is a "
-        "theory and what else it changes between commas: axis FACTOR (on the "
-        "numbers of axis elements), section FACTOR (on the numbers of section "
-        "cells in each direction), PATH = VALUE (as of --set). In place of a "
-        "theory tolerance PERCENT: a run that chooses theory and mesh until the "
-        "error bars of the Quantities are within.");
+        "Variants between '|', cheap ones first and the finest last. A variant "
+        "is a theory and what else it changes between commas: axis FACTOR (on "
+        "the numbers of axis elements), section FACTOR (on the numbers of "
+        "section cells in each direction), PATH = VALUE (as of --set). In "
+        "place of a theory tolerance PERCENT: a run that chooses theory and "
+        "mesh until the error bars of the Quantities are within.");
       prm.declare_entry(
         "Bodies",
         "",
         Anything(),
-        "Whose theory and meshes the variants change; all bodies by "
-        "default.");
+        "Whose theory and meshes the variants change; all bodies by default.");
     }
 
 
@@ -50,25 +48,24 @@ namespace lamella
         "Quantities",
         "",
         Anything(),
-        "What is compared, between '|': PROBE: COLUMN (of probes.csv; PROBE/PLY "
-        "on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: fx (and so "
-        "on, pressure, width, width x, dissipated), or of a strip of a contact CONTACT: fx "
-        "in AXIS FROM TO. By default those that Goals names, else what the scene "
-        "gives References for, and of probes without any the largest "
-        "displacement and stress.");
+        "What is compared, between '|': PROBE: COLUMN (of probes.csv; "
+        "PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, mz), "
+        "CONTACT: fx (and so on, pressure, width, width x, dissipated), or of "
+        "a strip of a contact CONTACT: fx in AXIS FROM TO. By default those "
+        "that Goals names, else what the scene gives References for, and of "
+        "probes without any the largest displacement and stress.");
       prm.declare_entry(
         "Reference",
         "finest",
         Anything(),
-        "What errors are taken against: finest (the last variant that succeeds), "
-        "solid (the last such hexahedra), given (the first of the scene's "
-        "References of each quantity), or the name of a variant.");
-      prm.declare_entry(
-        "Tolerance",
-        "1",
-        patterns::numbers(),
-        "Errors, in per cent, that the cheapest variant is sought "
-        "for; one or more between commas.");
+        "What errors are taken against: finest (the last variant that "
+        "succeeds), solid (the last such hexahedra), given (the first of the "
+        "scene's References of each quantity), or the name of a variant.");
+      prm.declare_entry("Tolerance",
+                        "1",
+                        patterns::numbers(),
+                        "Errors, in per cent, that the cheapest variant is "
+                        "sought for; one or more between commas.");
     }
   } // namespace
 
@@ -85,11 +82,11 @@ namespace lamella
                       "Whether each variant makes the error bars of its own "
                       "values, too, as of subsection Goals; they stand beside "
                       "its errors. Its seconds are without them.");
-    prm.declare_entry("Time limit",
-                      "0",
-                      patterns::number(),
-                      "Processor seconds after which a variant is given up; 0: "
-                      "never.");
+    prm.declare_entry(
+      "Time limit",
+      "0",
+      patterns::number(),
+      "Processor seconds after which a variant is given up; 0: never.");
   }
 
 
@@ -111,9 +108,9 @@ namespace lamella
         return std::nullopt;
       const double value = variant.number(piece.substr(word.size() + 1));
       if (!(value >= least_factor && value <= greatest_factor))
-        variant.refuse("the factor of " + word + " must lie between " +
-                         to_text(least_factor) + " and " +
-                         to_text(greatest_factor),
+        variant.refuse("scene.factor-out-of-range: the factor of " + word +
+                         " must lie between " + to_text(least_factor) +
+                         " and " + to_text(greatest_factor),
                        "2 makes the mesh twice as fine.");
       return value;
     }
@@ -129,12 +126,14 @@ namespace lamella
       if (piece != word && piece.compare(0, word.size() + 1, word + " ") != 0)
         return std::nullopt;
       if (piece == word)
-        variant.refuse("the tolerance is missing", "Write, say, tolerance 1.");
+        variant.refuse(
+          "scene.variant-tolerance-missing: the tolerance is missing",
+          "Write, e.g., tolerance 1.");
       const double per_cent = variant.number(piece.substr(word.size() + 1));
       if (!(per_cent > 0. && per_cent <= 100.))
-        variant.refuse("the tolerance must be more than 0 and at most 100 per "
-                       "cent",
-                       "Write, say, tolerance 1.");
+        variant.refuse("scene.per-cent-out-of-range: the tolerance must be "
+                       "more than 0 and at most 100 per cent",
+                       "Write, e.g., tolerance 1.");
       return per_cent / 100.;
     }
 
@@ -151,7 +150,8 @@ namespace lamella
                           "tolerance " + to_text(100. * *first.tolerance, 15) :
                           piece;
       if (first.theory.empty())
-        variant.refuse("the variant begins with no theory");
+        variant.refuse("scene.variant-without-theory: the variant does not "
+                       "begin with a theory");
       if (!first.tolerance)
         Theory::parse(Entry(variant.path(), first.theory));
       return first;
@@ -178,14 +178,14 @@ namespace lamella
             // Values that are lists contain commas.
             variant.overrides.back() += ", " + piece;
           else
-            text.refuse("'" + piece +
-                          "' is none of axis FACTOR, section FACTOR and PATH = "
-                          "VALUE",
-                        "Write, say, LE-2, axis 2.");
+            text.refuse(
+              "scene.invalid-variant: '" + piece +
+                "' is none of axis FACTOR, section FACTOR and PATH = VALUE",
+              "Write, e.g., LE-2, axis 2.");
         }
       if (variant.tolerance && (variant.axis != 1. || variant.section != 1.))
-        text.refuse("a run to a tolerance makes its meshes itself, from those "
-                    "that it begins with",
+        text.refuse("scene.factors-with-tolerance: a run to a tolerance "
+                    "refines its meshes itself",
                     "Leave out axis FACTOR and section FACTOR.");
       return variant;
     }
@@ -200,14 +200,16 @@ namespace lamella
       for (const std::string &piece : entry.items('|'))
         {
           if (piece.empty())
-            entry.refuse("a variant is empty", "Remove a '|'.");
+            entry.refuse("scene.empty-variant: a variant is empty",
+                         "Remove a '|'.");
           variants.push_back(parse_variant(Entry(entry.path(), piece)));
           if (!names.insert(piece).second)
-            entry.refuse("the variant '" + piece + "' stands there twice");
+            entry.refuse("scene.repeated-variant: the variant '" + piece +
+                         "' is repeated");
         }
       if (variants.size() < 2)
-        entry.refuse(
-          "a trade needs at least two variants, with '|' between them");
+        entry.refuse("scene.too-few-variants: a trade needs at least two "
+                     "variants, separated by '|'");
       return variants;
     }
 
@@ -222,15 +224,15 @@ namespace lamella
       for (const NamedQuantity &quantity : quantities)
         {
           if (!quantity.given)
-            reference.refuse(quantity.label() +
-                               " has no value among the scene's References",
-                             "Add one, leave the quantity out, or use "
-                             "Reference = finest.");
+            reference.refuse(
+              "scene.no-reference: " + quantity.label() +
+                " has no value among the scene's References",
+              "Add one, leave the quantity out, or use Reference = finest.");
           if (*quantity.given == 0.)
-            reference.refuse(quantity.label() +
-                               " has the reference 0, against which no error "
-                               "is relative",
-                             "Compare another quantity, or another point.");
+            reference.refuse(
+              "scene.reference-zero: " + quantity.label() +
+                " has the reference 0, so its relative error is undefined",
+              "Compare another quantity, or another point.");
         }
     }
 
@@ -246,7 +248,8 @@ namespace lamella
         references.push_back(variant.name);
       if (std::find(references.begin(), references.end(), entry.text()) ==
           references.end())
-        entry.refuse("must be finest, solid, given or the name of a variant",
+        entry.refuse("scene.unknown-reference: must be finest, solid, given or "
+                     "the name of a variant",
                      "The nearest is '" +
                        nearest_name(entry.text(), references) + "'.");
       return entry.text();
@@ -262,7 +265,8 @@ namespace lamella
       for (const double per_cent : entry.numbers())
         {
           if (!(per_cent > 0. && per_cent <= 100.))
-            entry.refuse("must be more than 0 and at most 100 per cent");
+            entry.refuse("scene.per-cent-out-of-range: must be more than 0 and "
+                         "at most 100 per cent");
           tolerances.push_back(per_cent / 100.);
         }
       return tolerances;
@@ -275,7 +279,8 @@ namespace lamella
     {
       const double seconds = entry.number();
       if (!(seconds >= 0. && seconds <= longest_time))
-        entry.refuse("must be 0 (none) or seconds, at most 1e9");
+        entry.refuse("scene.time-limit-out-of-range: must be 0 (none) or "
+                     "seconds, at most 1e9");
       return seconds;
     }
   } // namespace
