@@ -17,32 +17,31 @@ namespace lamella
                       Selection("B2|B3|B4"),
                       "Beam element: B2, B3 or B4 with 2, 3 or 4 nodes. B4 is "
                       "exact for bending under forces at its ends.");
-    prm.declare_entry("Axis elements",
-                      "10",
-                      dealii::Patterns::Anything(),
-                      "Number of equal elements along the axis, or one number "
-                      "for each piece between Axis breaks. auto: graded to "
-                      "what touches the body, short at clamps and contacts, "
-                      "with ten elements or more to a span that is loaded all "
-                      "along; auto 2: twice as many everywhere.");
     prm.declare_entry(
-      "Axis breaks",
-      "",
-      patterns::numbers(),
-      "Distances from the start of the axis that end a piece of "
-      "the mesh, ascending [length].");
+      "Axis elements",
+      "10",
+      dealii::Patterns::Anything(),
+      "Number of equal elements along the axis, or one number for each piece "
+      "between Axis breaks. auto: graded to what touches the body, short at "
+      "clamps and contacts, with ten elements or more to a span that is loaded "
+      "all along; auto 2: twice as many everywhere.");
+    prm.declare_entry("Axis breaks",
+                      "",
+                      patterns::numbers(),
+                      "Distances from the start of the axis that end a piece "
+                      "of the mesh, ascending [length].");
     prm.declare_entry("Axis nodes",
                       "Gauss-Lobatto",
                       Selection("Gauss-Lobatto|equidistant"),
                       "Gauss-Lobatto or equidistant nodes of a B4: the same "
                       "displacements, other places of node-to-node contact.");
-    prm.declare_entry("Shear strains",
-                      "auto",
-                      Selection("auto|assumed|full"),
-                      "assumed: transverse shear strains are interpolated one "
-                      "degree lower along the axis (MITC), against shear "
-                      "locking; full: as the displacements give them; auto: "
-                      "assumed for B2 and B3, full for B4.");
+    prm.declare_entry(
+      "Shear strains",
+      "auto",
+      Selection("auto|assumed|full"),
+      "assumed: transverse shear strains are interpolated one degree lower "
+      "along the axis (MITC), against shear locking; full: as the "
+      "displacements give them; auto: assumed for B2 and B3, full for B4.");
   }
 
 
@@ -66,8 +65,8 @@ namespace lamella
         return 0.;
       const double refinement_factor = entry.number(text.substr(5));
       if (!(refinement_factor >= least && refinement_factor <= most))
-        entry.refuse("the factor must lie between " + to_text(least) + " and " +
-                     to_text(most));
+        entry.refuse("axis.factor-out-of-range: the factor must lie between " +
+                     to_text(least) + " and " + to_text(most));
       return refinement_factor;
     }
 
@@ -80,7 +79,8 @@ namespace lamella
       const std::vector<unsigned int> elements =
         entry.whole_numbers(1, most_elements);
       if (elements.size() != n_pieces)
-        entry.refuse("there are " + std::to_string(n_pieces) +
+        entry.refuse("axis.count-of-elements: there are " +
+                       std::to_string(n_pieces) +
                        " pieces (Axis breaks and one) and " +
                        std::to_string(elements.size()) +
                        (elements.size() == 1 ? " number" : " numbers"),
@@ -110,10 +110,10 @@ namespace lamella
     if (mesh.refinement_factor == 0.)
       mesh.elements = parse_elements(elements, mesh.breaks.size() + 1);
     else if (!mesh.breaks.empty())
-      in["Axis breaks"].refuse("Axis elements = " + elements.text() +
-                                 " chooses the ends of elements itself",
-                               "Leave out Axis breaks, or give numbers of "
-                               "elements.");
+      in["Axis breaks"].refuse(
+        "axis.breaks-with-auto: Axis elements = " + elements.text() +
+          " chooses the ends of elements itself",
+        "Leave out Axis breaks, or give numbers of elements.");
     return mesh;
   }
 } // namespace lamella

@@ -66,7 +66,8 @@ namespace lamella
     if (n_processes() > beam_axis->n_nodes())
       throw InputError("Body " + name,
                        "",
-                       "has " + std::to_string(beam_axis->n_nodes()) +
+                       "body.too-many-processes: has " +
+                         std::to_string(beam_axis->n_nodes()) +
                          " nodes along its axis, too few to share among " +
                          std::to_string(n_processes()) + " processes",
                        "Start fewer processes, or take more Axis elements.");

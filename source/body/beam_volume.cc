@@ -38,8 +38,8 @@ namespace lamella
     if (beam_section->completes_by_modes())
       throw InputError("Body " + name() + "/Kinematics/Theory",
                        beam_section->theory().name(),
-                       "has contracting modes that heat would strain, too, "
-                       "which this theory leaves out",
+                       "body.temperature-of-theory: this theory omits the "
+                       "thermal strains of its contraction modes",
                        "Take TE-2, LE-N or SV-N for a body with a Temperature, "
                        "or Poisson correction = false.");
     Body::heat(change);

@@ -75,7 +75,8 @@ namespace lamella
     {
       throw InputError("Material " + ply.material,
                        "",
-                       "has no " + property + ", and body '" + body.name() +
+                       "body.material-property-missing: has no " + property +
+                         ", and body '" + body.name() +
                          "', which is made of it, " + what_asks_for_it,
                        remedy);
     }
@@ -106,12 +107,12 @@ namespace lamella
     for (const Ply &ply : plies())
       {
         if (!ply.properties.density)
-          refuse_material(ply,
-                          "Density",
-                          *this,
-                          "is under Gravity",
-                          "Give it (0 if its weight does not count), or leave "
-                          "out Gravity.");
+          refuse_material(
+            ply,
+            "Density",
+            *this,
+            "is under Gravity",
+            "Give it (0 if its weight does not count), or leave out Gravity.");
         rho.push_back(*ply.properties.density);
       }
     return rho;
@@ -156,18 +157,19 @@ namespace lamella
              alone                                       ? SolverKind::cholmod :
                                                            SolverKind::mumps;
     if (requested == SolverKind::cholmod && !alone)
-      throw InputError("Linear solver",
-                       name_of(requested),
-                       "works on one process, and there are " +
-                         std::to_string(n_processes()),
-                       "Choose auto or mumps, or start one process.");
+      throw InputError(
+        "Linear solver",
+        name_of(requested),
+        "body.solver-in-parallel: works on one process, and there are " +
+          std::to_string(n_processes()),
+        "Choose auto or mumps, or start one process.");
     if (requested == SolverKind::cg && !is_nodal())
       throw InputError("Linear solver",
                        name_of(requested),
-                       "is not for body '" + name() + "' (" + theory() +
-                         "): multigrid needs DoFs that are displacements of "
-                         "nodes, and those of a beam are amplitudes of "
-                         "functions over its section",
+                       "body.multigrid-of-beam: is not for body '" + name() +
+                         "' (" + theory() +
+                         "): multigrid needs nodal displacements as DoFs, and "
+                         "those of a beam are amplitudes of section functions",
                        "Choose auto or mumps.");
     return requested;
   }
@@ -340,11 +342,11 @@ namespace lamella
   void
   Body::rethrow_with_position(const NotPositiveDefinite &error) const
   {
-    throw NotPositiveDefinite(
-      std::string(error.what()) + " It shows first near " +
-        to_text(dof_position(error.dof)) +
-        ": look for elements that are very short or thin beside their "
-        "neighbors there.",
-      error.dof);
+    throw NotPositiveDefinite(std::string(error.what()) +
+                                " It occurs first near " +
+                                to_text(dof_position(error.dof)) +
+                                ": look there for elements much shorter or "
+                                "thinner than their neighbors.",
+                              error.dof);
   }
 } // namespace lamella

@@ -98,9 +98,8 @@ namespace lamella
   {
     for (const auto &list : fields_of_node)
       if (section().n_fields() > n_node_unknowns && !fields().is_dense(list))
-        throw InputError("Sections that turn want Theory = EBBT, TBT, SV or "
-                         "SV-N: those of all others deform as a turned one "
-                         "does.");
+        throw InputError("body.theory-without-rotating-sections: rotating "
+                         "sections need Theory = EBBT, TBT, SV or SV-N.");
     make_stations();
     const SaintVenant states(*deformable_section);
     twist_stretch = std::make_unique<TwistStretch>(states);
@@ -306,10 +305,10 @@ namespace lamella
               h * sign_of_rotation[c] * theta[c];
           else if (std::abs(theta[c]) > arithmetic::same_value)
             throw NumericsError(
-              "Body " + name() + " (" + theory() +
-              ") bends in two planes, and would have to twist by " +
+              "body.twist-needed: body " + name() + " (" + theory() +
+              ") bends in two planes and needs to twist by " +
               to_text(theta[c], 2) +
-              " rad: its sections cannot. Take Theory = SV.");
+              " rad, which its theory excludes. Take Theory = SV.");
       }
     return result;
   }

@@ -108,11 +108,12 @@ namespace lamella
   {
     const Triangulation<2> &plane = section_mesh->mesh;
     if (plane.has_hanging_nodes())
-      throw InputError(what,
-                       "",
-                       "the section's mesh has hanging nodes, so it does not "
-                       "extrude into a conforming coarse mesh of hexahedra",
-                       "Give the section a mesh without.");
+      throw InputError(
+        what,
+        "",
+        "body.hanging-nodes: the section's mesh has hanging nodes, so it does "
+        "not extrude into a conforming mesh of hexahedra",
+        "Give the section a mesh without hanging nodes.");
     std::vector<double> y{0.};
     for (const double length : element_lengths(axis))
       y.push_back(y.back() + length);
@@ -203,16 +204,14 @@ namespace lamella
       const double needed  = (matrix + cells) / n_processes();
       const double allowed = available_memory(limit);
       if (sum_over_machine(needed) > allowed)
-        throw InputError(what,
-                         "",
-                         "refined to " + to_text(n_cells, 3) +
-                           " hexahedra it has some " + to_text(dofs, 2) +
-                           " DoFs and needs more than " +
-                           gigabytes(matrix + cells) + ", and " +
-                           gigabytes(allowed) +
-                           " are available on each machine",
-                         "Refine less often, or near a point only (Refine "
-                         "near).");
+        throw InputError(
+          what,
+          "",
+          "body.too-large: refined to " + to_text(n_cells, 3) +
+            " hexahedra it has some " + to_text(dofs, 2) +
+            " DoFs and needs more than " + gigabytes(matrix + cells) +
+            ", and " + gigabytes(allowed) + " are available on each machine",
+          "Refine less often, or near a point only (Refine near).");
     }
 
 
@@ -259,13 +258,13 @@ namespace lamella
         {
           const unsigned int flagged = flag_cells(mesh, ball);
           if (flagged == 0)
-            throw InputError(what + "/Kinematics/Refine near",
-                             "",
-                             "no hexahedron of the body reaches into the ball "
-                             "of radius " +
-                               to_text(ball.radius),
-                             "Its center is in the scene's axes; is it near "
-                             "the body?");
+            throw InputError(
+              what + "/Kinematics/Refine near",
+              "",
+              "body.ball-outside: no hexahedron of the body intersects the "
+              "ball of radius " +
+                to_text(ball.radius),
+              "Its center is in the scene's axes; is it near the body?");
           require(mesh.n_global_active_cells() + 7. * flagged);
           mesh.execute_coarsening_and_refinement();
         }

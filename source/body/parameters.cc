@@ -35,12 +35,12 @@ namespace lamella
   BodyParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry("Section", "", Anything(), "A name of Sections.");
-    prm.declare_entry("Origin",
-                      "0, 0, 0",
-                      patterns::numbers(3),
-                      "Scene position of the section's lower left corner (of "
-                      "a mesh file: of its own origin) at the start of the "
-                      "axis [length].");
+    prm.declare_entry(
+      "Origin",
+      "0, 0, 0",
+      patterns::numbers(3),
+      "Scene position of the section's lower left corner (of a mesh file: of "
+      "its own origin) at the start of the axis [length].");
     prm.declare_entry("Axis",
                       "0, 1, 0",
                       patterns::numbers(3),
@@ -53,23 +53,23 @@ namespace lamella
                       "",
                       patterns::optional(patterns::positive()),
                       "Of the axis [length].");
-    prm.declare_entry("Copies",
-                      "",
-                      patterns::optional(patterns::positive()),
-                      "Makes a stack of the body: NAME-1, NAME-2, ..., so "
-                      "many. What names the body in On, First and Second "
-                      "stands for them; a contact of it with itself is "
-                      "between neighbors.");
+    prm.declare_entry(
+      "Copies",
+      "",
+      patterns::optional(patterns::positive()),
+      "Makes a stack of the body: NAME-1, NAME-2, ..., so many. What names the "
+      "body in On, First and Second stands for them; a contact of it with "
+      "itself is between neighbors.");
     prm.declare_entry("Origin step",
                       "",
                       patterns::numbers(),
                       "From the Origin of one copy to that of the next "
                       "[length]; default 0, 0, 0.");
-    prm.declare_entry("Length step",
-                      "",
-                      patterns::optional(patterns::number()),
-                      "From the Length of one copy to that of the next "
-                      "[length]; default 0.");
+    prm.declare_entry(
+      "Length step",
+      "",
+      patterns::optional(patterns::number()),
+      "From the Length of one copy to that of the next [length]; default 0.");
     prm.declare_entry(
       "Stabilization",
       "0",
@@ -120,9 +120,10 @@ namespace lamella
     {
       const double share = entry.number();
       if (!(share >= 0. && share <= largest_stabilization))
-        entry.refuse("must lie between 0 (none) and " +
-                     to_text(largest_stabilization) +
-                     "; 1e-6 holds a body without changing the result");
+        entry.refuse(
+          "body.stabilization-out-of-range: must lie between 0 (none) and " +
+          to_text(largest_stabilization) +
+          "; 1e-6 supports a body without changing the result");
       return share;
     }
 
@@ -142,8 +143,8 @@ namespace lamella
       body.axis   = AxisParameters::parse(in, length);
       if (body.theory.keeps_sections_normal() && body.axis.degree != 3)
         in["Axis element"].refuse(
-          "EBBT needs B4, whose cubic deflections Kirchhoff's constraint makes "
-          "smooth from element to element",
+          "body.ebbt-needs-b4: EBBT needs cubic deflections, whose slopes are "
+          "continuous between elements",
           "Use B4, or TBT.");
       body.refinement = SolidParameters::parse(in, body.placement);
     }
@@ -194,10 +195,10 @@ namespace lamella
       if (body.axis.length > most * extent)
         throw InputError("Body " + body.name + "/Length",
                          to_text(body.axis.length),
-                         "that is " + to_text(body.axis.length / extent, 2) +
+                         "body.too-slender: is " +
+                           to_text(body.axis.length / extent, 2) +
                            " times the extent of its section, " +
-                           to_text(extent, 3) +
-                           "; doubles hold beams of up to " +
+                           to_text(extent, 3) + "; double precision allows " +
                            to_text(sensible) + " times",
                          "Are the units right?");
     }
@@ -221,10 +222,10 @@ namespace lamella
       throw InputError(
         "Body " + body.name + "/Kinematics/Theories",
         all,
-        "the section '" + body.section + "' is more than " +
-          to_text(LagrangeElement::default_column_aspect) +
-          " times as long as thick; LE is made of functions of whole columns "
-          "there, in which degrees of LE do not share theirs",
+        "body.column-functions: the section '" + body.section +
+          "' is more than " + to_text(LagrangeElement::default_column_aspect) +
+          " times as wide as thick; LE uses functions of whole columns there, "
+          "which differ between orders",
         "Give all pieces of LE-N the same N, and Section order = auto.");
     }
 

@@ -17,9 +17,8 @@ namespace lamella
     if (!(across.norm() > arithmetic::parallel_sine * axis.norm() * up.norm()))
       throw InputError("Placement",
                        "",
-                       "Axis and Up must be two directions that are neither "
-                       "zero nor parallel; they fix where the section's x and "
-                       "z point",
+                       "body.placement-degenerate: Axis and Up must be neither "
+                       "zero nor parallel; they define the section's x and z",
                        "Make Up a direction across the axis.");
     Placement placement;
     placement.origin  = origin;

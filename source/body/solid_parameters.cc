@@ -23,9 +23,10 @@ namespace lamella
     {
       const double n = entry.number(piece);
       if (!(n >= 0. && n <= max_ellipse_refinements && n == std::floor(n)))
-        entry.refuse("how often must be a whole number from 0 to " +
+        entry.refuse("body.times-out-of-range: the number of times must be "
+                     "whole, from 0 to " +
                      std::to_string(max_ellipse_refinements) +
-                     ", each time divides cells in eight");
+                     "; each divides cells into eight");
       return static_cast<unsigned int>(n);
     }
 
@@ -37,13 +38,13 @@ namespace lamella
     {
       const std::vector<std::string> parts = entry.items(':');
       if (parts.size() != 3)
-        entry.refuse("must be x, y, z: radius: times");
+        entry.refuse("body.invalid-ball: must be x, y, z: radius: times");
       SolidRefinement::Ball ball;
       ball.center = placement.to_body(entry.point(parts[0]));
       ball.radius = entry.number(parts[1]);
       ball.times  = times(entry, parts[2]);
       if (!(ball.radius > 0.))
-        entry.refuse("the radius must be positive");
+        entry.refuse("entry.not-positive: the radius must be positive");
       return ball;
     }
   } // namespace
@@ -53,18 +54,18 @@ namespace lamella
   void
   SolidParameters::declare(ParameterHandler &prm)
   {
-    prm.declare_entry("Refinements",
-                      "0",
-                      patterns::number(),
-                      "Of solids: how often all hexahedra, a section cell "
-                      "times an axis element each, are divided in eight. "
-                      "Beams ignore it.");
-    prm.declare_entry("Refine near",
-                      "",
-                      Anything(),
-                      "Of solids: then divides those that reach into a ball, "
-                      "x, y, z: radius: times, between '|' [scene axes]. "
-                      "Beams ignore it.");
+    prm.declare_entry(
+      "Refinements",
+      "0",
+      patterns::number(),
+      "Of solids: how often all hexahedra, a section cell times an axis "
+      "element each, are divided in eight. Beams ignore it.");
+    prm.declare_entry(
+      "Refine near",
+      "",
+      Anything(),
+      "Of solids: then divides those that reach into a ball, x, y, z: radius: "
+      "times, between '|' [scene axes]. Beams ignore it.");
   }
 
 

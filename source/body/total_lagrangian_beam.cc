@@ -21,9 +21,9 @@ namespace lamella
     {
       if (section->completes_strains() || axis.degree() != 3)
         throw InputError(
-          "Large rotations of a beam want Theory = LE-N, or TE-N from TE-2 on, "
-          "and Axis element = B4: other sections cannot deform as a turned one "
-          "does, and B2 and B3 lock in their membrane.");
+          "body.theory-cannot-rotate: large rotations of a beam need Theory = "
+          "LE-N, or TE-N from TE-2 on, and Axis element = B4: other sections "
+          "cannot represent a rotation, and B2 and B3 have membrane locking.");
       return section;
     }
   } // namespace

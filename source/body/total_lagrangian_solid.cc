@@ -22,8 +22,9 @@ namespace lamella
     : Solid(name, section, axis, placement, degree, refinement)
   {
     if (degree < 2)
-      throw InputError("Large rotations of a solid want solid-2: the "
-                       "incompatible modes of solid-1 are of small strains.");
+      throw InputError(
+        "body.solid-1-cannot-rotate: large rotations of a solid need solid-2: "
+        "the incompatible modes of solid-1 are valid for small strains.");
   }
 
 

@@ -32,8 +32,8 @@ namespace lamella
 
 
     const std::string layup_rule =
-      "must be ply angles in degrees between slashes, bottom to top, as in "
-      "0/90/0 or [0/+-45/90]2s";
+      "material.invalid-layup: must be ply angles in degrees between slashes, "
+      "bottom to top, as in 0/90/0 or [0/+-45/90]2s";
 
 
 
@@ -62,7 +62,7 @@ namespace lamella
   {
     const std::string &code = entry.text();
     if (code.size() > 1000)
-      entry.refuse("is longer than 1000 characters",
+      entry.refuse("material.layup-too-long: is longer than 1000 characters",
                    "Use brackets and a repetition, as in [0/90]50s.");
     // A bracket, what it holds, and what follows it; or no bracket at all.
     static const std::regex form(

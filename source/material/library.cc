@@ -258,10 +258,10 @@ namespace lamella
                    materials().end(),
                    [&entry](const auto &m) { return m.name == entry.text(); });
     if (found == materials().end())
-      entry.refuse("no such built-in material",
-                   "The nearest is '" +
-                     nearest_name(entry.text(), library_materials()) +
-                     "'; all of them: " + joined(library_materials()) + ".");
+      entry.refuse(
+        "material.unknown-material: there is no such built-in material",
+        "The nearest is '" + nearest_name(entry.text(), library_materials()) +
+          "'; all of them: " + joined(library_materials()) + ".");
     return found->in_pascals ? converted(found->material, units) :
                                found->material;
   }

@@ -17,13 +17,13 @@ namespace lamella
     void
     declare_strengths(ParameterHandler &prm)
     {
-      prm.declare_entry("Strengths",
-                        "",
-                        patterns::numbers(),
-                        "Xt, Xc, Yt, Yc, Zt, Zc, S12, S13, S23 in the scene's "
-                        "stresses: tension and compression along 1, 2, 3, and "
-                        "shear. All positive, Xc the size. Those of the "
-                        "library, if it has any, are replaced.");
+      prm.declare_entry(
+        "Strengths",
+        "",
+        patterns::numbers(),
+        "Xt, Xc, Yt, Yc, Zt, Zc, S12, S13, S23 in the scene's stresses: "
+        "tension and compression along 1, 2, 3, and shear. All positive, Xc "
+        "the size. Those of the library, if it has any, are replaced.");
       prm.declare_entry("Ultimate strains",
                         "",
                         patterns::numbers(),
@@ -62,26 +62,25 @@ namespace lamella
       "Engineering constants",
       "",
       patterns::numbers(),
-      "Orthotropic: E1, E2, E3, G12, G13, G23, nu12, nu13, nu23 "
-      "with 1 along the fiber and 3 normal to the ply, in the "
-      "scene's stresses.");
-    prm.declare_entry("Isotropic",
-                      "",
-                      patterns::numbers(),
-                      "E, nu of an isotropic material, E in the scene's "
-                      "stresses.");
-    prm.declare_entry("Density",
-                      "",
-                      patterns::optional(patterns::number()),
-                      "Mass per volume, for Gravity, in the mass that the "
-                      "scene's force and length make with seconds: kg/m^3 of "
-                      "m, N; t/mm^3 of mm, N.");
-    prm.declare_entry("Thermal expansion",
-                      "",
-                      patterns::numbers(),
-                      "Strain per kelvin, for the Temperature of a load: one "
-                      "number, or three along the material's axes 1, 2 and 3. "
-                      "They may be negative.");
+      "Orthotropic: E1, E2, E3, G12, G13, G23, nu12, nu13, nu23 with 1 along "
+      "the fiber and 3 normal to the ply, in the scene's stresses.");
+    prm.declare_entry(
+      "Isotropic",
+      "",
+      patterns::numbers(),
+      "E, nu of an isotropic material, E in the scene's stresses.");
+    prm.declare_entry(
+      "Density",
+      "",
+      patterns::optional(patterns::number()),
+      "Mass per volume, for Gravity, in the mass that the scene's force and "
+      "length make with seconds: kg/m^3 of m, N; t/mm^3 of mm, N.");
+    prm.declare_entry(
+      "Thermal expansion",
+      "",
+      patterns::numbers(),
+      "Strain per kelvin, for the Temperature of a load: one number, or three "
+      "along the material's axes 1, 2 and 3. They may be negative.");
     declare_strengths(prm);
   }
 
@@ -94,7 +93,8 @@ namespace lamella
     {
       const Material material = library_material(entry, units);
       if (units.stress.empty() && entry.text() != "hertz-200")
-        entry.refuse("its constants have units, but Units is none",
+        entry.refuse("material.library-without-units: its constants have "
+                     "units, but Units is none",
                      "Set Units = m, N or mm, N.");
       return material;
     }
@@ -106,10 +106,10 @@ namespace lamella
     {
       const std::vector<double> numbers = entry.numbers();
       if (numbers.size() != 2)
-        entry.refuse("must be two numbers, E and nu");
+        entry.refuse("material.wrong-count: must be two numbers, E and nu");
       if (!(numbers[1] > -1. && numbers[1] < 0.5))
-        entry.refuse("nu must lie between -1 and 0.5, or the material is not "
-                     "positive definite");
+        entry.refuse(
+          "material.not-positive-definite: nu must lie between -1 and 0.5");
       return EngineeringConstants::isotropic(numbers[0], numbers[1]);
     }
 
@@ -120,8 +120,8 @@ namespace lamella
     {
       const std::vector<double> n = entry.numbers();
       if (n.size() != 9)
-        entry.refuse("must be nine numbers, E1, E2, E3, G12, G13, G23, nu12, "
-                     "nu13, nu23; there are " +
+        entry.refuse("material.wrong-count: must be nine numbers, E1, E2, E3, "
+                     "G12, G13, G23, nu12, nu13, nu23; there are " +
                      std::to_string(n.size()));
       return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
     }
@@ -139,14 +139,15 @@ namespace lamella
       if (numbers.empty())
         return numbers;
       if (numbers.size() != names.size())
-        entry.refuse("must be " + std::to_string(names.size()) + " numbers, " +
+        entry.refuse("material.wrong-count: must be " +
+                     std::to_string(names.size()) + " numbers, " +
                      joined(names) + "; there are " +
                      std::to_string(numbers.size()));
       for (unsigned int i = 0; i < numbers.size(); ++i)
         if (!(numbers[i] > 0.))
-          entry.refuse(names[i] + " = " + to_text(numbers[i]) +
-                         " must be positive",
-                       "Give the size of compressive ones, too.");
+          entry.refuse("material.strength-not-positive: " + names[i] + " = " +
+                         to_text(numbers[i]) + " must be positive",
+                       "Give compressive strengths as positive numbers, too.");
       return numbers;
     }
 
@@ -172,8 +173,8 @@ namespace lamella
       if (n.empty())
         return {};
       if (n.size() != 1 && n.size() != 3)
-        entry.refuse("must be one number, or three along the axes 1, 2 and 3; "
-                     "there are " +
+        entry.refuse("material.wrong-count: must be one number, or three along "
+                     "the axes 1, 2 and 3; there are " +
                      std::to_string(n.size()));
       // A strain of a tenth a kelvin is none of a solid.
       constexpr double     most = 0.1;
@@ -182,9 +183,10 @@ namespace lamella
         {
           alpha[k] = n[n.size() == 1 ? 0 : k];
           if (!(std::abs(alpha[k]) < most))
-            entry.refuse("is a strain per kelvin, and " + to_text(alpha[k]) +
-                           " of it is none of a solid",
-                         "Steel has 12e-6.");
+            entry.refuse(
+              "material.expansion-too-large: is a strain per kelvin, and " +
+                to_text(alpha[k]) + " is too large for a solid",
+              "Steel has 12e-6.");
         }
       return alpha;
     }
@@ -213,12 +215,14 @@ namespace lamella
       if (entry.text() == "glass")
         return PuckInclinations::glass();
       if (entry.items().size() != 4)
-        entry.refuse("must be carbon, glass, or four numbers");
+        entry.refuse("material.invalid-inclinations: must be carbon, glass, or "
+                     "four numbers");
       const std::vector<double> n = entry.numbers();
       for (const double p : n)
         if (!(p >= 0. && p < 1.))
-          entry.refuse("each must be from 0 to less than 1",
-                       "They are slopes, some 0.2 to 0.35.");
+          entry.refuse("material.inclination-out-of-range: each must be from 0 "
+                       "to less than 1",
+                       "They are slopes of about 0.2 to 0.35.");
       return {n[0], n[1], n[2], n[3]};
     }
 
@@ -236,7 +240,8 @@ namespace lamella
         {
           material.yield = yield.positive();
           if (!is_isotropic(material.elastic))
-            yield.refuse("is of isotropic materials, and this one is not",
+            yield.refuse("material.yield-not-isotropic: applies to isotropic "
+                         "materials, and this one is not",
                          "Give Strengths.");
         }
       const std::vector<double> core =
@@ -258,8 +263,8 @@ namespace lamella
         !library.is_empty() + !orthotropic.is_empty() + !isotropic.is_empty();
       if (given != 1)
         in.refuse(
-          std::string("give exactly one of Library, Engineering constants and "
-                      "Isotropic; ") +
+          std::string("material.not-one-source: give exactly one of Library, "
+                      "Engineering constants and Isotropic; ") +
           (given == 0 ? "none is" : "several are") + " set");
       if (!library.is_empty())
         return parse_library(library, units);
@@ -270,7 +275,9 @@ namespace lamella
       const std::string          violated = elastic.violated_condition();
       if (!violated.empty())
         (isotropic.is_empty() ? orthotropic : isotropic)
-          .refuse("the material is not positive definite: " + violated);
+          .refuse("material.not-positive-definite: the material is not "
+                  "positive definite: " +
+                  violated);
       return elastic;
     }
   } // namespace
@@ -285,7 +292,7 @@ namespace lamella
       {
         material.density = density.number();
         if (*material.density < 0.)
-          density.refuse("must not be negative");
+          density.refuse("entry.negative: must not be negative");
       }
     if (const auto expansion = parse_expansion(in["Thermal expansion"]))
       material.expansion = expansion;

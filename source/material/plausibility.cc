@@ -66,8 +66,8 @@ namespace lamella
                       units.stress);
     if (odd.empty())
       return "";
-    return "material " + name + ": " + joined(odd) +
-           (odd.size() == 1 ? " lies" : " lie") +
+    return "material.modulus-out-of-range: material " + name + ": " +
+           joined(odd) + (odd.size() == 1 ? " lies" : " lie") +
            " outside of 1 MPa to 2 TPa, where moduli of solids are" +
            remedy("numbers are", units);
   }
@@ -229,13 +229,14 @@ namespace lamella
     constexpr double weakest = 1. / 10000., strongest = 0.3, least_shear = 1e-3,
                      most_shear = 10.;
     std::vector<std::string> plausibility_warnings;
-    const auto               add = [&](const std::string &doubt) {
-      if (!doubt.empty())
-        plausibility_warnings.push_back("material " + name + ": " + doubt);
+    const auto add = [&](const std::string &id, const std::string &warning) {
+      if (!warning.empty())
+        plausibility_warnings.push_back("material." + id + ": material " +
+                                        name + ": " + warning);
     };
-    if (const std::string doubt = moduli_warning(name, material, units);
-        !doubt.empty())
-      plausibility_warnings.push_back(doubt);
+    if (const std::string warning = moduli_warning(name, material, units);
+        !warning.empty())
+      plausibility_warnings.push_back(warning);
     std::string ratio = worst_ratio(shear_ratios(material.elastic),
                                     least_shear,
                                     most_shear,
@@ -243,13 +244,14 @@ namespace lamella
     // A wrong shear modulus makes its strength look wrong, too.
     if (ratio.empty())
       ratio = worst_ratio(strength_ratios(material), weakest, strongest, units);
-    add(ratio);
+    add("ratio-out-of-range", ratio);
     if (material.ultimate_strains)
-      add(ultimate_strain_warning(*material.ultimate_strains, strongest));
+      add("ultimate-strain-too-large",
+          ultimate_strain_warning(*material.ultimate_strains, strongest));
     if (material.density)
-      add(density_warning(*material.density, units));
+      add("density-out-of-range", density_warning(*material.density, units));
     if (material.expansion)
-      add(expansion_warning(*material.expansion));
+      add("expansion-too-large", expansion_warning(*material.expansion));
     return plausibility_warnings;
   }
 } // namespace lamella

@@ -144,7 +144,7 @@ namespace lamella
 
     std::smatch match;
     if (!std::regex_match(entry.text(), match, of_order))
-      entry.refuse("no such theory", remedy);
+      entry.refuse("section.unknown-theory: there is no such theory", remedy);
     theory.kind              = *named<Kind>(match[1]);
     theory.order             = std::stoi(match[2]);
     const unsigned int least = theory.kind == Kind::SV ? 0 : 1,
@@ -153,7 +153,7 @@ namespace lamella
                                theory.kind == Kind::SV ? 40 :
                                                          2;
     if (theory.order < least || theory.order > limit)
-      entry.refuse("N is out of range", remedy);
+      entry.refuse("section.order-out-of-range: N is out of range", remedy);
     return theory;
   }
 
@@ -166,31 +166,31 @@ namespace lamella
                       "",
                       dealii::Patterns::Anything(),
                       "Overrides the scene's Theory for this body.");
-    prm.declare_entry("Theories",
-                      "",
-                      dealii::Patterns::Anything(),
-                      "Instead of Theory: one for each piece of the axis "
-                      "between Theory breaks, e.g. LE-2, SV-6, LE-3. LE-N and "
-                      "SV-N only.");
+    prm.declare_entry(
+      "Theories",
+      "",
+      dealii::Patterns::Anything(),
+      "Instead of Theory: one for each piece of the axis between Theory "
+      "breaks, e.g. LE-2, SV-6, LE-3. LE-N and SV-N only.");
     prm.declare_entry("Theory breaks",
                       "",
                       patterns::numbers(),
                       "Distances from the start of the axis at which one of "
                       "Theories ends and the next begins, ascending [length].");
-    prm.declare_entry("Section order",
-                      "auto",
-                      patterns::WordOrPattern("auto", patterns::Whole(1, 8)),
-                      "Of SV and SV-N: the degree of the layer-wise functions "
-                      "that their fields are made of. It costs section "
-                      "solutions, no DoFs. auto: 3, or the highest N of LE-N "
-                      "where Theories has one.");
-    prm.declare_entry("Poisson correction",
-                      "true",
-                      dealii::Patterns::Bool(),
-                      "Whether sections of EBBT, TBT and TE-1 contract freely; "
-                      "without it they are too stiff (Poisson locking: a "
-                      "deflection about 26 % too small at nu = 0.3). Other "
-                      "theories contract by themselves.");
+    prm.declare_entry(
+      "Section order",
+      "auto",
+      patterns::WordOrPattern("auto", patterns::Whole(1, 8)),
+      "Of SV and SV-N: the degree of the layer-wise functions that their "
+      "fields are made of. It costs section solutions, no DoFs. auto: 3, or "
+      "the highest N of LE-N where Theories has one.");
+    prm.declare_entry(
+      "Poisson correction",
+      "true",
+      dealii::Patterns::Bool(),
+      "Whether sections of EBBT, TBT and TE-1 contract freely; without it they "
+      "are too stiff (Poisson locking: a deflection about 26 % too small at nu "
+      "= 0.3). Other theories contract by themselves.");
     prm.declare_entry("Shear factor",
                       "1",
                       patterns::positive(),
@@ -218,16 +218,17 @@ namespace lamella
     {
       const Theory theory = Theory::parse({all.path(), word});
       if (theory.is_classical())
-        all.refuse(word +
-                     " has a reduced law, which cannot stand beside others "
-                     "at neighboring nodes",
-                   "Say SV, which takes its place.");
+        all.refuse(
+          "section.classical-theory-in-pieces: " + word +
+            " has a reduced material law and cannot join other theories",
+          "Use SV instead.");
       if (theory.kind == Theory::Kind::TE)
-        all.refuse(word + " has functions of its own, which LE-N and SV-N do "
-                          "not hold",
+        all.refuse("section.taylor-theory-in-pieces: " + word +
+                     " has functions that LE-N and SV-N do not contain",
                    "Use LE-N and SV-N in Theories, or TE-N alone as Theory.");
       if (theory.kind == Theory::Kind::solid)
-        all.refuse(word + " is no theory of beams: a solid has no axis",
+        all.refuse("section.solid-in-pieces: " + word +
+                     " is no beam theory: a solid has no axis",
                    "Use LE-N and SV-N in Theories, or make a body of its own "
                    "for the solid.");
       return theory;
@@ -254,22 +255,24 @@ namespace lamella
               waves.insert(theory.order);
           }
       if (waves.size() > 1)
-        all.refuse("SV-" + std::to_string(*waves.begin()) + " and SV-" +
+        all.refuse("section.different-orders-of-sv: SV-" +
+                     std::to_string(*waves.begin()) + " and SV-" +
                      std::to_string(*waves.rbegin()) +
-                     " would answer at different wave numbers, which nothing "
-                     "is won by",
-                   "Give all pieces of SV-N the same N, or say SV.");
+                     " have different wave numbers",
+                   "Give all pieces of SV-N the same N, or use SV.");
       const unsigned int highest = degrees.empty() ? 0 : *degrees.rbegin();
       const unsigned int space   = order.text() == "auto" && highest > 0 ?
                                      highest :
                                      section_order_of(order);
       if (space < highest)
-        order.refuse("Theories has LE-" + std::to_string(highest) +
-                       ", which functions of a lower degree do not hold",
+        order.refuse("section.section-order-too-low: Theories has LE-" +
+                       std::to_string(highest) +
+                       ", which needs functions of its degree",
                      "Leave it at auto, or give " + std::to_string(highest) +
                        " or more.");
       if (only_LE && space > highest)
-        order.refuse("Theories has no SV-N whose fields would be of it",
+        order.refuse("section.section-order-unused: Theories has no SV-N, "
+                     "whose degree this is",
                      "Leave it at auto.");
       for (Theory &theory : theories)
         {
@@ -290,7 +293,8 @@ namespace lamella
     theory.poisson_correction = in["Poisson correction"].boolean();
     theory.shear_factor       = factor.positive();
     if (theory.shear_factor > 1.)
-      factor.refuse("must be above 0 and at most 1");
+      factor.refuse(
+        "section.shear-factor-above-one: must be above 0 and at most 1");
     return theory;
   }
 
@@ -305,21 +309,24 @@ namespace lamella
     if (all.is_empty())
       {
         if (!pieces.breaks.empty())
-          breaks.refuse("there are no Theories to go with it",
-                        "Give Theories, one for each piece, or leave out "
-                        "Theory breaks.");
+          breaks.refuse(
+            "section.breaks-without-theories: there are no Theories for the "
+            "pieces",
+            "Give Theories, one for each piece, or leave out Theory breaks.");
         return {};
       }
     for (const std::string &word : all.items())
       pieces.theories.push_back(parse_piece(all, word));
     if (pieces.theories.size() != pieces.breaks.size() + 1)
-      all.refuse("there are " + std::to_string(pieces.breaks.size() + 1) +
+      all.refuse("section.count-of-theories: there are " +
+                   std::to_string(pieces.breaks.size() + 1) +
                    " pieces (Theory breaks and one) and " +
                    std::to_string(pieces.theories.size()) +
                    (pieces.theories.size() == 1 ? " theory" : " theories"),
                  "Give a theory for each piece.");
     if (!in["Theory"].is_empty())
-      all.refuse("Theory says " + in["Theory"].text() + " for the same body",
+      all.refuse("section.theory-and-theories: Theory = " +
+                   in["Theory"].text() + " is given for the same body",
                  "Give one of the two.");
     set_section_orders(pieces.theories, in["Section order"], all);
     return pieces;
