@@ -27,11 +27,11 @@ namespace lamella
 
   namespace
   {
-    /// What is wrong with the text before muParser sees it; empty if nothing.
+    /// Returns an error of the text that muParser does not find, or nothing.
     std::string
     fault_of(const std::string &text)
     {
-      // A comma outside of a function would make muParser take what follows.
+      // muParser evaluates the last of several expressions between commas.
       if (split(text, ',').size() != 1)
         return " (a decimal point is '.')";
       // muParser assigns by = and by += and its like.
@@ -39,9 +39,9 @@ namespace lamella
         random("\\brand(_seed)?\\b");
       if (std::regex_replace(text, comparison, "").find('=') !=
           std::string::npos)
-        return " ('=' would assign; to compare write '==')";
+        return " ('=' assigns; to compare write '==')";
       if (std::regex_search(text, random))
-        return " (a random number is no load that can be found again)";
+        return " (random numbers are not reproducible)";
       return "";
     }
 
@@ -63,8 +63,9 @@ namespace lamella
     , constant(!depends_on_position(expression))
   {
     const auto fail = [&](const std::string &why) {
-      entry.refuse("'" + expression + "' is not an expression of x, y, z" + why,
-                   "Write it as for muParser, as in -1000*sin(pi*y/2).");
+      entry.refuse("conditions.invalid-expression: '" + expression +
+                     "' is not an expression of x, y, z" + why,
+                   "Write it for muParser, as in -1000*sin(pi*y/2).");
     };
     const std::string fault = fault_of(expression);
     if (!fault.empty())
@@ -96,10 +97,12 @@ namespace lamella
   {
     const double value = parser.value(x);
     if (!std::isfinite(value))
-      entry.refuse("'" + text + "' is not a finite number at " + to_text(x),
+      entry.refuse("conditions.expression-not-finite: '" + text +
+                     "' is not a finite number at " + to_text(x),
                    "Change the expression or where it applies.");
     if (std::abs(value) > largest_number)
-      entry.refuse("'" + text + "' is " + to_text(value) + " at " + to_text(x) +
+      entry.refuse("conditions.expression-too-large: '" + text + "' is " +
+                     to_text(value) + " at " + to_text(x) +
                      ", and numbers must lie below " + to_text(largest_number),
                    "Change the expression, or choose other units.");
     return value;

@@ -256,8 +256,8 @@ namespace lamella
       if (start.l2_norm() > arithmetic::same_value * dead_load.l2_norm())
         throw InputError("Load " + load.name + "/Pressure",
                          load.pressure.text() + ", follows",
-                         "a pressure that follows must be smooth within "
-                         "elements",
+                         "conditions.follower-not-smooth: a follower pressure "
+                         "must be smooth within elements",
                          "Put shorter elements where it varies (Axis breaks), "
                          "or leave out 'follows'.");
     }

@@ -181,12 +181,11 @@ namespace lamella
             throw InputError(
               "Body " + body.name() + "/Isostatic support",
               "true",
-              "the loads on the body are not in equilibrium, and no support "
-              "and no contact acts against its " +
+              "conditions.loads-not-balanced: the loads on the body are not in "
+              "equilibrium, and no support or contact resists its " +
                 motion.words + ": their resultant is " + to_text(force) +
                 ", their moment about its center " + to_text(moment),
-              "Add the load that balances them, or a support or contact that "
-              "bears them.");
+              "Add a load that balances them, or a support or contact.");
           }
       }
   }

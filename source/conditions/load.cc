@@ -254,29 +254,31 @@ namespace lamella
               std::vector<std::string> &notes)
     {
       if (at.error > arithmetic::quadrature_tolerance * at.size)
-        notes.push_back("load " + name + ": its integral is uncertain by " +
+        notes.push_back("conditions.integral-uncertain: load " + name +
+                        ": the relative error of its integral is " +
                         to_text(at.error / at.size, 2) +
-                        " of itself. Let its edges run along the elements, or "
-                        "give it a smoother expression");
+                        ". Let its edges run along the elements, or give it a "
+                        "smoother expression");
       if (at.size > 0. && (at.force - at.independent).norm() >
                             agreement * at.size + 2. * at.independent_error)
         notes.push_back(
-          "load " + name + ": another, finer rule finds the resultant " +
-          to_text(at.independent) + " instead of " + to_text(at.force) +
-          ". The expression varies over lengths that neither can see; give it "
-          "a smoother one, or put more elements where it acts");
+          "conditions.integral-inconsistent: load " + name +
+          ": a finer quadrature has the resultant " + to_text(at.independent) +
+          " instead of " + to_text(at.force) +
+          ". The expression varies over shorter lengths than quadrature "
+          "points; give it a smoother one, or put more elements where it acts");
       if (at.checked && at.size == 0.)
-        notes.push_back("load " + name +
-                        " is zero wherever it was looked at, at thousands of "
-                        "points of its region. If that is not meant, its place "
-                        "or its extent is wrong, or too narrow to be found");
+        notes.push_back(
+          "conditions.load-zero: load " + name +
+          " is zero at all of thousands of points of its region. If it should "
+          "not be, its place or extent is wrong, or it is too narrow");
       if (at.bisections > followed)
         notes.push_back(
-          "load " + name + " varies within an element, around " +
-          to_text(at.place) +
-          ", by more than displacements there can follow: resultant and work "
-          "are right, but what is close to it is that of a load spread over "
-          "the element. Put shorter elements there (Axis breaks)");
+          "conditions.load-within-element: load " + name +
+          " varies within an element, around " + to_text(at.place) +
+          ", more than displacements can represent: resultant and work are "
+          "correct, but results near it are those of a load spread over the "
+          "element. Put shorter elements there (Axis breaks)");
     }
 
 
@@ -302,12 +304,12 @@ namespace lamella
               size += arm.norm() * at.forces[i].norm();
             }
           if (std::abs(torque) > arithmetic::quadrature_tolerance * size)
-            notes.push_back(
-              "load " + name + " twists body " + body.name() +
-              " by a torque of " + to_text(torque) +
-              " (force times length) about its axis; sections of its theory "
-              "cannot turn, and the torque is left out. Use TE-N or LE-N to "
-              "see what it does");
+            notes.push_back("conditions.torque-omitted: load " + name +
+                            " twists body " + body.name() + " by a torque of " +
+                            to_text(torque) +
+                            " (force times length) about its axis; sections of "
+                            "its theory cannot rotate, and the torque is "
+                            "omitted. Use TE-N or LE-N to include it");
         }
     }
   } // namespace

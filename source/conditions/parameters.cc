@@ -17,12 +17,12 @@ namespace lamella
     const std::string &text  = entry.text();
     const auto         colon = text.find(':');
     if (colon == std::string::npos)
-      entry.refuse("write the body, a colon and the place on it, as in "
-                   "upper: ends");
+      entry.refuse("conditions.invalid-region: write the body, a colon and the "
+                   "place on it, as in upper: ends");
     const std::string name  = trimmed(text.substr(0, colon));
     const auto        found = std::find(bodies.begin(), bodies.end(), name);
     if (found == bodies.end())
-      entry.refuse("there is no body '" + name + "'",
+      entry.refuse("conditions.unknown-body: there is no body '" + name + "'",
                    "The nearest of Bodies is '" + nearest_name(name, bodies) +
                      "'.");
     return {found - bodies.begin(), trimmed(text.substr(colon + 1))};
@@ -42,11 +42,12 @@ namespace lamella
       const bool is_point = kind == Region::Kind::point;
       if (is_point ? points.empty() : points.size() != 2)
         at.refuse(
-          "a " + name_of(kind) +
+          "conditions.count-of-points: a " + name_of(kind) +
           (is_point ? " needs at least one point" : " needs its two ends") +
           ", three numbers each, with ';' between points");
       if (!is_point && points[0].distance(points[1]) == 0.)
-        at.refuse("the two ends of the line are the same point",
+        at.refuse("conditions.line-without-length: the two ends of the line "
+                  "are the same point",
                   "Use On = BODY: point.");
     }
 
@@ -85,7 +86,8 @@ namespace lamella
       for (const Region &other : others)
         if (other.body == region.body && other.kind == region.kind &&
             other.surface == region.surface)
-          on.refuse("names '" + bodies[region.body] + ": " +
+          on.refuse("conditions.repeated-region: names '" +
+                      bodies[region.body] + ": " +
                       (region.kind == Region::Kind::surface ?
                          region.surface :
                          name_of(region.kind)) +
@@ -120,17 +122,15 @@ namespace lamella
         regions.push_back(region);
       }
     if (regions.empty())
-      on.refuse_missing(
-        "write BODY: point, line, body or the name of a surface "
-        "such as ends or top.");
+      on.refuse_missing("conditions.no-region: write BODY: point, line, body "
+                        "or the name of a surface such as ends or top.");
     const bool uses_points =
       std::any_of(regions.begin(), regions.end(), [](const Region &r) {
         return !r.at.empty();
       });
     if (!points.empty() && !uses_points)
-      at.refuse("nothing in On uses it",
-                "Only a point and a line have positions; remove At or change "
-                "On.");
+      at.refuse("conditions.positions-unused: nothing in On has positions",
+                "Only points and lines have them; remove At or change On.");
     return regions;
   }
 
@@ -156,10 +156,10 @@ namespace lamella
       return 0;
     const std::vector<double> factors = entry.numbers();
     if (factors.size() != steps.size())
-      entry.refuse("there are " + std::to_string(factors.size()) +
-                     " numbers, but " + std::to_string(steps.size()) +
-                     " Load factors",
-                   "Give one number a load step.");
+      entry.refuse("conditions.count-of-factors: there are " +
+                     std::to_string(factors.size()) + " numbers, but " +
+                     std::to_string(steps.size()) + " Load factors",
+                   "Give one number per load step.");
     unsigned int number = 0;
     for (unsigned int k = 0; k < steps.size(); ++k)
       number = steps[k].add(factors[k]);
@@ -172,12 +172,12 @@ namespace lamella
   SupportParameters::declare(ParameterHandler &prm)
   {
     HistoryParameters::declare(prm);
-    prm.declare_entry("On",
-                      "",
-                      Anything(),
-                      "Where: BODY: point, line, start, end, ends, body or a "
-                      "surface (left, right, bottom, top); several between "
-                      "semicolons.");
+    prm.declare_entry(
+      "On",
+      "",
+      Anything(),
+      "Where: BODY: point, line, start, end, ends, body or a surface (left, "
+      "right, bottom, top); several between semicolons.");
     prm.declare_entry("At",
                       "",
                       Anything(),
@@ -195,13 +195,13 @@ namespace lamella
                       "On surfaces, instead of u: the displacement along the "
                       "outward normal, the rest free; 0 is symmetry, whichever "
                       "way the body is turned [length].");
-    prm.declare_entry("Rotation",
-                      "",
-                      Anything(),
-                      "Turns all that it holds as a whole, times the load "
-                      "factor: a vector along the axis, as long as the angle, "
-                      "scene axes [rad]. u, if given, is where About goes, and "
-                      "has no free component.");
+    prm.declare_entry(
+      "Rotation",
+      "",
+      Anything(),
+      "Turns all that it holds as a whole, times the load factor: a vector "
+      "along the axis, as long as the angle, scene axes [rad]. u, if given, is "
+      "where About goes, and has no free component.");
     prm.declare_entry("About",
                       "",
                       Anything(),
@@ -222,15 +222,16 @@ namespace lamella
         return u;
       const std::vector<std::string> components = entry.items();
       if (components.size() != 3)
-        entry.refuse("must be three values between commas, each a number or "
-                     "'free'");
+        entry.refuse("conditions.count-of-components: must be three values "
+                     "between commas, each a number or 'free'");
       for (unsigned int c = 0; c < 3; ++c)
         u[c] = components[c] == "free" ?
                  std::optional<double>() :
                  std::optional<double>(entry.number(components[c]));
       if (!u[0] && !u[1] && !u[2])
-        entry.refuse("all components are free, so this is no support",
-                     "Remove it or prescribe one.");
+        entry.refuse("conditions.all-components-free: all components are free, "
+                     "so this is no support",
+                     "Remove it, or prescribe one.");
       return u;
     }
 
@@ -242,11 +243,13 @@ namespace lamella
                  const std::vector<Region> &regions)
     {
       if (!components.is_empty())
-        entry.refuse("u is given, too", "Keep one of the two.");
+        entry.refuse("conditions.normal-and-u: u is given, too",
+                     "Keep one of the two.");
       for (const Region &region : regions)
         if (region.kind != Region::Kind::surface)
-          entry.refuse("only surfaces have a normal",
-                       "Name surfaces in On, or prescribe u.");
+          entry.refuse(
+            "conditions.normal-without-surface: only surfaces have a normal",
+            "Name surfaces in On, or prescribe u.");
       return entry.number();
     }
 
@@ -260,15 +263,18 @@ namespace lamella
       if (entry.is_empty())
         {
           if (!about.is_empty())
-            about.refuse("there is no Rotation that would be about it",
-                         "Leave it out.");
+            about.refuse(
+              "conditions.about-without-rotation: there is no Rotation",
+              "Leave it out.");
           return;
         }
       if (support.normal)
-        entry.refuse("Normal displacement is given, too",
-                     "Keep one of the two.");
+        entry.refuse(
+          "conditions.normal-and-rotation: Normal displacement is given, too",
+          "Keep one of the two.");
       if (!support.u[0] || !support.u[1] || !support.u[2])
-        entry.refuse("it turns places as a whole, and u leaves them free",
+        entry.refuse("conditions.rotation-with-free-u: a Rotation prescribes "
+                     "all components, and u leaves some free",
                      "Give u three numbers, or leave it out.");
       support.rotation = entry.point();
       if (!about.is_empty())
@@ -310,9 +316,9 @@ namespace lamella
         for (const Region &b : regions)
           if (&a != &b && a.body == b.body && b.kind == Region::Kind::surface &&
               a.covers(b.surface))
-            on.refuse("'" + b.surface + "' of body '" + bodies[b.body] +
-                        "' is part of '" + a.surface +
-                        "', so the load would act twice there",
+            on.refuse("conditions.overlapping-surfaces: '" + b.surface +
+                        "' of body '" + bodies[b.body] + "' is part of '" +
+                        a.surface + "', so the load would act twice there",
                       "Keep one of the two.");
     }
 
@@ -321,12 +327,12 @@ namespace lamella
     void
     declare_place_of_load(ParameterHandler &prm)
     {
-      prm.declare_entry("On",
-                        "",
-                        Anything(),
-                        "Where: BODY: point, line or a surface (left, right, "
-                        "bottom, top, start, end, ends); several between "
-                        "semicolons.");
+      prm.declare_entry(
+        "On",
+        "",
+        Anything(),
+        "Where: BODY: point, line or a surface (left, right, bottom, top, "
+        "start, end, ends); several between semicolons.");
       prm.declare_entry("At",
                         "",
                         Anything(),
@@ -342,32 +348,31 @@ namespace lamella
         "Force",
         "",
         Anything(),
-        "Three scene components, expressions of x, y, z (muParser) "
-        "between commas: a force at a point [force], along a line "
-        "[force/length], on a surface [force/length^2].");
-      prm.declare_entry(
-        "Total force",
-        "",
-        patterns::numbers(),
-        "On surfaces or along a line: the three scene components "
-        "of the force that all of On carries, spread evenly over "
-        "its area or length [force].");
+        "Three scene components, expressions of x, y, z (muParser) between "
+        "commas: a force at a point [force], along a line [force/length], on a "
+        "surface [force/length^2].");
+      prm.declare_entry("Total force",
+                        "",
+                        patterns::numbers(),
+                        "On surfaces or along a line: the three scene "
+                        "components of the force that all of On carries, "
+                        "spread evenly over its area or length [force].");
       prm.declare_entry(
         "Pressure",
         "",
         Anything(),
-        "On a surface, against its outward normal, an expression "
-        "of x, y, z [force/length^2]. With Rotations = large `12, follows` "
-        "stays normal to the surface as that turns, per area of the deformed "
-        "one; else it is dead.");
-      prm.declare_entry("Couple",
-                        "",
-                        patterns::numbers(),
-                        "On a surface, start or end say: the three scene "
-                        "components of a moment [force x length], as tractions "
-                        "that are linear over the surface, without a resultant "
-                        "force. With Rotations = large they turn along, and "
-                        "the moment keeps its direction.");
+        "On a surface, against its outward normal, an expression of x, y, z "
+        "[force/length^2]. With Rotations = large `12, follows` stays normal "
+        "to the surface as that turns, per area of the deformed one; else it "
+        "is dead.");
+      prm.declare_entry(
+        "Couple",
+        "",
+        patterns::numbers(),
+        "On a surface, start or end say: the three scene components of a "
+        "moment [force x length], as tractions that are linear over the "
+        "surface, without a resultant force. With Rotations = large they turn "
+        "along, and the moment keeps its direction.");
     }
   } // namespace
 
@@ -379,13 +384,13 @@ namespace lamella
     declare_place_of_load(prm);
     HistoryParameters::declare(prm);
     declare_forces(prm);
-    prm.declare_entry("Temperature",
-                      "",
-                      Anything(),
-                      "On whole bodies (BODY: body): by how much they are "
-                      "warmer than without stress, an expression of x, y, z "
-                      "[K]. It acts in full in each step, whatever the load "
-                      "factor.");
+    prm.declare_entry(
+      "Temperature",
+      "",
+      Anything(),
+      "On whole bodies (BODY: body): by how much they are warmer than without "
+      "stress, an expression of x, y, z [K]. It acts in full in each step, "
+      "whatever the load factor.");
   }
 
 
@@ -403,19 +408,19 @@ namespace lamella
         {
           const bool is_body = region.kind == Region::Kind::body;
           if (heats && !is_body)
-            on.refuse("a Temperature is of whole bodies",
-                      "Write On = BODY: body; where it varies its expression "
-                      "says.");
+            on.refuse("conditions.temperature-of-part: a Temperature applies "
+                      "to whole bodies",
+                      "Write On = BODY: body, and an expression if it varies.");
           if (!heats && is_body)
-            on.refuse("a load acts on a point, a line or a surface, not on a "
-                      "whole body",
-                      "Only a Temperature does; weight is Gravity, at the top "
-                      "of the scene.");
+            on.refuse("conditions.load-on-body: a load acts on a point, a line "
+                      "or a surface",
+                      "Only a Temperature acts on a whole body; for weight use "
+                      "Gravity.");
           if (needs_surface && region.kind != Region::Kind::surface)
-            what.refuse("acts on a surface only",
+            what.refuse("conditions.needs-surface: acts on a surface only",
                         "Use Force at a point or along a line.");
           if (load.couple && region.is_several_surfaces())
-            on.refuse("'" + region.surface +
+            on.refuse("conditions.couple-on-surfaces: '" + region.surface +
                         "' is several surfaces, and a couple has one center",
                       "Name one: start, end, or a side.");
         }
@@ -448,8 +453,8 @@ namespace lamella
     {
       const std::vector<double> n = entry.numbers();
       if (n.size() != 3)
-        entry.refuse("must be three numbers, " + names + "; there are " +
-                     std::to_string(n.size()));
+        entry.refuse("conditions.count-of-components: must be three numbers, " +
+                     names + "; there are " + std::to_string(n.size()));
       return dealii::Point<3>(n[0], n[1], n[2]);
     }
 
@@ -462,13 +467,13 @@ namespace lamella
     {
       for (const Region &region : load.on)
         if (region.kind == Region::Kind::point)
-          what.refuse("is spread over a surface or along a line, and a point "
-                      "has no extent",
+          what.refuse("conditions.total-force-at-point: is spread over a "
+                      "surface or along a line, and a point has no extent",
                       "Use Force at a point.");
         else if (region.kind != load.on.front().kind)
-          what.refuse(
-            "cannot be spread over a surface and along a line at once",
-            "Write a load for each.");
+          what.refuse("conditions.mixed-regions: cannot be spread over a "
+                      "surface and along a line at once",
+                      "Write a load for each.");
     }
   } // namespace
 
@@ -486,8 +491,8 @@ namespace lamella
       if (!in[kind].is_empty())
         given.push_back(kind);
     if (given.size() != 1)
-      in.refuse("give one of Force, Total force, Pressure, Couple and "
-                "Temperature; " +
+      in.refuse("conditions.not-one-load: give one of Force, Total force, "
+                "Pressure, Couple and Temperature; " +
                 (given.empty() ? "none is" : joined(given, " and ") + " are") +
                 " set");
     const Entry on = in["On"], what = in[given.front()];
@@ -497,8 +502,9 @@ namespace lamella
     load.pressure    = in["Pressure"].text();
     load.is_follower = parse_follower(load.pressure);
     if (load.is_follower && load.pressure.empty())
-      what.refuse("says nothing of how much follows",
-                  "Write a number or an expression before it, `12, follows`.");
+      what.refuse(
+        "conditions.follows-without-pressure: `follows` needs a pressure",
+        "Write a number or an expression before it, `12, follows`.");
     load.temperature = in["Temperature"].text();
     if (given.front() == "Couple")
       load.couple = parse_vector(what, "mx, my, mz");
@@ -508,9 +514,11 @@ namespace lamella
       {
         const std::vector<std::string> components = what.items();
         if (components.back() == is_follower)
-          what.refuse("is of a fixed direction", "Only a Pressure follows.");
+          what.refuse("conditions.follows-not-pressure: has a fixed direction",
+                      "Only a Pressure can follow.");
         if (components.size() != 3)
-          what.refuse("must be three expressions between commas");
+          what.refuse("conditions.count-of-components: must be three "
+                      "expressions between commas");
         std::copy(components.begin(), components.end(), load.force.begin());
       }
     check_no_overlap(on, load.on, bodies);

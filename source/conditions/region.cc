@@ -110,9 +110,9 @@ namespace lamella
           const int  digits = reported_digits(points[i], box);
           throw InputError(path,
                            "",
-                           "the point " + in_words(points[i], digits) +
-                             " is not in body '" + body.name() +
-                             "', which extends from " +
+                           "conditions.point-outside-body: the point " +
+                             in_words(points[i], digits) + " is not in body '" +
+                             body.name() + "', which extends from " +
                              in_words(box.first, digits) + " to " +
                              in_words(box.second, digits),
                            "Move the point into it.");
@@ -145,8 +145,8 @@ namespace lamella
     if (std::find(names.begin(), names.end(), surface) == names.end())
       throw InputError(path,
                        "",
-                       "body '" + body.name() + "' has no surface '" + surface +
-                         "'",
+                       "conditions.unknown-surface: body '" + body.name() +
+                         "' has no surface '" + surface + "'",
                        "The nearest is '" + nearest_name(surface, names) +
                          "'; all of them: " + joined(names) + ".");
   }

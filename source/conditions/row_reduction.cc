@@ -35,11 +35,13 @@ namespace lamella
             throw InputError(
               "Support " + support_names[rows[equation.number].support],
               "",
-              "contradicts the other supports of body '" + body.name() +
-                "' at " + to_text(rows[equation.number].position) +
+              "conditions.contradicting-supports: contradicts the other "
+              "supports of body '" +
+                body.name() + "' at " +
+                to_text(rows[equation.number].position) +
                 ": they prescribe different displacements of the same points",
-              "Remove one of them, make them agree, in their Factors, too, or "
-              "put more elements between them.");
+              "Remove one, make them and their Factors agree, or put more "
+              "elements between them.");
         }
       else
         {

@@ -74,9 +74,9 @@ namespace lamella
           if (point.corner)
             throw InputError(path + "/Normal displacement",
                              "",
-                             "surface '" + region.surface + "' of body '" +
-                               body.name() + "' has a corner at " +
-                               to_text(point.position) +
+                             "conditions.normal-at-corner: surface '" +
+                               region.surface + "' of body '" + body.name() +
+                               "' has a corner at " + to_text(point.position) +
                                ", where it has no normal",
                              "Name surfaces without corners, or prescribe u.");
           places.push_back(point.location);
@@ -182,8 +182,9 @@ namespace lamella
     if (corners.first.distance(corners.second) == 0.)
       throw InputError("Support " + support.name + "/Rotation",
                        to_text(rotation.rotation),
-                       "one place stays where it is when it turns about itself",
-                       "Give About, or hold a surface.");
+                       "conditions.rotation-of-point: a rotation of one point "
+                       "about itself has no effect",
+                       "Give About, or support a surface.");
     return rotation;
   }
 

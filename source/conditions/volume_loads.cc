@@ -33,10 +33,11 @@ namespace lamella
               const auto [other, is_new] =
                 heated.emplace(region.body, load.name);
               if (!is_new)
-                entry.refuse("body '" + bodies[region.body]->name() +
+                entry.refuse("conditions.two-temperatures: body '" +
+                               bodies[region.body]->name() +
                                "' has the Temperature of load " +
                                other->second + " already",
-                             "Add the two up in one of them.");
+                             "Add both in one load.");
               bodies[region.body]->heat(field);
             }
         }

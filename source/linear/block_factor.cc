@@ -206,11 +206,11 @@ namespace lamella
   {
     const std::size_t number = pattern.column[s] + pivot;
     throw NotPositiveDefinite(
-      "The stiffness matrix of " + what + " is not positive definite (pivot " +
-        std::to_string(number) + " of " +
+      "linear.not-positive-definite: The stiffness matrix of " + what +
+        " is not positive definite (pivot " + std::to_string(number) + " of " +
         std::to_string(pattern.block_of.size()) +
-        "). Either the body can still move, or its slenderness or its ratio "
-        "of stiffnesses is beyond what double precision holds.",
+        "). Either the body can still move, or its slenderness or its ratio of "
+        "stiffnesses is beyond what double precision holds.",
       pattern.permutation[number - 1]);
   }
 

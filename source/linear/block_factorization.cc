@@ -110,9 +110,9 @@ namespace lamella
         }
       catch (const std::bad_alloc &)
         {
-          throw NumericsError("The factorization of " + what +
-                              " does not fit in memory. Use a coarser mesh or "
-                              "a lower order.");
+          throw NumericsError(
+            "linear.out-of-memory: The factorization of " + what +
+            " does not fit in memory. Use a coarser mesh or a lower order.");
         }
       assemble(terms, constraints);
       fill_diagonal(constraints);

@@ -144,12 +144,13 @@ namespace lamella
           catch (const SolverControl::NoConvergence &)
             {
               throw NumericsError(
-                "Conjugate gradients for " + what + " left " +
+                "linear.cg-not-converged: conjugate gradients for " + what +
+                " have a relative residual of " +
                 lamella::to_text(control.last_value() / size, 2) + " after " +
                 std::to_string(control.last_step()) +
-                " iterations. Long elements and different stiffnesses do that: "
-                "take a factorization (Linear solver = mumps), which holds "
-                "more, or a less slender body.");
+                " iterations, as for long elements and different stiffnesses. "
+                "Take a factorization (Linear solver = mumps), or a less "
+                "slender body.");
             }
           taken.iterations += control.last_step();
           taken.max_iterations_per_solve =

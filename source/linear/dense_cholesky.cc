@@ -19,7 +19,8 @@ namespace lamella
     if (n > 0)
       dealii::potrf("L", &size, factor.data(), &size, &info);
     if (info != 0)
-      throw NumericsError(std::string(what) + " is singular to rounding.");
+      throw NumericsError("linear.singular: " + std::string(what) +
+                          " is singular to rounding.");
   }
 
 

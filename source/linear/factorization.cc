@@ -166,17 +166,17 @@ namespace lamella
       if (status == CHOLMOD_OK && minor == n && reciprocal_condition > 0.)
         return;
       if (status == CHOLMOD_OUT_OF_MEMORY)
-        throw NumericsError("The factorization of " + what +
-                            " does not fit in memory. Use a coarser mesh "
-                            "or a lower order.");
+        throw NumericsError(
+          "linear.out-of-memory: The factorization of " + what +
+          " does not fit in memory. Use a coarser mesh or a lower order.");
       const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
       throw NotPositiveDefinite(
-        "The stiffness matrix of " + what +
+        "linear.not-positive-definite: The stiffness matrix of " + what +
           " is not positive definite (pivot " +
           std::to_string(std::min<std::size_t>(minor + 1, n)) + " of " +
           std::to_string(n) +
-          "). Either the body can still move, or its slenderness or its "
-          "ratio of stiffnesses is beyond what double precision holds.",
+          "). Either the body can still move, or its slenderness or its ratio "
+          "of stiffnesses is beyond what double precision holds.",
         order[std::min<std::size_t>(minor, n - 1)]);
     }
 
@@ -214,8 +214,9 @@ namespace lamella
 
       cholmod_dense *y = cholmod_l_solve(system, factor, &b, &common);
       if (y == nullptr)
-        throw NumericsError("CHOLMOD could not solve with a factor: out of "
-                            "memory. Use a coarser mesh or a lower order.");
+        throw NumericsError(
+          "linear.out-of-memory: CHOLMOD could not solve with a factor: out of "
+          "memory. Use a coarser mesh or a lower order.");
       std::memcpy(x, y->x, sizeof(double) * b.nzmax);
       cholmod_l_free_dense(&y, &common);
     }

@@ -150,10 +150,10 @@ namespace lamella
       throw std::bad_alloc();
     if (common.status != CHOLMOD_OK || L->minor != real.m() ||
         !(cholmod_l_rcond(L.get(), &common) > 0.))
-      throw NumericsError("The matrix of " + what +
-                          " is not positive definite: its ratio of "
-                          "stiffnesses or of lengths is beyond what double "
-                          "precision holds.");
+      throw NumericsError(
+        "linear.not-positive-definite: The matrix of " + what +
+        " is not positive definite: its ratio of stiffnesses or of lengths is "
+        "beyond what double precision holds.");
     const auto B =
       owned(columns(right_hand_sides, common), common, cholmod_l_free_dense);
     const auto X = owned(cholmod_l_solve(CHOLMOD_A, L.get(), B.get(), &common),

@@ -246,9 +246,10 @@ namespace lamella
                     matrix.values.end(),
                     [](const double x) { return std::isfinite(x); });
       if (Utilities::MPI::min(int(finite), communicator()) == 0)
-        throw NumericsError("The stiffness matrix of " + what +
-                            " has entries that are no finite numbers. "
-                            "Check lengths and materials.");
+        throw NumericsError("linear.not-finite: The stiffness matrix of " +
+                            what +
+                            " has entries that are no finite numbers. Check "
+                            "lengths and materials.");
       greatest = 0.;
       for (std::size_t k = 0; k < matrix.values.size(); ++k)
         if (matrix.rows[k] == matrix.columns[k])
@@ -276,26 +277,28 @@ namespace lamella
       const int error           = info(1),
                 negative_pivots = mumps.sym == definite ? info(12) : 0;
       if (error == no_memory)
-        throw NumericsError("The factorization of " + what +
-                            " does not fit in memory. Use a coarser mesh "
-                            "or a lower order, or more machines.");
+        throw NumericsError("linear.out-of-memory: The factorization of " +
+                            what +
+                            " does not fit in memory. Use a coarser mesh or a "
+                            "lower order, or more machines.");
       const bool factorized = mumps.job == 2;
       if (error == singular && mumps.sym == unsymmetric)
-        throw NumericsError("The tangent of " + what +
+        throw NumericsError("linear.singular: The tangent of " + what +
                             " is singular to rounding.");
       if (error == singular || error == not_positive ||
           (factorized && error >= 0 && negative_pivots > 0))
         throw NumericsError(
-          "The stiffness matrix of " + what + " is not positive definite (" +
+          "linear.not-positive-definite: The stiffness matrix of " + what +
+          " is not positive definite (" +
           (error < 0 ? std::string("singular to rounding") :
                        std::to_string(negative_pivots) +
                          " negative pivots of " + std::to_string(mumps.n)) +
-          "). Either the body can still move, or its slenderness or its "
-          "ratio of stiffnesses is beyond what double precision holds.");
+          "). Either the body can still move, or its slenderness or its ratio "
+          "of stiffnesses is beyond what double precision holds.");
       if (error < 0)
-        throw NumericsError("MUMPS could not factorize " + what +
-                            " (its error " + std::to_string(error) + ", " +
-                            std::to_string(info(2)) + ").");
+        throw NumericsError("linear.mumps-failed: MUMPS could not factorize " +
+                            what + " (its error " + std::to_string(error) +
+                            ", " + std::to_string(info(2)) + ").");
     }
 
 
