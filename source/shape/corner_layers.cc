@@ -343,11 +343,12 @@ namespace lamella
   {
     const std::vector<unsigned int> corners = singular_corners(section, rules);
     if (corners.empty())
-      throw InputError(what + "/Corner layers",
-                       std::to_string(layers),
-                       "has no corner to be graded to: none is re-entrant, and "
-                       "no plies that differ end at a side",
-                       "Leave it out.");
+      throw InputError(
+        what + "/Corner layers",
+        std::to_string(layers),
+        "shape.no-singular-corner: there is no singular corner: none is "
+        "re-entrant, and no different plies end at a side",
+        "Leave it out.");
     const Triangulation<2> &mesh = section.mesh;
     Sheets                  sheets(mesh);
     for (const auto &face : mesh.active_face_iterators())
@@ -365,7 +366,8 @@ namespace lamella
     if (divider.n_cells() > max_section_cells)
       throw InputError(what + "/Corner layers",
                        std::to_string(layers),
-                       "would make " + std::to_string(divider.n_cells()) +
+                       "shape.too-many-cells: would make " +
+                         std::to_string(divider.n_cells()) +
                          " cells of the section, more than " +
                          to_text(max_section_cells),
                        "Make fewer layers, or use a higher order.");

@@ -42,7 +42,7 @@ namespace lamella
       std::error_code    ignored;
       const bool regular = std::filesystem::is_regular_file(path, ignored);
       if (regular && std::filesystem::file_size(path, ignored) > largest_file)
-        entry.refuse("this file has more than " +
+        entry.refuse("shape.file-too-large: this file has more than " +
                        std::to_string(largest_file >> 20) +
                        " MB, more cells than a section can have",
                      "Make the mesh coarser.");
@@ -51,9 +51,9 @@ namespace lamella
       if (regular)
         text << input.rdbuf();
       if (!regular || !input || !text)
-        entry.refuse("cannot read this file",
-                     "Its name is relative to the scene's folder; a '#' in it "
-                     "is written \\#, since what follows a '#' is a comment.");
+        entry.refuse("shape.cannot-read: cannot read this file",
+                     "Its name is relative to the scene's folder; write a '#' "
+                     "in it as \\#, since '#' begins a comment.");
       return text.str();
     }
 
@@ -79,12 +79,13 @@ namespace lamella
         return;
       // Of the two the one that is off, if it is one.
       const double first = file.nodes[0].position[2];
-      refuse_line(entry,
-                  (highest->position[2] > first ? highest : lowest)->line,
-                  "the mesh does not lie in one plane (z from " +
-                    to_text(lowest->position[2]) + " to " +
-                    to_text(highest->position[2]) + ")",
-                  "Draw the section in x and y.");
+      refuse_line(
+        entry,
+        (highest->position[2] > first ? highest : lowest)->line,
+        "shape.mesh-not-plane: the mesh does not lie in one plane (z from " +
+          to_text(lowest->position[2]) + " to " +
+          to_text(highest->position[2]) + ")",
+        "Draw the section in x and y.");
     }
 
 
@@ -120,28 +121,28 @@ namespace lamella
                  element.type != GmshFile::point)
           others.add(element);
       if (triangles.n > 0)
-        refuse_line(
-          entry,
-          triangles.first_line,
-          std::to_string(triangles.n) +
-            (triangles.n == 1 ? " cell is a triangle" :
-                                " cells are triangles, this the first"),
-          "A section is made of quadrilaterals: in Gmsh, 'Recombine Surface "
-          "{:};' with transfinite surfaces, or 'Mesh.RecombinationAlgorithm = "
-          "3;'.");
+        refuse_line(entry,
+                    triangles.first_line,
+                    "shape.triangles: " + std::to_string(triangles.n) +
+                      (triangles.n == 1 ?
+                         " cell is a triangle" :
+                         " cells are triangles, this the first"),
+                    "A section is made of quadrilaterals: in Gmsh, 'Recombine "
+                    "Surface {:};' with transfinite surfaces, or "
+                    "'Mesh.RecombinationAlgorithm = 3;'.");
       if (others.n > 0)
         refuse_line(entry,
                     triangles.first_line,
-                    "of the elements " + std::to_string(others.n) +
+                    "shape.wrong-elements: of the elements " +
+                      std::to_string(others.n) +
                       (others.n == 1 ? " is" : " are") +
                       " of higher order or not in the plane" +
                       (others.n == 1 ? "" : ", this the first"),
                     "Use first-order quadrilaterals: Mesh.ElementOrder = 1.");
       if (cells == 0)
-        entry.refuse(
-          "the mesh has no quadrilaterals",
-          "Make it with 'gmsh -2', and put surfaces into its physical "
-          "surfaces.");
+        entry.refuse("shape.no-quadrilaterals: the mesh has no quadrilaterals",
+                     "Make it with 'gmsh -2', and put surfaces into its "
+                     "physical surfaces.");
     }
 
 
@@ -169,15 +170,18 @@ namespace lamella
     {
       const std::vector<std::string> surfaces = surfaces_of(mesh);
       if (surfaces.empty())
-        entry.refuse("the mesh has no named physical surface",
-                     "In Gmsh, 'Physical Surface(\"" + material +
-                       "\") = {1};' says of what it is made.");
+        entry.refuse(
+          "shape.no-named-surface: the mesh has no named physical surface",
+          "In Gmsh, 'Physical Surface(\"" + material +
+            "\") = {1};' names its material.");
       for (const auto &[part, oriented_material] : file.parts)
         if (std::find(surfaces.begin(), surfaces.end(), part) == surfaces.end())
-          throw InputError(file.what + "/Parts",
-                           "",
-                           "the mesh has no physical surface '" + part + "'",
-                           "It has " + joined(surfaces) + ".");
+          throw InputError(
+            file.what + "/Parts",
+            "",
+            "shape.unknown-part: the mesh has no physical surface '" + part +
+              "'",
+            "It has " + joined(surfaces) + ".");
     }
 
 
@@ -205,13 +209,14 @@ namespace lamella
               part == file.parts.end() ? OrientedMaterial{name, 0.} :
                                          part->second;
             if (materials.count(oriented_material.material) == 0)
-              refuse_line(entry,
-                          group.line,
-                          "the physical surface '" + name +
-                            "' is no material; the nearest of Materials is '" +
-                            nearest_name(name, known) + "'",
-                          "Rename it, or say in Parts what it is made of: '" +
-                            name + ": " + known[0] + "'.");
+              refuse_line(
+                entry,
+                group.line,
+                "shape.part-without-material: the physical surface '" + name +
+                  "' is no material; the nearest of Materials is '" +
+                  nearest_name(name, known) + "'",
+                "Rename it, or name its material in Parts: '" + name + ": " +
+                  known[0] + "'.");
             ply_of_tag[key.second] = section.plies.size();
             section.plies.push_back({oriented_material.material,
                                      oriented_material.angle,
@@ -244,17 +249,16 @@ namespace lamella
                 reserved.end())
               refuse_line(entry,
                           group.line,
-                          "the physical line '" + name +
-                            "' has a name that means something else (" +
-                            joined(reserved) + ")",
+                          "shape.reserved-name: the physical line '" + name +
+                            "' has a reserved name (" + joined(reserved) + ")",
                           "Rename it.");
             if (!std::regex_match(name, form))
-              refuse_line(
-                entry,
-                group.line,
-                "'" + name + "', a physical line, is not a name",
-                "Names begin with a letter and go on with letters, digits, '_' "
-                "and '-'.");
+              refuse_line(entry,
+                          group.line,
+                          "shape.invalid-name: '" + name +
+                            "', a physical line, is not a name",
+                          "Names begin with a letter and go on with letters, "
+                          "digits, '_' and '-'.");
             // Groups of one name are one boundary.
             const types::boundary_id id =
               id_of_name.insert({name, section.boundaries.size()})
@@ -286,11 +290,12 @@ namespace lamella
         }
       const auto ply = ply_of_tag.find(element.group);
       if (ply == ply_of_tag.end())
-        refuse_line(entry,
-                    element.line,
-                    "the cell at " + to_text(Point<2>(center)) +
-                      " is in no named physical surface, so nothing says of "
-                      "what it is made");
+        refuse_line(
+          entry,
+          element.line,
+          "shape.cell-without-material: the cell at " +
+            to_text(Point<2>(center)) +
+            " is in no named physical surface, so its material is unknown");
       cell.material_id = ply->second;
       return cell;
     }
@@ -350,8 +355,8 @@ namespace lamella
         throw InputError(
           file.what + "/Scale",
           to_text(file.scale),
-          "the section would be " + to_text(extent * file.scale) +
-            " wide or high",
+          "shape.scale-out-of-range: the section would be " +
+            to_text(extent * file.scale) + " wide or high",
           "Scale is a factor such as 0.001, of a mesh in mm in a scene in m.");
     }
   } // namespace
@@ -387,11 +392,12 @@ namespace lamella
       const std::vector<std::string> followed = split(part.curve, ' ');
       for (const std::string &curve : followed)
         if (std::find(curves.begin(), curves.end(), curve) == curves.end())
-          throw InputError(where,
-                           "",
-                           "the mesh has no physical line '" + curve +
-                             "' on its boundary",
-                           "It has " + joined(curves) + ".");
+          throw InputError(
+            where,
+            "",
+            "shape.unknown-curve: the mesh has no physical line '" + curve +
+              "' on its boundary",
+            "It has " + joined(curves) + ".");
       const auto   normals = std::make_shared<CurveNormals>(section, followed);
       const double sign    = part.outwards ? 1. : -1.;
       plane.normal_at      = [normals, sign](const Point<2> &x) {
@@ -415,10 +421,12 @@ namespace lamella
       for (const auto &[part, direction] : file.planes)
         {
           if (std::find(parts.begin(), parts.end(), part) == parts.end())
-            throw InputError(where,
-                             "",
-                             "the mesh has no physical surface '" + part + "'",
-                             "It has " + joined(parts) + ".");
+            throw InputError(
+              where,
+              "",
+              "shape.unknown-part: the mesh has no physical surface '" + part +
+                "'",
+              "It has " + joined(parts) + ".");
           const PlyPlane plane = plane_of(direction, section, where);
           for (const auto &[key, group] : mesh.names)
             if (key.first == 2 && group.name == part)

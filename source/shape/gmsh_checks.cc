@@ -64,7 +64,7 @@ namespace lamella
             refuse_line(
               entry,
               mesh.elements[c]->line,
-              "a cell is folded or has no area, at " +
+              "shape.folded-cell: a cell is folded or has no area, at " +
                 to_text(Point<2>(center)) +
                 " (an inner angle of 180 degrees or more)",
               "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
@@ -88,9 +88,9 @@ namespace lamella
             refuse_line(
               entry,
               mesh.elements[c]->line,
-              "this cell lies over others at " +
+              "shape.overlapping-cells: this cell lies over others at " +
                 to_text(mesh.vertices[corner.vertex]),
-              "Let each surface be drawn once, and mesh the section anew.");
+              "Draw each surface once, and mesh the section anew.");
         }
   }
 
@@ -144,11 +144,11 @@ namespace lamella
               refuse_line(
                 entry,
                 mesh.elements[c]->line,
-                "this cell and that of line " +
+                "shape.overlapping-cells: this cell and that of line " +
                   std::to_string(mesh.elements[it->second.cell]->line) +
-                  " lie one over the other at the side " + ends(mesh, side),
-                "Let each surface be drawn once and be in one physical "
-                "surface, and mesh it anew.");
+                  " overlap at the side " + ends(mesh, side),
+                "Draw each surface once, let it be in one physical surface, "
+                "and mesh it anew.");
           }
       return count;
     }
@@ -177,12 +177,12 @@ namespace lamella
       const auto         cells   = count.find(side);
       const unsigned int in_file = mesh.lines[l]->line;
       if (cells == count.end() && mesh.rest.boundary_lines[l].boundary_id != 0)
-        refuse_line(
-          entry,
-          in_file,
-          "this part of a physical line is no side of a cell",
-          "Only lines of the section's boundary can be physical ones: "
-          "remove this one, or mesh the section anew.");
+        refuse_line(entry,
+                    in_file,
+                    "shape.line-off-boundary: this part of a physical line is "
+                    "no side of a cell",
+                    "Only lines of the section's boundary can be physical "
+                    "ones: remove this one, or mesh the section anew.");
       // Lines of no name beside the section: auxiliary ones.
       if (cells == count.end())
         return false;
@@ -190,9 +190,10 @@ namespace lamella
         refuse_line(
           entry,
           in_file,
-          "a line of the mesh runs inside the section, " + ends(mesh, side),
-          "Only lines of its boundary can be physical ones: remove this "
-          "one, or Mesh.SaveAll.");
+          "shape.line-inside: a line of the mesh runs inside the section, " +
+            ends(mesh, side),
+          "Only lines of its boundary can be physical ones: remove this one, "
+          "or Mesh.SaveAll.");
       return true;
     }
   } // namespace
@@ -214,7 +215,7 @@ namespace lamella
         if (!is_new)
           refuse_line(entry,
                       mesh.lines[l]->line,
-                      "the side " + ends(mesh, side) +
+                      "shape.side-in-two-lines: the side " + ends(mesh, side) +
                         " is in a physical line already, in line " +
                         std::to_string(mesh.lines[it->second]->line) +
                         " of the file",

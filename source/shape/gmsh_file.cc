@@ -22,7 +22,10 @@ namespace lamella
               const std::string &rule,
               const std::string &remedy)
   {
-    entry.refuse("line " + std::to_string(line) + ": " + rule, remedy);
+    const Message message(rule);
+    entry.refuse(message.identifier + ": line " + std::to_string(line) + ": " +
+                   message.text,
+                 remedy);
   }
 
 
@@ -222,9 +225,12 @@ namespace lamella
       at.expect(words, "as its counts say");
       // A point or volume makes no part of a section.
       if (n > 1 && (dimension == 1 || dimension == 2))
-        at.fault("the " + name + " " + std::to_string(tag) + " is in " +
-                   std::to_string(n) + " physical groups",
-                 "Let each curve and surface be in one.");
+        refuse_line(at.entry,
+                    at.line,
+                    "shape.several-groups: the " + name + " " +
+                      std::to_string(tag) + " is in " + std::to_string(n) +
+                      " physical groups",
+                    "Let each curve and surface be in one.");
       if (!group_of_entity.insert({{dimension, tag}, group}).second)
         at.fault("a second " + name + " " + std::to_string(tag));
     }
@@ -345,7 +351,7 @@ namespace lamella
           const auto found = cell_of_node.find(node);
           if (found == cell_of_node.end())
             at.fault(element + " has node " + std::to_string(node) +
-                     ", which $Nodes has not");
+                     ", which is not in $Nodes");
           const auto end = nodes.begin() + i;
           if (std::find(nodes.begin(), end, found->second) != end)
             at.fault(element + " has node " + std::to_string(node) + " twice");

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // GridIn of deal.II reads these files, too, word by word, and trusts them: a
-// coordinate that is missing shifts all that follows, a node number of -1 or a
-// count of four billion ends the program. Gmsh's own library is no better a
-// judge. Hence this reader, which goes line by line, as Gmsh writes, and
-// believes nothing.
+// missing coordinate shifts all that follows, a node number of -1 or a count of
+// four billion ends the program. Gmsh's own library is no safer. Hence this
+// reader checks each line.
 
 #include <lamella/base/text.h>
 #include <lamella/shape/gmsh_file.h>
@@ -75,7 +74,7 @@ namespace lamella
   void
   GmshLines::fault(const std::string &rule, const std::string &remedy) const
   {
-    refuse_line(entry, line, rule, remedy);
+    refuse_line(entry, line, "shape.mesh-malformed: " + rule, remedy);
   }
 
 
@@ -176,14 +175,13 @@ namespace lamella
   GmshParts::read_format()
   {
     if (all.rest.substr(0, 3) == "\xEF\xBB\xBF")
-      refuse_line(
-        all.entry,
-        1,
-        "before $MeshFormat stands a byte order mark (EF BB BF), which some "
-        "editors put there",
-        "Save the file without it, as plain ASCII.");
+      refuse_line(all.entry,
+                  1,
+                  "shape.byte-order-mark: a byte order mark (EF BB BF) "
+                  "precedes $MeshFormat",
+                  "Save the file without it, as plain ASCII.");
     if (!all.next() || (all.current != "$MeshFormat" && all.current != "$NOD"))
-      all.entry.refuse("this is not a mesh by Gmsh",
+      all.entry.refuse("shape.not-a-mesh: this is not a mesh by Gmsh",
                        "Write one with 'gmsh -2 NAME.geo -o NAME.msh'.");
     std::string version = "1";
     bool        binary  = false;
@@ -197,10 +195,13 @@ namespace lamella
       }
     is_in_blocks = version == "4.1";
     if (binary || !(is_in_blocks || version == "2.2"))
-      all.fault("the mesh is " + (binary ? "binary" : "of version " + version) +
-                  "; text of 4.1 and of 2.2 is read",
-                "Have Gmsh write it anew: 'gmsh " + all.entry.text() +
-                  " -save -format msh41 -o NEW.msh'.");
+      refuse_line(all.entry,
+                  all.line,
+                  "shape.mesh-version: the mesh is " +
+                    (binary ? "binary" : "of version " + version) +
+                    "; text of 4.1 and of 2.2 is read",
+                  "Have Gmsh write it anew: 'gmsh " + all.entry.text() +
+                    " -save -format msh41 -o NEW.msh'.");
     all.integer(2, "8, the bytes of a number", 1);
     if (!all.next())
       all.fault("the file is cut off: it ends before $EndMeshFormat");
@@ -233,7 +234,7 @@ namespace lamella
       "MeshFormat", "PhysicalNames", "Entities", "Nodes", "Elements"};
     const std::string name(all.current.substr(1));
     if (name == "PartitionedEntities")
-      all.fault("the mesh is cut into partitions; a section has none");
+      all.fault("the mesh has partitions, and a section has none");
     const bool wanted = once.count(name) == 1;
     if (wanted)
       expect_first(name);
@@ -277,7 +278,7 @@ namespace lamella
           }
         if (all.rest.empty() && end.find(all.current) == 0)
           all.fault(cut_off);
-        // What others write into sections of their own is theirs.
+        // Sections of other programs may have any text.
         if (wanted && all.current[0] == '$')
           all.fault(all.shown(all.current) + " stands inside $" + name +
                     ", which has no " + end + " before it");

@@ -129,31 +129,31 @@ namespace lamella
     std::vector<Declaration>
     entries_of_pieces_and_fabric()
     {
-      return {
-        {"Cells across",
-         "1",
-         List(cells()),
-         "L",
-         "Laminate: cells across the width, equally wide, or one number for "
-         "each piece between Across breaks."},
-        {"Across breaks",
-         "",
-         numbers(),
-         "L",
-         "Laminate: positions x across the width that end a piece of the mesh, "
-         "ascending [length]."},
-        {"Material",
-         "",
-         Anything(),
-         "DEBWT",
-         "All shapes but laminate and file: a name of Materials. May be left "
-         "out if the scene has one material."},
-        {"Fiber angle",
-         "0",
-         number(),
-         "DEBW",
-         "All shapes but laminate, tube and file: degrees, 0 along +y, positive "
-         "from +y towards +x, about z in all walls. Not with a Wall layup."}};
+      return {{"Cells across",
+               "1",
+               List(cells()),
+               "L",
+               "Laminate: cells across the width, equally wide, or one number "
+               "for each piece between Across breaks."},
+              {"Across breaks",
+               "",
+               numbers(),
+               "L",
+               "Laminate: positions x across the width that end a piece of the "
+               "mesh, ascending [length]."},
+              {"Material",
+               "",
+               Anything(),
+               "DEBWT",
+               "All shapes but laminate and file: a name of Materials. May be "
+               "left out if the scene has one material."},
+              {"Fiber angle",
+               "0",
+               number(),
+               "DEBW",
+               "All shapes but laminate, tube and file: degrees, 0 along +y, "
+               "positive from +y towards +x, about z in all walls. Not with a "
+               "Wall layup."}};
     }
 
 
@@ -198,20 +198,19 @@ namespace lamella
     std::vector<Declaration>
     entries_of_divisions()
     {
-      return {
-        {"Cells divided",
-         "0",
-         Whole(0, SectionParameters::max_divisions),
-         "LDEBWTF",
-         "How often all cells of the section are divided in four, also those of "
-         "a file, 0 to 4."},
-        {"Corner layers",
-         "0",
-         Whole(0, SectionParameters::max_corner_layers),
-         "LBWF",
-         "How many layers of cells, each 0.15 of the next, lie at corners where "
-         "stresses have no limit: re-entrant ones, and where plies that differ "
-         "end at a side, 0 to 6."}};
+      return {{"Cells divided",
+               "0",
+               Whole(0, SectionParameters::max_divisions),
+               "LDEBWTF",
+               "How often all cells of the section are divided in four, also "
+               "those of a file, 0 to 4."},
+              {"Corner layers",
+               "0",
+               Whole(0, SectionParameters::max_corner_layers),
+               "LBWF",
+               "How many layers of cells, each 0.15 of the next, lie at "
+               "corners where stresses have no limit: re-entrant ones, and "
+               "where plies that differ end at a side, 0 to 6."}};
     }
 
 
@@ -243,12 +242,12 @@ namespace lamella
          "",
          Anything(),
          "BWT",
-         "Thin-walled: ply angles from the inside of each wall to its outside in "
-         "degrees, in the wall's own plane: 0 along +y, positive to the right "
-         "for who looks at the wall from outside with +y pointing up. One layup "
-         "for all walls, or one a wall between '|': webs from left to right, "
-         "then flanges from bottom to top. Without: one material at Fiber angle, "
-         "or at 0 degrees in a tube."}};
+         "Thin-walled: ply angles from the inside of each wall to its outside "
+         "in degrees, in the wall's own plane: 0 along +y, positive to the "
+         "right for who looks at the wall from outside with +y pointing up. "
+         "One layup for all walls, or one a wall between '|': webs from left "
+         "to right, then flanges from bottom to top. Without: one material at "
+         "Fiber angle, or at 0 degrees in a tube."}};
     }
 
 
@@ -257,35 +256,35 @@ namespace lamella
     std::vector<Declaration>
     entries_of_wall_plies()
     {
-      return {
-        {"Wall ply thicknesses",
-         "",
-         Anything(),
-         "BWT",
-         "Thin-walled: of the plies of Wall layup, one a ply between commas, the "
-         "walls between '|' [length]. They must add up to each wall's thickness. "
-         "By default equal shares of it."},
-        {"Wall ply materials",
-         "",
-         Anything(),
-         "BWT",
-         "Thin-walled: of the plies of Wall layup, likewise; Material by "
-         "default."},
-        {"Cells per wall",
-         "1",
-         cells(),
-         "BW",
-         "Thin-walled: cells through each wall, of walls without a Wall layup."},
-        {"Cells along wall",
-         "4",
-         cells(),
-         "BW",
-         "Thin-walled: cells along each wall between its corners."},
-        {"Cells around",
-         "24",
-         cells(),
-         "T",
-         "Tube: cells around it, a multiple of 4, from 8."}};
+      return {{"Wall ply thicknesses",
+               "",
+               Anything(),
+               "BWT",
+               "Thin-walled: of the plies of Wall layup, one a ply between "
+               "commas, the walls between '|' [length]. They must add up to "
+               "each wall's thickness. By default equal shares of it."},
+              {"Wall ply materials",
+               "",
+               Anything(),
+               "BWT",
+               "Thin-walled: of the plies of Wall layup, likewise; Material by "
+               "default."},
+              {"Cells per wall",
+               "1",
+               cells(),
+               "BW",
+               "Thin-walled: cells through each wall, of walls without a Wall "
+               "layup."},
+              {"Cells along wall",
+               "4",
+               cells(),
+               "BW",
+               "Thin-walled: cells along each wall between its corners."},
+              {"Cells around",
+               "24",
+               cells(),
+               "T",
+               "Tube: cells around it, a multiple of 4, from 8."}};
     }
 
 
@@ -311,9 +310,9 @@ namespace lamella
          "",
          Anything(),
          "F",
-         "File: PART: DIRECTION between '|', where the normal of a part's plies "
-         "points, in degrees from +x towards +z, 90 by default; or PART: along "
-         "CURVES, physical lines between blanks whose outward normals it "
+         "File: PART: DIRECTION between '|', where the normal of a part's "
+         "plies points, in degrees from +x towards +z, 90 by default; or PART: "
+         "along CURVES, physical lines between blanks whose outward normals it "
          "follows, or PART: against CURVES for the inward ones."},
         {"Scale",
          "1",
@@ -356,13 +355,14 @@ namespace lamella
           own.push_back(entry.name);
       for (const Declaration &entry : declarations())
         if (!entry.is_of(kind) && in[entry.name].text() != entry.fallback)
-          in[entry.name].refuse("the shape '" + name_of(kind) +
-                                  "' has no such entry",
+          in[entry.name].refuse("shape.entry-of-other-shape: the shape '" +
+                                  name_of(kind) + "' has no such entry",
                                 "It has " + joined(own) + ".");
       if (letter_of(kind) == 'W' && !in["Wall thickness"].is_empty() &&
           !in["Web thickness"].is_empty() && !in["Flange thickness"].is_empty())
         in["Wall thickness"].refuse(
-          "Web thickness and Flange thickness leave nothing that uses it",
+          "shape.wall-thickness-unused: has no effect beside Web thickness and "
+          "Flange thickness",
           "Remove one of the three.");
     }
   } // namespace
@@ -461,8 +461,9 @@ namespace lamella
     const SectionShape result = read(kind, folder, {in, materials});
     const double       cells  = estimated_cells(result);
     if (cells > max_section_cells)
-      in.refuse("the section would have about " + to_text(cells) +
-                  " cells, more than " + to_text(max_section_cells),
+      in.refuse("shape.too-many-cells: the section would have about " +
+                  to_text(cells) + " cells, more than " +
+                  to_text(max_section_cells),
                 "Use fewer cells, and a higher order instead.");
     return result;
   }

@@ -143,8 +143,8 @@ namespace lamella
                               boost::geometry::index::intersects(here)),
                             tree.qend()) > 1)
             entry.refuse(
-              "two nodes stand at " + to_text(point) +
-                ", so that the cells on both sides are not joined",
+              "shape.double-node: there are two nodes at " + to_text(point) +
+                ", so the cells on both sides are not connected",
               "In Gmsh, share points and lines between surfaces, or write "
               "'Coherence;' ('Coherence Mesh;' after meshing).");
         }
@@ -178,10 +178,11 @@ namespace lamella
             }
         }
       if (parts.size() > 1)
-        entry.refuse("the section is in " + std::to_string(parts.size()) +
+        entry.refuse("shape.section-in-pieces: the section is in " +
+                       std::to_string(parts.size()) +
                        " pieces that share no side of a cell; one is at " +
                        to_text(parts[0]) + ", another at " + to_text(parts[1]),
-                     "A section must hang together.");
+                     "A section must be connected.");
     }
   } // namespace
 
@@ -199,12 +200,14 @@ namespace lamella
           ++bad;
         }
     if (bad > 0)
-      entry.refuse(
-        (bad == 1 ? "a cell is" : std::to_string(bad) + " cells are") +
-          " folded or has no area, " + (bad == 1 ? "at " : "the first at ") +
-          to_text(where) + " (an inner angle of 180 degrees or more)",
-        "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
-        "transfinite surfaces make better cells.");
+      entry.refuse("shape.folded-cell: " +
+                     (bad == 1 ? "a cell is" :
+                                 std::to_string(bad) + " cells are") +
+                     " folded or has no area, " +
+                     (bad == 1 ? "at " : "the first at ") + to_text(where) +
+                     " (an inner angle of 180 degrees or more)",
+                   "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' "
+                   "or transfinite surfaces make better cells.");
     check_vertices(section, entry);
     check_connected(section, entry);
   }
@@ -226,9 +229,9 @@ namespace lamella
           throw InputError(
             path,
             "",
-            "a cell at " + to_text(cell->center()) + " is " +
-              to_text(ratio, 2) +
-              " times as long as thick; doubles hold cells of up to " +
+            "shape.cell-too-slender: a cell at " + to_text(cell->center()) +
+              " is " + to_text(ratio, 2) +
+              " times as long as thick; double precision allows " +
               to_text(sensible) + " times",
             "Are the units right? If they are, use more cells along the longer "
             "side.");

@@ -14,7 +14,7 @@ namespace lamella
   {
     const std::vector<double> values = in[entry].numbers();
     if (values.empty())
-      in[entry].refuse_missing("give a positive length.");
+      in[entry].refuse_missing("shape.length-missing: give a positive length.");
     return values;
   }
 
@@ -26,7 +26,7 @@ namespace lamella
     const std::vector<unsigned int> values =
       in[entry].whole_numbers(1, max_cells_in_line);
     if (values.empty())
-      in[entry].refuse_missing("give a whole number.");
+      in[entry].refuse_missing("shape.number-missing: give a whole number.");
     return values;
   }
 
@@ -41,7 +41,8 @@ namespace lamella
     if (entry.is_empty() && materials.size() == 1)
       result.material = materials[0];
     else if (entry.is_empty())
-      entry.refuse_missing("name one of " + joined(materials) + ".");
+      entry.refuse_missing("shape.material-missing: name one of " +
+                           joined(materials) + ".");
     else
       result.material = material(entry, entry.text());
     return result;
@@ -77,7 +78,7 @@ namespace lamella
       const unsigned int n = result.across_breaks.size() + 1;
       if (result.cells_across.size() != n)
         reader.in["Cells across"].refuse(
-          std::string("there ") +
+          std::string("shape.count-of-cells: there ") +
           (n == 1 ? "is one piece" : "are " + std::to_string(n) + " pieces") +
           " (Across breaks and one), so give as many numbers");
     }
@@ -103,8 +104,8 @@ namespace lamella
     if (names.empty() && materials.size() == 1)
       names = materials;
     if (names.empty())
-      entry.refuse_missing("name one of " + joined(materials) +
-                           ", or one a ply.");
+      entry.refuse_missing("shape.material-missing: name one of " +
+                           joined(materials) + ", or one per ply.");
     for (const std::string &name : names)
       material(entry, name);
     result.materials = one_per_ply(names, n, entry);
@@ -121,18 +122,20 @@ namespace lamella
     result.graded_towards = in["Graded towards"].number();
     if (!(result.graded_towards >= 30. && result.graded_towards <= 150.))
       in["Graded towards"].refuse(
-        "must be an angle from 30 to 150 degrees; 90 is the top of the arc");
+        "shape.angle-out-of-range: must be an angle from 30 to 150 degrees; 90 "
+        "is the top of the arc");
     const Entry finest = in["Finest cell"];
     result.finest_cell =
       finest.is_empty() ? result.radius / 8. : finest.positive();
     if (!(result.finest_cell <= result.radius &&
           result.finest_cell >= 1e-6 * result.radius))
-      finest.refuse("must lie between a millionth of the radius and the "
-                    "radius " +
+      finest.refuse("shape.finest-cell-out-of-range: must lie between a "
+                    "millionth of the radius and the radius " +
                     to_text(result.radius));
     result.sectors = count("Sectors");
     if (result.sectors % 4 != 0)
-      in["Sectors"].refuse("must be a multiple of 4, as 8 or 12");
+      in["Sectors"].refuse(
+        "shape.not-multiple-of-four: must be a multiple of 4, as 8 or 12");
     result.oriented_material = oriented_material();
     return result;
   }
@@ -169,15 +172,15 @@ namespace lamella
           std::string material, angle, rest;
           words >> material >> angle >> rest;
           if (name.empty() || material.empty() || !rest.empty())
-            entry.refuse("'" + text +
-                           "' is not PART: MATERIAL ANGLE, as in web: carbon "
-                           "45",
-                         "Between parts stands '|'.");
+            entry.refuse(
+              "shape.invalid-part: '" + text +
+                "' is not PART: MATERIAL ANGLE, as in web: carbon 45",
+              "Parts are separated by '|'.");
           const OrientedMaterial oriented_material{
             reader.material(entry, material),
             angle.empty() ? 0. : entry.number(angle)};
           if (!parts.emplace(name, oriented_material).second)
-            entry.refuse("'" + name + "' stands there twice");
+            entry.refuse("shape.repeated-part: '" + name + "' is repeated");
         }
       return parts;
     }
@@ -202,17 +205,17 @@ namespace lamella
             curves += (curves.empty() ? "" : " ") + curve;
           const bool follows = word == "along" || word == "against";
           if (name.empty() || word.empty() || follows == curves.empty())
-            entry.refuse("'" + text +
+            entry.refuse("shape.invalid-ply-plane: '" + text +
                            "' is neither PART: DIRECTION, as in web: 180, nor "
                            "PART: along CURVES, nor PART: against CURVES",
-                         "Between parts stands '|'.");
+                         "Parts are separated by '|'.");
           PartPlane plane;
           if (follows)
             plane = {90., curves, word == "along"};
           else
             plane.direction = entry.number(word);
           if (!planes.emplace(name, plane).second)
-            entry.refuse("'" + name + "' stands there twice");
+            entry.refuse("shape.repeated-part: '" + name + "' is repeated");
         }
       return planes;
     }
@@ -225,7 +228,8 @@ namespace lamella
   {
     const Entry name = in["File"];
     if (name.is_empty())
-      name.refuse_missing("name a mesh by Gmsh, as in beam.msh.");
+      name.refuse_missing(
+        "shape.file-missing: name a mesh by Gmsh, as in beam.msh.");
     SectionFile result;
     result.path   = (std::filesystem::path(folder) / name.text()).string();
     result.what   = in.path();

@@ -179,7 +179,7 @@ namespace lamella
     if (cells > max_section_cells)
       throw InputError(what + "/Cells divided",
                        std::to_string(times),
-                       "would make " + to_text(cells) +
+                       "shape.too-many-cells: would make " + to_text(cells) +
                          " cells of the section, more than " +
                          to_text(max_section_cells),
                        "Divide them less often, or use a higher order.");

@@ -23,8 +23,9 @@ namespace lamella
     {
       const double sum = std::accumulate(walls.begin(), walls.end(), 0.);
       if (!(sum < extension))
-        entry.refuse("the walls take " + to_text(sum) + " of the " + named +
-                       " " + to_text(extension) + " and must leave some of it",
+        entry.refuse("shape.walls-too-thick: the walls take " + to_text(sum) +
+                       " of the " + named + " " + to_text(extension) +
+                       " and must leave a part of it",
                      "Make the walls thinner or the section larger.");
     }
 
@@ -37,12 +38,12 @@ namespace lamella
     {
       const std::vector<std::string> items = entry.items('|');
       if (items.size() > 1 && items.size() != walls.size())
-        entry.refuse("there are " + std::to_string(items.size()) +
-                       " pieces for " +
+        entry.refuse("shape.count-of-layups: there are " +
+                       std::to_string(items.size()) + " pieces for " +
                        (walls.size() == 1 ? "one wall" :
                                             std::to_string(walls.size()) +
                                               " walls (" + joined(walls) + ")"),
-                     "Give one for all walls or one a wall between '|'.");
+                     "Give one for all walls, or one per wall between '|'.");
       return std::vector<std::string>(
         items.size() == walls.size() ?
           items :
@@ -68,15 +69,16 @@ namespace lamella
         {
           values.push_back(entry.number(item));
           if (!(values.back() > 0.))
-            entry.refuse("a ply's thickness must be positive");
+            entry.refuse(
+              "entry.not-positive: a ply's thickness must be positive");
         }
       values           = one_per_ply(values, n, entry);
       const double sum = std::accumulate(values.begin(), values.end(), 0.);
       // Decimal fractions of a wall, as 0.333, are meant to add up.
       if (!(std::abs(sum - wall) <= arithmetic::decimal_tolerance * wall))
-        entry.refuse("the " + std::to_string(n) + " plies of " + named +
-                       " add up to " + to_text(sum) +
-                       ", and not to its thickness " + to_text(wall),
+        entry.refuse("shape.sum-of-plies: the " + std::to_string(n) +
+                       " plies of " + named + " add up to " + to_text(sum) +
+                       " instead of its thickness " + to_text(wall),
                      "Give thicknesses that add up to it, or leave them out "
                      "for equal shares.");
       for (double &value : values)
@@ -134,24 +136,27 @@ namespace lamella
       const Entries &in = reader.in;
       if (has_layup && in["Fiber angle"].text() != "0")
         in["Fiber angle"].refuse(
-          "with Wall layup plies have their angles there, in the plane of each "
-          "wall",
+          "shape.angle-with-layup: Wall layup gives the angles of plies",
           "Remove one of the two.");
       if (has_layup && in["Cells per wall"].text() != "1")
         in["Cells per wall"].refuse(
-          "with Wall layup cells are counted by plies", "Use Cells per ply.");
+          "shape.cells-with-layup: with Wall layup cells are counted per ply",
+          "Use Cells per ply.");
       if (!in["Wall ply materials"].is_empty() && !in["Material"].is_empty())
-        in["Material"].refuse("Wall ply materials leave nothing that uses it",
-                              "Remove one of the two.");
+        in["Material"].refuse(
+          "shape.material-unused: has no effect beside Wall ply materials",
+          "Remove one of the two.");
       for (const auto &[name, fallback] :
            {std::pair<const char *, const char *>{"Wall ply thicknesses", ""},
             {"Wall ply materials", ""},
             {"Cells per ply", "1"}})
         if (!has_layup && in[name].text() != fallback)
-          in[name].refuse("it belongs to Wall layup, which is not given",
+          in[name].refuse("shape.entry-without-layup: it belongs to Wall "
+                          "layup, which is not given",
                           "Give Wall layup, as in 45/-45, or remove it.");
       if (has_layup && reader.counts("Cells per ply").size() != 1)
-        in["Cells per ply"].refuse("walls take one number, for all plies");
+        in["Cells per ply"].refuse(
+          "shape.one-number-for-plies: walls take one number, for all plies");
     }
 
 
@@ -170,7 +175,8 @@ namespace lamella
             walls.resize(4, walls[0]);
           if (walls.size() != 4)
             in["Wall thickness"].refuse(
-              "give one, or four between commas: left, right, bottom, top");
+              "shape.count-of-thicknesses: give one, or four between commas: "
+              "left, right, bottom, top");
           result.webs    = {walls[0], walls[1]};
           result.flanges = {walls[2], walls[3]};
           return {web_entry, flange_entry};
@@ -188,7 +194,8 @@ namespace lamella
            {std::make_tuple(&result.webs, n_webs, &web_entry),
             std::make_tuple(&result.flanges, n_flanges, &flange_entry)})
         if (walls->size() != n)
-          in[*entry].refuse("a section " + name_of(result.form) + " takes one" +
+          in[*entry].refuse("shape.count-of-thicknesses: a section " +
+                            name_of(result.form) + " takes one" +
                             (n == 2 ? " or two (bottom, top)" : ""));
       return {web_entry, flange_entry};
     }
@@ -204,17 +211,19 @@ namespace lamella
     result.height       = in["Height"].positive();
     result.cells_around = in["Cells around"].whole(8, max_cells_in_line);
     if (result.cells_around % 4 != 0)
-      in["Cells around"].refuse("must be a multiple of 4, as 16 or 24");
+      in["Cells around"].refuse(
+        "shape.not-multiple-of-four: must be a multiple of 4, as 16 or 24");
     const std::vector<double> thickness = lengths("Wall thickness");
     if (thickness.size() != 1)
-      in["Wall thickness"].refuse("a tube has one wall");
+      in["Wall thickness"].refuse(
+        "shape.count-of-thicknesses: a tube has one wall");
     const double shorter = std::min(result.width, result.height),
                  longer  = std::max(result.width, result.height),
                  radius  = 0.5 * shorter * (shorter / longer);
     if (!(thickness[0] < radius))
       in["Wall thickness"].refuse(
-        "must be below the smallest radius of curvature of the tube's "
-        "outside, " +
+        "shape.wall-above-radius: must be below the smallest radius of "
+        "curvature of the tube's outside, " +
           to_text(radius),
         "Make the wall thinner, or use Shape = ellipse for a solid section.");
 

@@ -68,9 +68,10 @@ namespace lamella
     if (items.size() == 1)
       return std::vector<T>(n, items[0]);
     if (items.size() != n)
-      entry.refuse("there are " + std::to_string(items.size()) +
-                     " values for " + std::to_string(n) + " plies",
-                   "Give one for all plies or one a ply.");
+      entry.refuse("shape.count-of-ply-values: there are " +
+                     std::to_string(items.size()) + " values for " +
+                     std::to_string(n) + " plies",
+                   "Give one for all plies, or one per ply.");
     return items;
   }
 } // namespace lamella
