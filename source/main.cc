@@ -38,13 +38,13 @@ namespace
 
 
 
-  /// Throws InputError if several processes are to do the work of one.
+  /// Throws InputError if several processes run a task for one.
   void
   require_one_process(const CommandLine &command)
   {
     if (command.task != CommandLine::Task::run && n_processes() > 1)
-      throw InputError("trade, export, report and new are the work of one "
-                       "process: start lamella without mpirun.");
+      throw InputError("run.task-in-parallel: trade, export, report and new "
+                       "run on one process: start lamella without mpirun.");
   }
 
 
@@ -55,8 +55,9 @@ namespace
                    std::ostream      &out)
   {
     if (command.resume)
-      throw InputError("--resume goes on with load steps; a run to a "
-                       "Tolerance (subsection Goals) begins anew.");
+      throw InputError(
+        "run.resume-to-tolerance: --resume continues load steps, and a run to "
+        "a Tolerance (subsection Goals) cannot. Leave --resume out.");
     if (!ToleranceRun(scene, out).run(command.output))
       throw ToleranceNotMet(
         "estimate.tolerance-not-met: the tolerance of a goal is not met. The "
@@ -96,9 +97,10 @@ namespace
     else if (!command.resume)
       trial.write(command.output, make_error_bars(trial.chosen()));
     else
-      throw InputError("--resume goes on after load steps that are written; "
-                       "the linear run that Rotations = auto takes here writes "
-                       "all of them at its end. Leave --resume out.");
+      throw InputError(
+        "run.resume-of-linear-trial: --resume continues after written load "
+        "steps; the linear run that Rotations = auto chooses here writes all "
+        "at its end. Leave --resume out.");
   }
 
 
@@ -197,8 +199,7 @@ namespace
       }
     catch (const InputError &error)
       {
-        // That is what there is to say, also if another process ends first and
-        // this one is told to.
+        // This message has precedence over the end of another process.
         set_interruption_message("");
         throw text.placed(error);
       }

@@ -81,7 +81,7 @@ namespace lamella
         {
           result["fault"] = {error.path(),
                              error.value(),
-                             error.rule(),
+                             error.marked(error.rule()),
                              error.remedy()};
         }
       return result;
@@ -96,8 +96,8 @@ namespace lamella
       fs::create_directories(directory + "/variants", error);
       // The lock needs a file; it is not emptied, should another have it.
       if (error || !std::ofstream(directory + "/trade.lock", std::ios::app))
-        throw InputError("results cannot be written there. Name a folder that "
-                         "can be created and written.")
+        throw InputError("trade.folder-not-writable: results cannot be written "
+                         "there. Name a writable folder.")
           .at("--output " + directory + ": ");
     }
 
@@ -111,13 +111,14 @@ namespace lamella
       if (scene.solve.rotations == Rotations::automatic)
         throw InputError("Rotations",
                          name_of(scene.solve.rotations),
-                         "a trade compares runs of one kind, and auto may take "
-                         "either",
+                         "trade.automatic-rotations: a trade compares runs of "
+                         "one kind, and auto may choose either",
                          "Run it with Rotations = linear, or large.");
       if (is_large && scene.trade.error_bars)
         throw InputError("Trade/Error bars",
                          "true",
-                         "with Rotations = large they are of the axis alone",
+                         "trade.bars-with-large-rotations: with Rotations = "
+                         "large they estimate errors of the axis only",
                          "Leave it out: the finest variant is the reference.");
     }
   } // namespace
@@ -139,11 +140,12 @@ namespace lamella
   {
     check_rotations(scene);
     if (quantities.empty() && scene.trade.probes_as_goals.empty())
-      throw InputError("Trade/Quantities",
-                       "",
-                       "there is nothing to compare, since the scene has "
-                       "neither probes nor References of supports and contacts",
-                       "Add a probe.");
+      throw InputError(
+        "Trade/Quantities",
+        "",
+        "trade.no-quantities: there is nothing to compare, since the scene has "
+        "neither probes nor References of supports and contacts",
+        "Add a probe.");
     for (const TradeVariant &entry : scene.trade.variants)
       try
         {
@@ -152,15 +154,15 @@ namespace lamella
         }
       catch (const InputError &error)
         {
-          // A theory that cannot turn says so as a variant.
+          // A theory that cannot rotate fails as a variant.
           if (scene.solve.rotations == Rotations::large && !entry.tolerance &&
               !can_rotate(Theory::parse(Entry("Trade/Variants", entry.theory))))
             continue;
-          throw InputError(
-            "Trade/Variants",
-            entry.name,
-            "the scene cannot be read with this variant's entries",
-            error.what());
+          throw InputError("Trade/Variants",
+                           entry.name,
+                           "trade.variant-unreadable: the scene cannot be read "
+                           "with this variant's entries",
+                           error.what());
         }
   }
 
@@ -212,10 +214,9 @@ namespace lamella
             fail(entry, error.what());
             continue;
           }
-        set_interruption_message(
-          "interrupted. " + directory +
-          "/variants has the variants before this one. The same "
-          "command goes on with it.");
+        set_interruption_message("interrupted. " + directory +
+                                 "/variants has the variants before this one. "
+                                 "The same command goes on with it.");
         const std::string of      = fingerprint(entry, all);
         const auto [same, is_new] = seen.emplace(of, entry.name);
         if (!is_new)
@@ -272,8 +273,8 @@ namespace lamella
     prepare_directory(directory);
     boost::interprocess::file_lock lock((directory + "/trade.lock").c_str());
     if (!lock.try_lock())
-      throw InputError("another trade is at work there. Wait for it, or name "
-                       "another folder.")
+      throw InputError("trade.folder-in-use: another trade uses this folder. "
+                       "Wait for it, or name another folder.")
         .at("--output " + directory + ": ");
     // Those of an earlier trade would look like this one's.
     for (const char *name :

@@ -99,9 +99,9 @@ namespace lamella
 
     const std::string python = python_with("json");
     if (python.empty())
-      throw InputError("there is no python3 to make the tables of the trade "
-                       "with. Install it, and start the trade again: variants "
-                       "that have ended are not run again.");
+      throw InputError(
+        "trade.no-python: the tables of the trade need python3. Install it, "
+        "and start the trade again: completed variants are not run again.");
     const std::string errors = directory + "/trade_errors.txt";
     const ProcessEnd  end =
       run_process(python,
@@ -112,8 +112,9 @@ namespace lamella
     message << std::ifstream(errors).rdbuf();
     std::filesystem::remove(errors);
     if (end.status == 2)
-      throw NumericsError(trimmed(message.str()));
+      throw NumericsError("trade.no-reference: " + trimmed(message.str()));
     if (end.status != 0)
-      throw InputError("the tables of the trade: " + trimmed(message.str()));
+      throw InputError("trade.tables-failed: the tables of the trade: " +
+                       trimmed(message.str()));
   }
 } // namespace lamella

@@ -75,7 +75,7 @@ namespace lamella
 
 
 
-    /// Why a run that ended so has no results; empty if it has.
+    /// Returns why a run has no results; empty if it has.
     std::string
     failure_of(const ProcessEnd  &end,
                const std::string &errors,
@@ -97,7 +97,7 @@ namespace lamella
 
 
 
-    /// Puts @p record into @p folder, all of it or nothing.
+    /// Writes @p record into @p folder, completely or not at all.
     void
     write_record(const json &record, const std::string &folder)
     {
@@ -108,7 +108,8 @@ namespace lamella
       std::error_code error;
       fs::rename(path + ".new", path, error);
       if (!file || error)
-        throw InputError("Cannot write " + path + ". Is the disk full?");
+        throw InputError("base.cannot-write: cannot write " + path +
+                         ". Is the disk full?");
     }
 
 
@@ -173,7 +174,7 @@ namespace lamella
       }
     catch (const InputError &error)
       {
-        // The variant will say so itself.
+        // The run of the variant reports it.
         for (const std::string &assignment : variant_overrides)
           if (assignment.compare(0, 6, "Trade/") != 0)
             text += assignment + "\n";
@@ -190,7 +191,7 @@ namespace lamella
   Trade::fingerprint(const TradeVariant             &entry,
                      const std::vector<std::string> &all) const
   {
-    // The goals of a scene do not tell: it may have the same ones itself.
+    // The scene may have the same goals itself.
     return fingerprint(all) + (entry.tolerance        ? ", to a tolerance" :
                                scene.trade.error_bars ? ", with error bars" :
                                                         "");
@@ -308,8 +309,9 @@ namespace lamella
     // Each run reads the scene afresh.
     if (fingerprint(job.entry, job.overrides) != job.fingerprint ||
         fingerprint(overrides) != base)
-      throw InputError("the scene, a mesh file or the program changed while "
-                       "variants of it were run. Start the trade again.")
+      throw InputError(
+        "trade.scene-changed: the scene, a mesh file or the program changed "
+        "while its variants ran. Start the trade again.")
         .at(scene_file + ": ");
     json record{{"of", job.fingerprint},
                 {"seconds", seconds},

@@ -98,9 +98,8 @@ namespace lamella
           throw InputError(
             file.what + "/File",
             file.path,
-            "a mesh file is as coarse as Gmsh made it",
-            "Name a coarser one in the variant: Section NAME/File "
-            "= ...");
+            "trade.mesh-not-coarser: the mesh of a file cannot be made coarser",
+            "Name a coarser one in the variant: Section NAME/File = ...");
         return {{"Cells divided", std::to_string(times)}};
       }
     };

@@ -37,23 +37,25 @@ namespace lamella
           throw InputError(
             "Body " + body.name + "/Isostatic support",
             "true",
-            "the rows that it makes are not exported",
-            "Hold the body by a Support and leave Isostatic support false.");
+            "export.isostatic-support: its constraints are not exported",
+            "Constrain the body by a Support and leave Isostatic support "
+            "false.");
         else if (body.stabilization != 0.)
           throw InputError("Body " + body.name + "/Stabilization",
                            to_text(body.stabilization),
-                           "the springs that it makes are not exported",
-                           "Hold the body by a Support and set it to 0.");
+                           "export.stabilization: its springs are not exported",
+                           "Constrain the body by a Support and set it to 0.");
       const std::vector<PrescribedFunctional> rows =
         prescribed_functionals(scene.supports, mesh.bodies());
       for (unsigned int body = 0; body < scene.bodies.size(); ++body)
         for (const FreeMotion &motion :
              free_rigid_motions(*mesh.bodies()[body], body, rows))
-          throw InputError("Body " + scene.bodies[body].name,
-                           "",
-                           "nothing but contact prevents its " + motion.words +
-                             ", and CalculiX then solves a singular system",
-                           "Hold it by a Support.");
+          throw InputError(
+            "Body " + scene.bodies[body].name,
+            "",
+            "export.unconstrained-motion: only contact prevents its " +
+              motion.words + ", so the system of CalculiX is singular",
+            "Constrain it by a Support.");
     }
   } // namespace
 
@@ -69,12 +71,12 @@ namespace lamella
         if (!load.temperature.empty())
           throw InputError("Load " + load.name + "/Temperature",
                            load.temperature.text(),
-                           "heat is not exported",
+                           "export.temperature: temperatures are not exported",
                            "Leave the load out of Loads.");
       if (scene.gravity.norm() > 0.)
         throw InputError("Gravity",
                          to_text(scene.gravity),
-                         "weight is not exported",
+                         "export.gravity: weight is not exported",
                          "Set it to 0, 0, 0.");
     }
 
@@ -87,7 +89,8 @@ namespace lamella
       if (scene.solve.rotations == Rotations::automatic)
         throw InputError("Rotations",
                          name_of(scene.solve.rotations),
-                         "a run decides, and a deck is of one of both",
+                         "export.automatic-rotations: only a run chooses "
+                         "rotations automatically",
                          "Take linear or large.");
       if (scene.solve.rotations == Rotations::linear)
         return;
@@ -97,7 +100,8 @@ namespace lamella
                              (load.couple ? "Couple" : "Pressure"),
                            load.couple ? to_text(*load.couple) :
                                          load.pressure.text() + ", follows",
-                           "loads that turn along with bodies are not exported",
+                           "export.follower-load: loads that rotate with "
+                           "bodies are not exported",
                            "Take a Force, or leave out 'follows'.");
     }
 
@@ -112,11 +116,12 @@ namespace lamella
       if (!support.rotation)
         return {};
       if (scene.solve.rotations == Rotations::large)
-        throw InputError("Support " + support.name + "/Rotation",
-                         to_text(*support.rotation),
-                         "a deck multiplies displacements with the load "
-                         "factor, and those of a turn go round",
-                         "Take Rotations = linear, or a Load with a Couple.");
+        throw InputError(
+          "Support " + support.name + "/Rotation",
+          to_text(*support.rotation),
+          "export.large-rotation: a deck multiplies displacements by the load "
+          "factor, and those of a rotation are not proportional to it",
+          "Take Rotations = linear, or a Load with a Couple.");
       return rigid_rotation(support, mesh.bodies());
     }
   } // namespace
@@ -177,11 +182,11 @@ namespace lamella
               throw InputError(
                 path + "/Normal displacement",
                 "",
-                "at " + to_text(mesh.node(node)) +
-                  " the normal is oblique to the scene's axes, and the deck "
+                "export.oblique-normal: at " + to_text(mesh.node(node)) +
+                  " the normal is oblique to the scene's axes, and a deck "
                   "prescribes components along these only",
-                "Turn the bodies so that it is along one of them, or prescribe "
-                "u.");
+                "Rotate the bodies so that it is along one of them, or "
+                "prescribe u.");
             hold(
               node, c, std::copysign(1., normal[c]) * *support.normal, s, mesh);
           }
@@ -214,10 +219,11 @@ namespace lamella
                std::max(std::abs(value), std::abs(place->second)))
       throw InputError("Support " + scene.supports[s].name,
                        "",
-                       "at " + to_text(mesh.node(node)) + " it prescribes " +
-                         to_text(value) + " where another one prescribes " +
+                       "export.contradicting-supports: at " +
+                         to_text(mesh.node(node)) + " it prescribes " +
+                         to_text(value) + ", and another support " +
                          to_text(place->second),
-                       "Let them agree, or leave one of them free.");
+                       "Make them agree, or leave one of them free.");
   }
 
 

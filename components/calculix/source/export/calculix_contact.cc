@@ -80,12 +80,13 @@ namespace lamella
               places.push_back(hit->position);
           }
       if (places.empty())
-        throw InputError("Contact " + contact.name,
-                         "",
-                         "nothing of First faces the obstacle '" +
-                           contact.obstacle->name +
-                           "' within Search distance " + to_text(search_radius),
-                         "Check the surface's name and where the obstacle is.");
+        throw InputError(
+          "Contact " + contact.name,
+          "",
+          "contact.no-pairs: no point of First faces the obstacle '" +
+            contact.obstacle->name + "' within Search distance " +
+            to_text(search_radius),
+          "Check the surface's name and where the obstacle is.");
       return places;
     }
 
@@ -107,8 +108,8 @@ namespace lamella
     std::string
     remark(const ContactPair &contact)
     {
-      std::string text = "** linear penalty in the place of the scene's "
-                         "enforcement";
+      std::string text =
+        "** linear penalty in the place of the scene's enforcement";
       if (contact.overclosure == Overclosure::refuse)
         text +=
           "; overlaps, which the scene refuses,\n** would be pushed apart";
@@ -139,14 +140,15 @@ namespace lamella
       if (pair.overclosure == Overclosure::adjust)
         throw InputError(path + "/Overclosure",
                          name_of(pair.overclosure),
-                         "gaps without their overlap have no counterpart in a "
-                         "CalculiX deck",
+                         "export.overclosure-adjust: gaps without overlap have "
+                         "no counterpart in a CalculiX deck",
                          "Move the bodies apart, or use resolve.");
       if (pair.discretization == Discretization::edge_to_surface)
-        throw InputError(path + "/Discretization",
-                         name_of(pair.discretization),
-                         "a CalculiX deck pairs faces, which have their edges",
-                         "Leave this contact out of Contacts.");
+        throw InputError(
+          path + "/Discretization",
+          name_of(pair.discretization),
+          "export.edge-contact: a CalculiX deck pairs faces with their edges",
+          "Leave this contact out of Contacts.");
     }
   } // namespace
 

@@ -84,11 +84,11 @@ namespace lamella
     check_histories(const Scene &scene)
     {
       if (const std::string path = first_with_factors(scene); !path.empty())
-        throw InputError(path + "/Factors",
-                         "",
-                         "a CalculiX deck has one load factor a step",
-                         "Leave Factors out, or write *AMPLITUDE into the "
-                         "deck.");
+        throw InputError(
+          path + "/Factors",
+          "",
+          "export.load-factors: a CalculiX deck has one load factor per step",
+          "Leave Factors out, or write *AMPLITUDE into the deck.");
     }
 
 
@@ -319,15 +319,15 @@ namespace lamella
         throw InputError(fault.rule + ". " + fault.remedy).at(place);
       const double value = to_number(text);
       if (!(value > 0.))
-        throw InputError("it must be positive, a pressure over a penetration, "
-                         "or auto.")
+        throw InputError("entry.not-positive: it must be positive, a pressure "
+                         "over a penetration, or auto.")
           .at(place);
       return value;
     }
 
 
 
-    /// Both, or neither, and then what was there before stays.
+    /// Writes both files, or neither and keeps the old ones.
     void
     write_files(const std::filesystem::path &deck,
                 const std::string           &deck_text,
@@ -337,16 +337,16 @@ namespace lamella
       const std::string place = "--output " + deck.string() + ": ";
       if (std::filesystem::is_directory(meaning) ||
           std::filesystem::is_directory(deck))
-        throw InputError(deck.string() + " or " + meaning.string() +
-                         " is a folder. Name another file.")
+        throw InputError("export.output-is-folder: " + deck.string() + " or " +
+                         meaning.string() + " is a folder. Name another file.")
           .at(place);
       OutputFile first(deck.string()), second(meaning.string());
       const bool written = (first.stream() << deck_text << std::flush) &&
                            (second.stream() << meaning_text << std::flush) &&
                            first.commit() && second.commit();
       if (!written)
-        throw InputError("it cannot be written. Name a file in a folder that "
-                         "can be created and written.")
+        throw InputError("base.cannot-write: it cannot be written. Name a file "
+                         "in a writable folder.")
           .at(place);
     }
   } // namespace
@@ -360,7 +360,8 @@ namespace lamella
   {
     const std::filesystem::path name = request.output;
     if (name.extension() != ".inp")
-      throw InputError("the name of a CalculiX deck ends in .inp.")
+      throw InputError(
+        "export.not-inp: the name of a CalculiX deck ends in .inp.")
         .at("--output " + request.output + ": ");
     const Deck         deck(scene,
                     request.element.empty() ? "C3D20R" : request.element,

@@ -32,14 +32,14 @@ namespace lamella
       for (BodyDescription &body : solid.bodies)
         {
           if (!body.refinement.balls.empty())
-            throw InputError("Body " + body.name + "/Kinematics/Refine near",
-                             "",
-                             "it makes hanging nodes, which a CalculiX deck "
-                             "cannot hold",
-                             "Remove it (--set \"Body " + body.name +
-                               "/Kinematics/Refine near=\") and refine with "
-                               "Refinements, the section's cells and Axis "
-                               "elements.");
+            throw InputError(
+              "Body " + body.name + "/Kinematics/Refine near",
+              "",
+              "export.hanging-nodes: it creates hanging nodes, which a "
+              "CalculiX deck does not support",
+              "Remove it (--set \"Body " + body.name +
+                "/Kinematics/Refine near=\") and refine with Refinements, the "
+                "section's cells and Axis elements.");
           if (!body.theory.is_solid())
             body.refinement = {};
           body.theory = Theory::solid(degree);
@@ -215,8 +215,8 @@ namespace lamella
     throw InputError(
       "Body " + scene.bodies[body].name,
       "",
-      "is a single row of hexahedra, and C3D20R, which is integrated by two "
-      "points each way, hourglasses there: displacements were found to be off "
+      "export.single-row: is a single row of hexahedra, where C3D20R (two "
+      "points in each direction) has hourglass modes: displacements are wrong "
       "by 40 to 70 %",
       "Give the row two cells across or through the thickness (Cells across, "
       "Cells per ply, Axis elements; Cells divided = 1 does it for any "
@@ -279,13 +279,13 @@ namespace lamella
           at_sides = std::max(at_sides, n);
         }
       if (at_sides < (corner ? 3 : 2))
-        throw InputError(
-          path,
-          "",
-          "the line does not run along edges of the deck's hexahedra at " +
-            to_text(at(t)) + ", so its nodes cannot stand for it",
-          "Choose the section's cells and the Axis elements (or Axis breaks) "
-                      "so that it does.");
+        throw InputError(path,
+                         "",
+                         "export.line-off-edges: the line does not run along "
+                                     "edges of the deck's hexahedra at " +
+                           to_text(at(t)),
+                         "Choose the section's cells and the Axis elements (or "
+                                     "Axis breaks) so that it does.");
       if (const unsigned int number = node_at(region.body, location))
         result.insert(number);
     };
@@ -316,7 +316,8 @@ namespace lamella
                 throw InputError(
                   path,
                   "",
-                  "the point " + to_text(location.position) +
+                  "export.point-off-nodes: the point " +
+                    to_text(location.position) +
                     " is no node of the deck's hexahedra",
                   "Choose the section's cells and the Axis elements (or Axis "
                   "breaks) so that it is a corner of them.");
@@ -443,10 +444,9 @@ namespace lamella
           throw InputError(
             "Section " + scene.bodies[body].section,
             "",
-            "its plies follow a curved wall, and a CalculiX deck "
-            "has one orientation for each ply",
-            "Export sections of flat walls, or of isotropic "
-            "materials.");
+            "export.curved-plies: its plies follow a curved wall, and a "
+            "CalculiX deck has one orientation per ply",
+            "Export sections of flat walls, or of isotropic materials.");
         if (!isotropic)
           write_orientation(deck,
                             set,
