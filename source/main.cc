@@ -240,9 +240,8 @@ namespace
                  const std::string &message,
                  MPI_Comm           arrivals)
   {
-    // As a rule all processes meet the same fault and one of them tells it.
-    // What only this one has met (a full disk, say) the others do not know,
-    // and they wait for it.
+    // Usually all processes throw the same error and one prints it. An error of
+    // one process (a full disk) is unknown to the others, which wait for it.
     const bool common = n_processes() == 1 || all_processes_arrive(arrivals);
     if (!common || is_root_process())
       std::cerr << "lamella: " << message << std::endl;
@@ -268,8 +267,8 @@ main(int argc, char **argv)
   if ((task == "trade" || task == "report" || task == "new") &&
       n_launched_processes() == 1)
     {
-      // Each variant starts an MPI of its own, in its own process; a report and
-      // a new scene need none.
+      // Each variant starts MPI in its own process; a report and a new scene
+      // need none.
       ignore_write_signals();
       const auto [status, message] = outcome_of(all);
       if (status != 0)

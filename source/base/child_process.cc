@@ -28,8 +28,8 @@ namespace lamella
 {
   namespace
   {
-    /// Environment without the variables of a started MPI: with them, the child
-    /// would join its processes.
+    /// Environment without the variables of a started MPI, which the child
+    /// would join.
     std::vector<std::string>
     environment_without_mpi()
     {
@@ -84,7 +84,7 @@ namespace lamella
 
   namespace
   {
-    /// Opens @p path as the file descriptor @p descriptor, unless @p path is
+    /// Opens @p path as the file descriptor @p descriptor; does nothing if
     /// empty.
     void
     redirect(const int descriptor, const std::string &path, const int flags)

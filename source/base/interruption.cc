@@ -36,16 +36,15 @@ namespace lamella
     extern "C" void
     handle_signal(const int signal)
     {
-      // In this order: either this sees that nothing is being written, or who
-      // writes sees the signal.
+      // This order is safe: either this sees no writing, or the writer sees the
+      // signal.
       waiting = signal;
       if (n_uninterrupted > 0)
         return;
       if (const Words *words = spoken.load())
         if (write(STDERR_FILENO, words->text.data(), words->size) < 0)
           _exit(128 + signal);
-      // The handler is gone by now (SA_RESETHAND): this ends the program as if
-      // there had never been one.
+      // The handler is gone by now (SA_RESETHAND), so this ends the program.
       raise(signal);
     }
 

@@ -57,8 +57,7 @@ namespace lamella
 
 
 
-    /// What control groups leave this process: it is in one, which is in
-    /// another, up to @p root.
+    /// Returns the memory that control groups, nested up to @p root, permit.
     double
     memory_left_by_cgroups(const std::string &root,
                            const std::string &group,

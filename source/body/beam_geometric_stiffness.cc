@@ -205,8 +205,7 @@ namespace lamella
 
   namespace
   {
-    /// Multiplies the derivatives of a component of u by the stress @p s there:
-    /// u_,i becomes s_ij u_,j.
+    /// Replaces the derivatives u_,i of a component of u by s_ij u_,j.
     void
     apply(const Voigt &s, double &x, double &y, double &z)
     {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The stiffness of a beam, a row of Kronecker products at a time, and what
-// solves with it.
+// Stiffness of a beam, by rows of Kronecker products, and its solvers.
 
 #include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
@@ -35,8 +34,7 @@ namespace lamella
 
 
 
-    /// The section's factor of the stiffness: a row for each field that any
-    /// node carries.
+    /// The section's factor of the stiffness: a row for each field of any node.
     std::vector<FactorRow>
     section_rows(const SectionSpace &space,
                  const Axis         &axis,

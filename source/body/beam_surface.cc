@@ -246,8 +246,8 @@ namespace lamella
 
   namespace
   {
-    /// The point at @p unit of @p cell, its weight the determinant of the
-    /// cell's map.
+    /// The point at @p unit of @p cell; its weight is the determinant of the
+    /// map.
     EdgePoint
     point_in_section(const CrossSectionElement &element,
                      const unsigned int         cell,
@@ -345,9 +345,8 @@ namespace lamella
 
   namespace
   {
-    /// Numbers of the nodes that a grid of (degree + 1)^2 points on each cell
-    /// of a section mesh has: those at vertices and on lines belong to all
-    /// cells there.
+    /// Numbers of the nodes of a grid of (degree + 1)^2 points on each cell of
+    /// a section mesh; cells share the nodes at their vertices and lines.
     class SectionNodes
     {
     public:
@@ -365,8 +364,8 @@ namespace lamella
         return p;
       }
 
-      /// The point (i, j) of @p cell, the i-th along x of the unit square and
-      /// the j-th along z.
+      /// The point (i, j) of @p cell, i along x of the unit square and j along
+      /// z.
       std::uint64_t
       number(const unsigned int c,
              const unsigned int i,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What follows of the maps of a body's elements: where lines cross them, cuts
-// and pictures.
+// Functions of the maps of a body's elements: crossings by lines, cuts,
+// pictures.
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/inverse_map.h>
@@ -197,9 +197,8 @@ namespace lamella
 
   namespace
   {
-    /// The elements of a body along its axis: from where to where each goes,
-    /// and which one is before one that begins at a cut, with the same corners
-    /// where no nodes hang.
+    /// The elements of a body along its axis: their ends, and the element
+    /// before one that begins at a cut, with the same corners if no nodes hang.
     class Layers
     {
     public:

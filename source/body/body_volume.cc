@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What follows of a body's rows and of the maps of its elements: integrals over
-// its volume, and samples.
+// Functions of a body's rows and of its elements' maps: volume integrals,
+// samples.
 
 #include <lamella/base/processes.h>
 #include <lamella/body/body.h>
@@ -224,9 +224,9 @@ namespace lamella
 
   namespace
   {
-    /// The displacements @p u at the nodes of @p grid on the element @p cell of
-    /// @p body, less those of the first: a rigid translation turns nothing, to
-    /// the last bit.
+    /// The displacements @p u at the nodes of @p grid on element @p cell of @p
+    /// body less those of the first node: a rigid translation gives exactly
+    /// zero.
     std::vector<Tensor<1, 3>>
     relative_displacements(const Body        &body,
                            const CellGrid    &grid,

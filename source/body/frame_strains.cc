@@ -118,8 +118,7 @@ namespace lamella
 
 
 
-    /// Adds @p factor times the product of the strains @p a and @p b to the
-    /// strain @p to.
+    /// Adds @p factor times the product of strains @p a and @p b to @p to.
     void
     add_product(const unsigned int to,
                 const double       factor,

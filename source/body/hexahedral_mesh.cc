@@ -187,8 +187,7 @@ namespace lamella
 
   namespace
   {
-    /// Throws InputError if the mesh and the matrix of @p n_cells hexahedra are
-    /// sure not to fit in memory.
+    /// Throws InputError if @p n_cells hexahedra cannot fit in memory.
     void
     require_memory(const double       n_cells,
                    const unsigned int degree,
@@ -216,8 +215,8 @@ namespace lamella
 
 
 
-    /// Flags the own cells of @p mesh that reach into @p ball; how many there
-    /// are on all processes.
+    /// Flags own cells of @p mesh that intersect @p ball; returns their global
+    /// number.
     unsigned int
     flag_cells(parallel::distributed::Triangulation<3> &mesh,
                const SolidRefinement::Ball             &ball)

@@ -16,8 +16,7 @@ namespace lamella
 
   namespace
   {
-    /// The strain (order of Eq. 4) of the displacement f e_component where f
-    /// has the gradient @p g.
+    /// The strain (Eq. 4) of f e_component, where f has the gradient @p g.
     Voigt
     strain_of(const Tensor<1, 3> &g, const unsigned int component)
     {

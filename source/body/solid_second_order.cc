@@ -52,8 +52,8 @@ namespace lamella
     const Vector                  u;
     const QGauss<3>               samples;
     const FE_DGQArbitraryNodes<3> between;
-    /// Of each cell at each sample e_2 and the stress s; empty for cells of
-    /// other processes.
+    /// e_2 and the stress s of each sample of each cell; empty for cells of
+    /// others.
     Samples stretch, stress;
     /// Value of largest_short_wave_ratio() on this process.
     double largest_wave = 0.;
@@ -63,8 +63,7 @@ namespace lamella
 
   namespace
   {
-    /// grad u of the displacements @p v of a hexahedron's nodes: row by
-    /// component.
+    /// grad u of the displacements @p v of a hexahedron's nodes, by rows.
     Tensor<2, 3>
     gradient(const HexahedronPoint &point, const std::vector<double> &v)
     {

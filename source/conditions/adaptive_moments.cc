@@ -25,8 +25,7 @@ namespace lamella
 
 
 
-    /// A box with its moments, the error that it may have, and the parameter
-    /// to bisect it along.
+    /// A box with its moments, their error, and the parameter to bisect along.
     template <int dim>
     struct Piece
     {
@@ -176,8 +175,7 @@ namespace lamella
 
 
 
-    /// The edges of @p box, which no Gauss point is on: the middles of its
-    /// sides and its corners.
+    /// The corners of @p box and the middles of its sides (no Gauss points).
     template <int dim>
     typename Integration<dim>::Edges
     Integration<dim>::sample_edges(const Cell              &cell,

@@ -70,8 +70,7 @@ namespace lamella
     const std::string fault = fault_of(expression);
     if (!fault.empty())
       fail(fault);
-    // deal.II prints what muParser says before it throws; one message is
-    // enough.
+    // deal.II prints muParser's message before it throws.
     std::ostringstream    discarded;
     std::streambuf *const standard_error = std::cerr.rdbuf(discarded.rdbuf());
     bool                  parses         = true;

@@ -87,8 +87,7 @@ namespace lamella
                  facet.trace_degree_t,
                  CurrentPoints(body, nodes_of(body, facet)),
                  {}};
-    // Functions times the normal, of degrees 3 n - 1, and of a pressure that
-    // varies two more.
+    // Functions times normal have degree 3 n - 1; a varying pressure adds two.
     const auto n_points = [](const unsigned int degree) {
       return (3 * degree + 3) / 2;
     };

@@ -283,9 +283,8 @@ namespace lamella
 
 
 
-    /// A torque about the axis of a body whose theory has no turn about it
-    /// (EBBT, TBT) does no work on its displacements and vanishes from the
-    /// problem.
+    /// A torque about the axis of a body whose theory has no rotation about it
+    /// (EBBT, TBT) does no work on its displacements and is lost.
     void
     add_torque_note(const std::string        &name,
                     const PointForces        &at,

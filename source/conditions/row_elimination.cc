@@ -172,8 +172,8 @@ namespace lamella
 
 
 
-    /// Of the open ones among @p equations that of which most is left; null if
-    /// there is none.
+    /// Returns the open one of @p equations with the largest rest; null if
+    /// none.
     FunctionalEquation *
     least_dependent(std::vector<FunctionalEquation> &equations)
     {

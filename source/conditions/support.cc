@@ -123,9 +123,8 @@ namespace lamella
       const std::vector<Location> places =
         constrained_points(body, region, support);
       auto all = body.rows(places, Quantity::displacement);
-      // The place of a given point comes out of its position, with rounding:
-      // without what that leaves at other nodes the rows of a node stay its
-      // own.
+      // The location of a given point has rounding errors: without small
+      // weights at other nodes, the rows of a node involve only its own DoFs.
       for (std::vector<LinearFunctional> &components : all)
         for (LinearFunctional &row : components)
           row.drop_below(arithmetic::rounding_of_sums);

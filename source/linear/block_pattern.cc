@@ -52,8 +52,7 @@ namespace lamella
 
 
 
-    /// Of each block, by its place in the order of elimination, the later ones
-    /// that its column of L has.
+    /// For each block, by elimination order, the later ones in its column of L.
     std::vector<std::set<unsigned int>>
     eliminate(const std::vector<unsigned int>              &place,
               const std::vector<std::vector<unsigned int>> &cliques)

@@ -75,8 +75,8 @@ namespace lamella
       const std::shared_ptr<const SharedMatrix> kept;
       const SharedMatrix                       &matrix;
       const std::string                         what;
-      /// The vectors of the near-null space one after the other, own rows only:
-      /// ML refers to them.
+      /// The vectors of the near-null space in turn, own rows only; ML refers
+      /// to them.
       std::vector<double>               null_space;
       TrilinosWrappers::PreconditionAMG multigrid;
       mutable SolverStatistics          taken;
@@ -110,8 +110,7 @@ namespace lamella
       list.set("coarse: max size", 300);
       if (!near_null_space.empty())
         {
-          // Six of them are rigid motions, of nodes of three rows each, which
-          // then stay together.
+          // Six are rigid motions: three rows of a node stay together.
           list.set("PDE equations", near_null_space.size() == 6 ? 3 : 1);
           list.set("null space: type", "pre-computed");
           list.set("null space: dimension", int(near_null_space.size()));

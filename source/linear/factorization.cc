@@ -57,8 +57,8 @@ namespace lamella
       }
 
     private:
-      /// The @p count vectors from @p x on, one after the other, run through
-      /// one CHOLMOD system.
+      /// Processes @p count vectors from @p x on, in turn, by one CHOLMOD
+      /// system.
       void
       apply(const int system, double *const x, const std::size_t count) const;
 
@@ -103,8 +103,8 @@ namespace lamella
       for (std::size_t row = 0; row < n; ++row)
         {
           start[row] = next;
-          // deal.II stores the diagonal first and then ascending columns, so
-          // this order is sorted.
+          // deal.II stores the diagonal before ascending columns; this order is
+          // sorted.
           for (auto entry = matrix.begin(row); entry != matrix.end(row);
                ++entry)
             if (entry->column() >= row && entry->value() != 0.)

@@ -34,8 +34,7 @@ namespace lamella
         return {count(20), 1e6 * mumps.info[15 - 1]};
       }
 
-      /// Factorizes with the values in `matrix`; with more workspace if that is
-      /// asked for.
+      /// Factorizes the values in `matrix`, with more workspace if requested.
       void
       factorize();
 
@@ -213,10 +212,9 @@ namespace lamella
     void
     MumpsFactorization::analyze()
     {
-      // CHOLMOD's rule: minimum degree is quick and good for beams, whose
-      // matrices have long rows and little fill (nested dissection then takes
-      // longer than the factorization); where there is much fill, nested
-      // dissection pays.
+      // CHOLMOD's rule: minimum degree is fast and good for beams, whose
+      // matrices have long rows and little fill (nested dissection takes longer
+      // than the factorization); for much fill, nested dissection is better.
       constexpr int minimum_degree = 0, nested_dissection = 5;
       control(7) = minimum_degree;
       run(1);

@@ -8,8 +8,7 @@ namespace lamella
 {
   namespace
   {
-    /// The angles of one piece between slashes: one, a pair for `+-45`, or none
-    /// if it spells no angle.
+    /// The angles of one piece between slashes: one, two for `+-45`, or none.
     std::vector<double>
     parse_angle(const std::string &piece)
     {

@@ -18,8 +18,7 @@ namespace lamella
 
 
 
-    /// Of a ply that is the same in all directions across its fiber, by five
-    /// constants [GPa].
+    /// A transversely isotropic ply by five constants [GPa].
     EngineeringConstants
     ply_constants(const double E1,
                   const double E2,
@@ -95,9 +94,9 @@ namespace lamella
 
     /// AS4-3501-6 and E-glass-epoxy (MY750/HY917/DY063): P. D. Soden, M. J.
     /// Hinton and A. S. Kaddour, Compos. Sci. Technol. 58 (1998) 1011-1022.
-    /// T300-5208: S. W. Tsai and H. T. Hahn, Introduction to
-    /// Composite Materials (1980), which has no nu23; 0.4 is that of the carbon
-    /// plies of the former.
+    /// T300-5208: S. W. Tsai and H. T. Hahn, Introduction to Composite
+    /// Materials (1980), without nu23; 0.4 is that of the former's carbon
+    /// plies.
     void
     add_plies(std::vector<LibraryMaterial> &all)
     {
@@ -122,8 +121,8 @@ namespace lamella
 
     /// A fabric of AS4 (five-harness satin AGP370-5H/3501-6S), 1 along its
     /// warp: I. M. Daniel and O. Ishai, Engineering Mechanics of Composite
-    /// Materials, 2nd ed. (2006), Table A.5, in its plane; out of it what is
-    /// typical of such a fabric.
+    /// Materials, 2nd ed. (2006), Table A.5, in its plane; typical values out
+    /// of plane.
     void
     add_fabric(std::vector<LibraryMaterial> &all)
     {
@@ -138,8 +137,8 @@ namespace lamella
 
 
     /// 7075-T6: Aluminum Association, Aluminum Standards and Data, typical
-    /// values. Steel: EN 1993-1-1:2005, 3.2.6 and Table 3.1 (up to 40 mm), and
-    /// EN 1991-1-1.
+    /// values. Steel: EN 1993-1-1:2005, 3.2.6, Table 3.1 (up to 40 mm), EN
+    /// 1991-1-1.
     void
     add_metals(std::vector<LibraryMaterial> &all)
     {

@@ -85,8 +85,7 @@ namespace lamella
 
 
 
-    /// Returns the end of the number that @p piece begins with, or the end of
-    /// @p piece without one.
+    /// Returns the end of the number that begins @p piece, or else its end.
     std::size_t
     end_of_number(const std::string &piece)
     {
@@ -154,7 +153,7 @@ namespace lamella
 
 
 
-    /// Returns one tolerance per quantity of @p goals, @p n in all, or one for
+    /// Returns a tolerance for each of @p n quantities of @p goals, or one for
     /// all.
     std::vector<Tolerance>
     parse_tolerances(const Entry          &entry,

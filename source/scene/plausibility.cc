@@ -19,8 +19,7 @@ namespace lamella
 
 
 
-    /// Returns the number of lengths of @p units in a meter; pressures are
-    /// forces per squared length.
+    /// Returns the lengths of @p units per meter.
     double
     meter(const Units &units)
     {
@@ -41,8 +40,7 @@ namespace lamella
     std::string
     angle_warning(const SectionMesh &section)
     {
-      // Limit for radians, about pi, and a tolerance for numbers of three or
-      // more digits.
+      // Limit for radians, about pi, and a tolerance for three or more digits.
       constexpr double most = 3.2, written = 1e-3;
       const Ply       *told = nullptr;
       unsigned int     part = 0;
@@ -145,9 +143,8 @@ namespace lamella
     std::string
     ply_thickness_warning(const SectionShape &shape, const Scene &scene)
     {
-      // Carbon fibers are 5 micrometers thick, and plies are thinner than 0.1 m
-      // [micrometers]. Fiber plies are stiffer than timber [Pa], and than
-      // across the fibers.
+      // Thickness of carbon fibers and upper limit for plies [micrometers];
+      // lower limits for E1 of fiber plies [Pa] and for E1 / E3.
       constexpr double thinnest = 5., thickest = 1e5, stiff = 30e9,
                        of_fibers = 2.;
       const Units &units         = scene.units;

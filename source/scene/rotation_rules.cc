@@ -59,10 +59,9 @@ namespace lamella
 
 
 
-    /// Returns whether the surface points of @p body at @p roller are too
-    /// coarse for its radius, so that the roller touches between them and the
-    /// nearest line is needed. Automatic axes are fine enough there for small
-    /// rotations.
+    /// Returns whether @p roller would touch @p body between its surface
+    /// points, which are too coarse, so that the nearest line is needed.
+    /// Automatic axes are fine enough for small rotations.
     bool
     needs_line_contact(const BodyDescription &body, const Obstacle &roller)
     {
@@ -84,8 +83,8 @@ namespace lamella
 
 
 
-    /// Returns whether @p contact has a penalty per area, which a line cannot
-    /// have.
+    /// Returns whether @p contact has a penalty per area (impossible for a
+    /// line).
     bool
     has_area_penalty(const ContactPair &contact)
     {
@@ -95,8 +94,8 @@ namespace lamella
 
 
 
-    /// Returns whether the second side of @p contact is a roller across the
-    /// beam @p body.
+    /// Returns whether the second side of @p contact is a roller across @p
+    /// body.
     bool
     has_roller(const ContactPair &contact, const BodyDescription &body)
     {
@@ -110,8 +109,8 @@ namespace lamella
 
 
     /// Throws InputError if `line to roller` is set for @p contact but
-    /// impossible. Sets it where the choice is `auto` and points of @p body are
-    /// too coarse.
+    /// impossible. Sets it instead of `auto` if points of @p body are too
+    /// coarse.
     void
     choose_line(ContactPair &contact, const BodyDescription &body)
     {
@@ -226,8 +225,7 @@ namespace lamella
   bool
   can_rotate(const Theory &theory)
   {
-    // Theories whose sections rotate, or whose functions describe a rotated
-    // section.
+    // Theories whose sections rotate or can represent a rotation.
     constexpr unsigned int min_order = 2;
     return theory.has_rotating_sections() || theory.is_layerwise() ||
            ((theory.is_solid() || theory.is_taylor()) &&

@@ -155,8 +155,8 @@ namespace lamella
 
 
 
-    /// Reads the subsections of @p kind. Throws InputError for a listed name
-    /// without a subsection.
+    /// Reads subsections of @p kind. Throws InputError if a listed one is
+    /// missing.
     void
     resolve_kind(const SubsectionKind &kind,
                  const SceneText      &text,
@@ -200,8 +200,7 @@ namespace lamella
 
 
 
-    /// Reads failure criteria, goals, and the trade, which refers to these, the
-    /// probes and the resultants.
+    /// Reads failure criteria, goals, and the trade, which refers to all these.
     void
     resolve_requests(ParameterHandler               &prm,
                      const std::vector<std::string> &bodies,
@@ -259,8 +258,7 @@ namespace lamella
 
 
 
-    /// Throws InputError for several load histories with a search along one
-    /// factor.
+    /// Throws InputError for several load histories with a search along one.
     void
     check_histories(const Scene &scene, const Entries &in)
     {
@@ -349,8 +347,8 @@ namespace lamella
 
     /// Sets defaults of a run to a tolerance where @p text has none or `auto`:
     /// the section's own fields, with responses at contacts, and graded axes.
-    /// Returns whether it sets the scene's Theory; adds the bodies whose axis
-    /// it sets to @p axes.
+    /// Returns whether it sets the Theory; adds bodies whose axis it sets to @p
+    /// axes.
     bool
     set_tolerance_defaults(SceneText             &text,
                            const NameLists       &names,

@@ -100,10 +100,9 @@ namespace lamella
 
 
 
-    /// Appends continuation lines of @p lines to @p line, counts them in
-    /// @p number, and removes the comment. Returns whether there was one.
-    /// Throws InputError, beginning with @p place, if the comment ends with a
-    /// backslash.
+    /// Appends continuation lines of @p lines to @p line, counts them in @p
+    /// number, and removes the comment. Returns whether there was one. Throws
+    /// InputError at @p place if the comment ends with a backslash.
     bool
     complete(std::string       &line,
              std::istream      &lines,
@@ -138,8 +137,8 @@ namespace lamella
 
 
 
-    /// Throws InputError if @p rest, after the @p word of @p line, has a '/' in
-    /// a name.
+    /// Throws InputError if a name in @p rest, after @p word of @p line, has a
+    /// '/'.
     void
     check_slashes(const std::string &line,
                   const std::string &word,
@@ -192,8 +191,7 @@ namespace lamella
       std::vector<std::string>  names;
       std::vector<unsigned int> lines;
 
-      /// Returns the path of an entry or a subsection @p name in the innermost
-      /// one.
+      /// Returns the path of the item @p name in the innermost subsection.
       std::string
       path_of(const std::string &name) const
       {

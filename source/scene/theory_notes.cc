@@ -13,15 +13,13 @@ namespace lamella
 {
   namespace
   {
-    /// Smallest relative errors that are reported, of deflections and of
-    /// torsion.
+    /// Smallest reported relative errors, of deflections and of torsion.
     constexpr double worth_saying = 0.02, torsion_worth_saying = 0.05;
 
 
 
-    /// Returns how many times too stiff in bending the theory is for a beam of
-    /// @p plies by its shear: (1 + phi) / (1 + phi_N), phi = 12 E I / (k G A
-    /// L^2).
+    /// Returns the error factor of the bending stiffness of @p plies by shear:
+    /// (1 + phi) / (1 + phi_N), phi = 12 E I / (k G A L^2).
     double
     shear_error(const BodyDescription  &body,
                 const std::vector<Ply> &plies,
@@ -56,8 +54,7 @@ namespace lamella
 
 
 
-    /// Adds notes on theories that are smooth through the thickness of
-    /// laminates, in shear.
+    /// Adds notes on the shear error of single-layer theories of laminates.
     void
     add_shear_note(const BodyDescription    &body,
                    const Scene              &scene,
@@ -132,8 +129,7 @@ namespace lamella
 
 
 
-    /// Returns whether @p support holds the whole section at the start (0) or
-    /// the end (1) of body @p b.
+    /// Returns whether @p support clamps end 0 (start) or 1 of body @p b.
     bool
     clamps(const Support &support, const unsigned int b, const unsigned int end)
     {

@@ -97,8 +97,7 @@ namespace lamella
     // Longest time that the system can count, in seconds.
     constexpr double longest_time = 1e9;
 
-    /// Returns the number after @p word in the @p piece of @p variant, if it
-    /// has this form.
+    /// Returns the number after @p word in @p piece of @p variant, if any.
     std::optional<double>
     factor(const Entry       &variant,
            const std::string &piece,
@@ -117,8 +116,7 @@ namespace lamella
 
 
 
-    /// Returns the tolerance in the @p piece of @p variant as a fraction, if it
-    /// begins with that word.
+    /// Returns the tolerance in @p piece of @p variant as a fraction, if any.
     std::optional<double>
     tolerance(const Entry &variant, const std::string &piece)
     {
@@ -215,8 +213,7 @@ namespace lamella
 
 
 
-    /// Throws InputError if @p reference is `given` and one of @p quantities
-    /// has no reference or zero.
+    /// Throws InputError if @p reference is `given`, but missing or zero.
     void
     check_given(const Entry                      &reference,
                 const std::vector<NamedQuantity> &quantities)

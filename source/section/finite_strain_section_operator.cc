@@ -34,8 +34,8 @@ namespace lamella
 
 
 
-    /// Adds @p weight times D times the nine rows of @p G from @p first on to
-    /// those of @p DG.
+    /// Adds @p weight D times nine rows of @p G from @p first on to those of @p
+    /// DG.
     void
     add_product(const Tensor<2, 9>             &D,
                 const double                    weight,

@@ -316,8 +316,7 @@ namespace lamella
     if (radius > arithmetic::negligible * mean)
       result.angle = 0.5 * std::atan2(-mixed, -half) * 180. / numbers::PI;
 
-    // A force at the offset (x, z) has M_x = -z F_y, M_z = x F_y and M_y = z
-    // F_x - x F_z.
+    // A force at (x, z) has M_x = -z F_y, M_z = x F_y, M_y = z F_x - x F_z.
     Tensor<2, 2> bending;
     bending[0][0] = -c[M_x][M_x];
     bending[0][1] = c[M_x][M_z];

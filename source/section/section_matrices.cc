@@ -34,9 +34,8 @@ namespace lamella
   Section::make_matrices()
   {
     make_pattern();
-    // Rows of the linear fields, which live on all cells, are as long as there
-    // are fields: sums beside the matrix, or each cell would look for its place
-    // in all of them.
+    // Linear fields are nonzero on all cells, so their rows are dense: they are
+    // summed beside the matrix, which avoids searches in long rows.
     const unsigned int n_dense =
       std::count_if(fields.begin(),
                     fields.end(),

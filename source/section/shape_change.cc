@@ -11,8 +11,8 @@ namespace lamella
 
   namespace
   {
-    /// The strain @p factor (A_i . B_j + A_j . B_i) in the order of Voigt,
-    /// shears twice.
+    /// The strain @p factor (A_i . B_j + A_j . B_i) in Voigt's order, shears
+    /// twice.
     Voigt
     product(const Gradient &A, const Gradient &B, const double factor)
     {

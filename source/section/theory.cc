@@ -236,8 +236,7 @@ namespace lamella
 
 
 
-    /// All of one section space: that of the highest LE-N among them, or as
-    /// @p order says.
+    /// Gives all the section space of the highest LE-N, or of @p order.
     void
     set_section_orders(std::vector<Theory> &theories,
                        const Entry         &order,

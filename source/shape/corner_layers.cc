@@ -71,8 +71,7 @@ namespace lamella
                  {cell->vertex_index(bit ^ 3u), cell->vertex_index(3)});
       }
 
-      /// Divides the sheet of the edge from @p corner to @p other beside
-      /// @p corner.
+      /// Divides the sheet of the edge from @p corner to @p other at @p corner.
       void
       mark(const unsigned int corner, const unsigned int other)
       {
@@ -104,8 +103,7 @@ namespace lamella
       }
 
     private:
-      /// The first edge of the sheet of @p edge, and whether that runs against
-      /// it.
+      /// The first edge of the sheet of @p edge, and whether that is reversed.
       std::pair<Edge, bool>
       find(Edge edge) const
       {
@@ -132,8 +130,8 @@ namespace lamella
       }
 
       std::map<Edge, std::pair<Edge, bool>> parents;
-      /// Of the first edge of a sheet: whether it is divided at its begin and
-      /// at its end.
+      /// Whether the first edge of a sheet is divided at its begin and at its
+      /// end.
       std::map<Edge, std::array<bool, 2>> marks;
     };
 

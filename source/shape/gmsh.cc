@@ -105,8 +105,8 @@ namespace lamella
 
 
 
-    /// Throws InputError unless the elements are quadrilaterals of first order,
-    /// their lines and points.
+    /// Throws InputError for elements other than first-order quadrilaterals,
+    /// lines, points.
     void
     check_elements(const GmshFile &file, const Entry &entry)
     {
@@ -186,8 +186,7 @@ namespace lamella
 
 
 
-    /// What the physical surfaces are made of, tag -> number in @p section's
-    /// plies, which it fills.
+    /// Fills @p section's plies. Returns tag of a physical surface -> ply.
     std::map<int, unsigned int>
     make_plies(const GmshFile    &mesh,
                const SectionFile &file,
@@ -271,8 +270,7 @@ namespace lamella
 
 
 
-    /// The cell that @p element is. Throws InputError if it is in no physical
-    /// surface.
+    /// The cell of @p element. Throws InputError without a physical surface.
     CellData<2>
     cell_of(const GmshFile::Element           &element,
             const std::vector<Point<2>>       &vertices,
@@ -302,8 +300,7 @@ namespace lamella
 
 
 
-    /// @p group_of_tag: tag of a physical surface -> ply, of a physical line ->
-    /// boundary.
+    /// @p group_of_tag: tag of a physical surface (line) -> ply (boundary).
     GmshMesh
     make_mesh(const GmshFile                          &file,
               const std::map<int, unsigned int>       &ply_of_tag,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Names, entities, nodes and elements of a mesh by Gmsh, from the lines of its
-// parts (gmsh_parts.h).
+// Reads names, entities, nodes and elements of a Gmsh mesh (gmsh_parts.h).
 
 #include <lamella/shape/gmsh_file.h>
 #include <lamella/shape/gmsh_parts.h>
@@ -78,8 +77,8 @@ namespace lamella
       void
       read_elements();
 
-      /// The line @p at is an element of @p type whose nodes begin with the
-      /// word @p first_word.
+      /// Adds the element of @p type in line @p at, with nodes from @p
+      /// first_word.
       void
       add_element(const GmshLines  &at,
                   const int         type,
@@ -197,9 +196,8 @@ namespace lamella
 
 
 
-    /// A line is the tag, a box (of points their place), a count of
-    /// physical groups, their tags, and but for points a count of what bounds
-    /// it, and the tags of these.
+    /// Reads a line: tag, box (for points the place), count of physical groups,
+    /// their tags; except for points, count and tags of the bounding entities.
     void
     MeshReader::read_entity(const GmshLines &at, const int dimension)
     {

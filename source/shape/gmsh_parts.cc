@@ -19,8 +19,7 @@ namespace lamella
 {
   namespace
   {
-    /// Fourth powers of lengths, and what they are multiplied with, stay within
-    /// doubles.
+    /// Largest length: fourth powers, and their products, stay within doubles.
     constexpr double longest = 1e30;
   } // namespace
 

@@ -47,8 +47,7 @@ namespace lamella
       static Complex
       bent(const double x, const double depth);
 
-      /// x + i depth of the core's point (i, j), -half <= i <= half,
-      /// 0 <= j <= half.
+      /// x + i depth of the core's point (i, j), |i| <= half, 0 <= j <= half.
       Complex
       core_point(const int i, const int j) const;
 
@@ -58,8 +57,8 @@ namespace lamella
 
       Ring
       add_ring(const std::vector<Complex> &ring);
-      /// The ring of the points x + i depth of @p flat, with the cells between
-      /// @p inner and it.
+      /// Makes the ring of points x + i depth of @p flat, and its cells to @p
+      /// inner.
       Ring
       add_bent_ring(const std::vector<Complex> &flat, const Ring &inner);
       void

@@ -344,8 +344,7 @@ namespace lamella
 
 
 
-    /// Throws InputError if one of the entries is given, but none of the shape
-    /// @p kind.
+    /// Throws InputError if an entry is given that shape @p kind does not have.
     void
     check_entries(const ShapeKind kind, const Entries &in)
     {

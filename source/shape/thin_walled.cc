@@ -24,9 +24,8 @@ namespace lamella
 
 
 
-    /// Which blocks of a grid are walls: pictures from top to bottom, the
-    /// columns that are webs, the rows (from the bottom) that are flanges, and
-    /// these walls, webs first.
+    /// Walls among the blocks of a grid: pictures from top to bottom, columns
+    /// that are webs, rows (from the bottom) that are flanges; webs come first.
     struct WallLayout
     {
       std::vector<std::string>  picture;
@@ -65,8 +64,7 @@ namespace lamella
 
 
 
-    /// A column or a row of cells, and the ply that it is if it belongs to a
-    /// wall.
+    /// A column or row of cells, with its ply if it belongs to a wall.
     struct Strip
     {
       double       width;
@@ -233,9 +231,8 @@ namespace lamella
 
 
 
-    /// The cells of @p section's walls with their plies: those of a flange
-    /// where a row of blocks is one, corners included, those of a web
-    /// elsewhere.
+    /// The cells of @p section's walls with their plies: those of a flange in
+    /// its row of blocks, corners included, those of a web elsewhere.
     std::vector<GridCell>
     cells_of_walls(const WallLayout                      &layout,
                    const std::vector<std::vector<Strip>> &columns,

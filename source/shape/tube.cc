@@ -13,8 +13,7 @@ namespace lamella
 
   namespace
   {
-    /// The parameter of a point's projection on an ellipse, and its depth below
-    /// it.
+    /// Parameter of a point's projection on an ellipse, and its depth below it.
     class WallManifold : public ChartManifold<2, 2, 2>
     {
     public:
@@ -82,8 +81,7 @@ namespace lamella
 
 
 
-    /// The vertex number @p k of the @p n at @p depth, from the top along t,
-    /// towards +x.
+    /// Vertex @p k of @p n at @p depth, from the top along t, towards +x.
     Point<2>
     vertex_of(const EllipseProjection &outside,
               const double             depth,

@@ -88,8 +88,7 @@ namespace lamella
 
 
 
-    /// The layups of @p walls, which are as thick as @p thicknesses; none if
-    /// there is no Wall layup.
+    /// The layups of @p walls of @p thicknesses; none without Wall layup.
     std::vector<WallLayup>
     read_layups(const ShapeReader              &reader,
                 const std::vector<std::string> &walls,

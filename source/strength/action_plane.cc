@@ -35,8 +35,8 @@ namespace lamella
 
   namespace
   {
-    /// Where @p f is largest between @p a and @p b, by the golden section: its
-    /// value, and the place.
+    /// Maximum of @p f between @p a and @p b by golden section: value and
+    /// place.
     template <typename Function>
     std::pair<double, double>
     largest_between(double a, double b, const Function &f)

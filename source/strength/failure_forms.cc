@@ -76,8 +76,8 @@ namespace lamella
 
 
 
-    /// The largest of c_i . sigma / limit over the nine limits @p s, where
-    /// @p row gives the c_i.
+    /// The largest c_i . sigma / limit of the nine limits @p s; @p row gives
+    /// c_i.
     template <typename F, typename LinearFunctional>
     std::vector<F>
     maximum_forms(const Strengths &s, const LinearFunctional &row)

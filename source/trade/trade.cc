@@ -54,9 +54,8 @@ namespace lamella
 
 
 
-    /// The plies of @p quantities in @p scene, or the parts of the InputError
-    /// that says why there are none, as `plies` or `fault`; null if the scene
-    /// cannot be built.
+    /// The `plies` of @p quantities in @p scene, or the parts of an InputError
+    /// as `fault`; null if the scene cannot be built.
     json
     plies_of(const std::vector<NamedQuantity> &quantities, const Scene &scene)
     {

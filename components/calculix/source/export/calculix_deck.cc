@@ -77,9 +77,8 @@ namespace lamella
 
 
 
-    /// Throws InputError for loads, supports and obstacles that do not go with
-    /// the load factor of the scene, which all of a deck's step is multiplied
-    /// with.
+    /// Throws InputError for loads, supports and obstacles whose factors differ
+    /// from the load factor of the scene, which multiplies the whole step.
     void
     check_histories(const Scene &scene)
     {
