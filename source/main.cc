@@ -267,8 +267,7 @@ main(int argc, char **argv)
   if ((task == "trade" || task == "report" || task == "new") &&
       n_launched_processes() == 1)
     {
-      // Each variant starts MPI in its own process; a report and a new scene
-      // need none.
+      // Variants start MPI in their own processes; the other tasks need none.
       ignore_write_signals();
       const auto [status, message] = outcome_of(all);
       if (status != 0)

@@ -28,8 +28,7 @@ namespace lamella
 {
   namespace
   {
-    /// Environment without the variables of a started MPI, which the child
-    /// would join.
+    /// Environment without MPI's variables: the child must not join it.
     std::vector<std::string>
     environment_without_mpi()
     {
@@ -84,8 +83,7 @@ namespace lamella
 
   namespace
   {
-    /// Opens @p path as the file descriptor @p descriptor; does nothing if
-    /// empty.
+    /// Opens @p path, if not empty, as file descriptor @p descriptor.
     void
     redirect(const int descriptor, const std::string &path, const int flags)
     {

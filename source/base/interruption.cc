@@ -36,8 +36,7 @@ namespace lamella
     extern "C" void
     handle_signal(const int signal)
     {
-      // This order is safe: either this sees no writing, or the writer sees the
-      // signal.
+      // This order is safe: this sees no writing, or the writer the signal.
       waiting = signal;
       if (n_uninterrupted > 0)
         return;

@@ -80,9 +80,8 @@ namespace lamella
 
   namespace
   {
-    /// Weights of the ends' deflections and slopes in the deflection and the
-    /// slope at @p t in [0, 1] of an element of length @p L
-    /// (constrain_to_kirchhoff()).
+    /// Weights of the deflections and slopes at the ends in those at @p t in
+    /// [0, 1] of an element of length @p L (constrain_to_kirchhoff()).
     std::array<std::array<double, 4>, 2>
     hermite_weights(const double t, const double L, const double h)
     {

@@ -246,8 +246,7 @@ namespace lamella
 
   namespace
   {
-    /// The point at @p unit of @p cell; its weight is the determinant of the
-    /// map.
+    /// The point at @p unit of @p cell, with the determinant as weight.
     EdgePoint
     point_in_section(const CrossSectionElement &element,
                      const unsigned int         cell,
@@ -364,8 +363,7 @@ namespace lamella
         return p;
       }
 
-      /// The point (i, j) of @p cell, i along x of the unit square and j along
-      /// z.
+      /// The point (i, j) of @p cell: i along the unit square's x, j along z.
       std::uint64_t
       number(const unsigned int c,
              const unsigned int i,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Functions of the maps of a body's elements: crossings by lines, cuts,
-// pictures.
+// Functions of a body's element maps: crossings by lines, cuts, pictures.
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/inverse_map.h>

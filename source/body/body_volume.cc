@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Functions of a body's rows and of its elements' maps: volume integrals,
-// samples.
+// Functions of a body's rows and element maps: volume integrals, samples.
 
 #include <lamella/base/processes.h>
 #include <lamella/body/body.h>
@@ -224,9 +223,8 @@ namespace lamella
 
   namespace
   {
-    /// The displacements @p u at the nodes of @p grid on element @p cell of @p
-    /// body less those of the first node: a rigid translation gives exactly
-    /// zero.
+    /// Displacements @p u at nodes of @p grid on element @p cell of @p body
+    /// less those of the first node: a translation gives exactly zero.
     std::vector<Tensor<1, 3>>
     relative_displacements(const Body        &body,
                            const CellGrid    &grid,

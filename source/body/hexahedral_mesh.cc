@@ -215,8 +215,7 @@ namespace lamella
 
 
 
-    /// Flags own cells of @p mesh that intersect @p ball; returns their global
-    /// number.
+    /// Flags cells of @p mesh in @p ball; returns their global number.
     unsigned int
     flag_cells(parallel::distributed::Triangulation<3> &mesh,
                const SolidRefinement::Ball             &ball)

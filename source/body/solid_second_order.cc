@@ -52,8 +52,7 @@ namespace lamella
     const Vector                  u;
     const QGauss<3>               samples;
     const FE_DGQArbitraryNodes<3> between;
-    /// e_2 and the stress s of each sample of each cell; empty for cells of
-    /// others.
+    /// e_2 and the stress s of each cell's samples; empty for cells of others.
     Samples stretch, stress;
     /// Value of largest_short_wave_ratio() on this process.
     double largest_wave = 0.;

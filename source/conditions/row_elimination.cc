@@ -172,8 +172,7 @@ namespace lamella
 
 
 
-    /// Returns the open one of @p equations with the largest rest; null if
-    /// none.
+    /// Returns the least dependent open equation, or null.
     FunctionalEquation *
     least_dependent(std::vector<FunctionalEquation> &equations)
     {

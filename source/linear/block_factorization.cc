@@ -145,8 +145,7 @@ namespace lamella
                                 const Constraints    &constraints)
     {
       const std::vector<unsigned int> &block_of = factor.where().block_of;
-      // By symmetry, row `row` of A is that column, whose entries are
-      // contiguous.
+      // By symmetry, row `row` of A is that column, with contiguous entries.
       const double *const values =
         block.values.data() + std::size_t(row_in_block) * block.columns.size();
       std::vector<std::pair<DofIndex, double>> resolved;

@@ -75,8 +75,7 @@ namespace lamella
       const std::shared_ptr<const SharedMatrix> kept;
       const SharedMatrix                       &matrix;
       const std::string                         what;
-      /// The vectors of the near-null space in turn, own rows only; ML refers
-      /// to them.
+      /// Vectors of the near-null space, own rows only; ML refers to them.
       std::vector<double>               null_space;
       TrilinosWrappers::PreconditionAMG multigrid;
       mutable SolverStatistics          taken;

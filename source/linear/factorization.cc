@@ -57,8 +57,7 @@ namespace lamella
       }
 
     private:
-      /// Processes @p count vectors from @p x on, in turn, by one CHOLMOD
-      /// system.
+      /// Applies one CHOLMOD system to @p count vectors from @p x on.
       void
       apply(const int system, double *const x, const std::size_t count) const;
 
@@ -103,8 +102,7 @@ namespace lamella
       for (std::size_t row = 0; row < n; ++row)
         {
           start[row] = next;
-          // deal.II stores the diagonal before ascending columns; this order is
-          // sorted.
+          // deal.II stores the diagonal first, then columns in this order.
           for (auto entry = matrix.begin(row); entry != matrix.end(row);
                ++entry)
             if (entry->column() >= row && entry->value() != 0.)

@@ -92,11 +92,10 @@ namespace lamella
 
 
 
-    /// AS4-3501-6 and E-glass-epoxy (MY750/HY917/DY063): P. D. Soden, M. J.
-    /// Hinton and A. S. Kaddour, Compos. Sci. Technol. 58 (1998) 1011-1022.
-    /// T300-5208: S. W. Tsai and H. T. Hahn, Introduction to Composite
-    /// Materials (1980), without nu23; 0.4 is that of the former's carbon
-    /// plies.
+    /// AS4-3501-6, E-glass-epoxy (MY750/HY917/DY063): P. D. Soden, M. J.
+    /// Hinton, A. S. Kaddour, Compos. Sci. Technol. 58 (1998) 1011-1022.
+    /// T300-5208: S. W. Tsai, H. T. Hahn, Introduction to Composite Materials
+    /// (1980); its nu23, 0.4, is that of the former's carbon plies.
     void
     add_plies(std::vector<LibraryMaterial> &all)
     {
@@ -119,10 +118,9 @@ namespace lamella
 
 
 
-    /// A fabric of AS4 (five-harness satin AGP370-5H/3501-6S), 1 along its
-    /// warp: I. M. Daniel and O. Ishai, Engineering Mechanics of Composite
-    /// Materials, 2nd ed. (2006), Table A.5, in its plane; typical values out
-    /// of plane.
+    /// Fabric of AS4 (five-harness satin AGP370-5H/3501-6S), 1 along the warp:
+    /// I. M. Daniel, O. Ishai, Engineering Mechanics of Composite Materials,
+    /// 2nd ed. (2006), Table A.5, in plane; typical values out of plane.
     void
     add_fabric(std::vector<LibraryMaterial> &all)
     {
@@ -136,9 +134,8 @@ namespace lamella
 
 
 
-    /// 7075-T6: Aluminum Association, Aluminum Standards and Data, typical
-    /// values. Steel: EN 1993-1-1:2005, 3.2.6, Table 3.1 (up to 40 mm), EN
-    /// 1991-1-1.
+    /// 7075-T6: Aluminum Association, Aluminum Standards and Data (typical).
+    /// Steel: EN 1993-1-1:2005, 3.2.6, Table 3.1 (to 40 mm), EN 1991-1-1.
     void
     add_metals(std::vector<LibraryMaterial> &all)
     {

@@ -153,8 +153,7 @@ namespace lamella
 
 
 
-    /// Returns a tolerance for each of @p n quantities of @p goals, or one for
-    /// all.
+    /// Returns one tolerance per quantity of @p goals (@p n), or one for all.
     std::vector<Tolerance>
     parse_tolerances(const Entry          &entry,
                      const unsigned int    n,

@@ -83,8 +83,7 @@ namespace lamella
 
 
 
-    /// Returns whether @p contact has a penalty per area (impossible for a
-    /// line).
+    /// Returns whether @p contact has a penalty per area, not for lines.
     bool
     has_area_penalty(const ContactPair &contact)
     {
@@ -94,8 +93,7 @@ namespace lamella
 
 
 
-    /// Returns whether the second side of @p contact is a roller across @p
-    /// body.
+    /// Returns whether @p contact is with a roller across the beam @p body.
     bool
     has_roller(const ContactPair &contact, const BodyDescription &body)
     {
@@ -108,9 +106,8 @@ namespace lamella
 
 
 
-    /// Throws InputError if `line to roller` is set for @p contact but
-    /// impossible. Sets it instead of `auto` if points of @p body are too
-    /// coarse.
+    /// Throws InputError if `line to roller` of @p contact is impossible. Sets
+    /// it instead of `auto` if points of @p body are too coarse.
     void
     choose_line(ContactPair &contact, const BodyDescription &body)
     {

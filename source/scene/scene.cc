@@ -155,8 +155,7 @@ namespace lamella
 
 
 
-    /// Reads subsections of @p kind. Throws InputError if a listed one is
-    /// missing.
+    /// Reads subsections of @p kind; throws InputError if one is missing.
     void
     resolve_kind(const SubsectionKind &kind,
                  const SceneText      &text,
@@ -346,9 +345,8 @@ namespace lamella
 
 
     /// Sets defaults of a run to a tolerance where @p text has none or `auto`:
-    /// the section's own fields, with responses at contacts, and graded axes.
-    /// Returns whether it sets the Theory; adds bodies whose axis it sets to @p
-    /// axes.
+    /// section fields with responses at contacts, and graded axes. Returns
+    /// whether it sets the Theory; adds bodies with changed axes to @p axes.
     bool
     set_tolerance_defaults(SceneText             &text,
                            const NameLists       &names,

@@ -137,8 +137,7 @@ namespace lamella
 
 
 
-    /// Throws InputError if a name in @p rest, after @p word of @p line, has a
-    /// '/'.
+    /// Throws InputError if a name in @p rest of @p line has a '/'.
     void
     check_slashes(const std::string &line,
                   const std::string &word,

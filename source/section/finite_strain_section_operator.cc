@@ -34,8 +34,7 @@ namespace lamella
 
 
 
-    /// Adds @p weight D times nine rows of @p G from @p first on to those of @p
-    /// DG.
+    /// Adds @p weight D G to @p DG, nine rows from @p first on.
     void
     add_product(const Tensor<2, 9>             &D,
                 const double                    weight,

@@ -11,8 +11,7 @@ namespace lamella
 
   namespace
   {
-    /// The strain @p factor (A_i . B_j + A_j . B_i) in Voigt's order, shears
-    /// twice.
+    /// @p factor (A_i . B_j + A_j . B_i) in Voigt's order, shears doubled.
     Voigt
     product(const Gradient &A, const Gradient &B, const double factor)
     {

@@ -130,8 +130,7 @@ namespace lamella
       }
 
       std::map<Edge, std::pair<Edge, bool>> parents;
-      /// Whether the first edge of a sheet is divided at its begin and at its
-      /// end.
+      /// Whether a sheet's first edge is divided at its begin and its end.
       std::map<Edge, std::array<bool, 2>> marks;
     };
 

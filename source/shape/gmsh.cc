@@ -105,8 +105,7 @@ namespace lamella
 
 
 
-    /// Throws InputError for elements other than first-order quadrilaterals,
-    /// lines, points.
+    /// Throws InputError for other than first-order quadrilaterals.
     void
     check_elements(const GmshFile &file, const Entry &entry)
     {

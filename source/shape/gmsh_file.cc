@@ -77,8 +77,7 @@ namespace lamella
       void
       read_elements();
 
-      /// Adds the element of @p type in line @p at, with nodes from @p
-      /// first_word.
+      /// Adds the element of @p type in line @p at; nodes from @p first_word.
       void
       add_element(const GmshLines  &at,
                   const int         type,

@@ -57,8 +57,7 @@ namespace lamella
 
       Ring
       add_ring(const std::vector<Complex> &ring);
-      /// Makes the ring of points x + i depth of @p flat, and its cells to @p
-      /// inner.
+      /// The ring of points x + i depth of @p flat, with cells to @p inner.
       Ring
       add_bent_ring(const std::vector<Complex> &flat, const Ring &inner);
       void

@@ -35,8 +35,7 @@ namespace lamella
 
   namespace
   {
-    /// Maximum of @p f between @p a and @p b by golden section: value and
-    /// place.
+    /// Maximum of @p f in [a, b] by golden section: value and place.
     template <typename Function>
     std::pair<double, double>
     largest_between(double a, double b, const Function &f)

@@ -76,8 +76,7 @@ namespace lamella
 
 
 
-    /// The largest c_i . sigma / limit of the nine limits @p s; @p row gives
-    /// c_i.
+    /// The largest c_i . sigma / limit of the limits @p s; @p row gives c_i.
     template <typename F, typename LinearFunctional>
     std::vector<F>
     maximum_forms(const Strengths &s, const LinearFunctional &row)

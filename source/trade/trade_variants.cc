@@ -31,8 +31,8 @@ namespace lamella
     /// Below that folder: the results of the run that counts.
     constexpr const char *kept_run = "/run";
 
-    /// Runs shorter than `short_run` seconds are made `tries` times; the
-    /// fastest counts.
+    /// Runs below `short_run` seconds are made `tries` times; the fastest
+    /// counts.
     constexpr double       short_run = 1.;
     constexpr unsigned int tries     = 3;
 

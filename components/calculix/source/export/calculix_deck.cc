@@ -63,8 +63,7 @@ namespace lamella
       {
         return scene.solve.rotations == Rotations::large;
       }
-      /// The elements of one row of a probe on @p body, with places and
-      /// weights.
+      /// Elements of one row of a probe on @p body, with places, weights.
       Json
       meaning_of_row(const BoxPoints &points, const unsigned int body) const;
       Json
