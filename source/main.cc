@@ -80,8 +80,7 @@ namespace
 
 
 
-  /// Runs @p scene with the rotations that its linear run asks for: that run,
-  /// if it leaves nothing out.
+  /// Runs @p scene with linear rotations if these suffice, else large ones.
   void
   run_automatic_rotations(const CommandLine &command,
                           const SceneText   &text,
@@ -212,8 +211,7 @@ namespace
 
 
 
-  /// Whether all processes come here, too, within some seconds, through a
-  /// communicator that nothing else uses.
+  /// Whether all processes arrive here within seconds, by an own communicator.
   bool
   all_processes_arrive(MPI_Comm arrivals)
   {

@@ -35,8 +35,7 @@ namespace lamella
 
 
 
-    /// The number after @p key in a file of keys and numbers, or alone in it;
-    /// @p otherwise if there is none.
+    /// The number after @p key in a file, or alone in it; or else @p otherwise.
     double
     number_in(const std::filesystem::path &path,
               const std::string           &key,

@@ -167,8 +167,7 @@ namespace lamella
 
 
 
-      /// Throws InputError for an invalid list; @p list has the pattern of its
-      /// items, the least and the largest count.
+      /// Throws InputError for @p list: pattern of items, least, largest count.
       [[noreturn]] void
       refuse_list(const Entry &entry, const std::smatch &list)
       {
@@ -217,8 +216,7 @@ namespace lamella
         entry.refuse("entry.unknown-choice: must be " + alternatives(part[1]));
       if (pattern == "[Bool]")
         entry.boolean();
-      // Errors of spelling precede bounds; they include an empty text and
-      // several numbers instead of one.
+      // Errors of spelling, empty texts and several numbers precede bounds.
       if (pattern.find("[Integer") != 0)
         entry.number();
       refuse_range(entry, pattern);

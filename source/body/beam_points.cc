@@ -114,8 +114,7 @@ namespace lamella
   std::array<unsigned int, 3>
   Beam::recovery_degrees() const
   {
-    // Kirchhoff's constraint leaves the rotation -w' one degree below w, and
-    // with it the strain of bending.
+    // Kirchhoff's rotation -w' and bending strains are one degree below w.
     const Theory      &theory  = beam_section->theory();
     const unsigned int along   = beam_axis->degree(),
                        section = theory.is_layerwise() ?

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The second-order terms of a beam: the stretch by deflection, and the
-// geometric stiffness of the stress field.
+// Second-order terms of a beam: stretch by deflection, geometric stiffness.
 
 #include <lamella/base/processes.h>
 #include <lamella/body/beam_geometric_stiffness.h>
@@ -45,8 +44,7 @@ namespace lamella
     const Beam            &beam;
     const Vector           u;
     BeamGeometricStiffness geometric;
-    /// Values of e_2 at the stations, and at each integration point of the axis
-    /// (zero at those of other processes).
+    /// e_2 at the stations and at own integration points of the axis (else 0).
     std::vector<double> sampled, stretch;
   };
 

@@ -252,8 +252,7 @@ namespace lamella
           body.position({cell, Point<3>(0., eta, 0.)}))[1];
       }
 
-      /// The corners of a side, in units far below the size of an element and
-      /// far above the rounding of positions.
+      /// Corners of a side, rounded far below element size, far above rounding.
       std::array<long, 12>
       side(const unsigned int cell, const double eta) const
       {

@@ -94,8 +94,7 @@ namespace lamella
 
 
 
-    /// Of f = N / |Q|^2, Q the first four of the numbers, where the members of
-    /// @p of are those of N.
+    /// Divides the functions @p of, and derivatives, by |Q|^2.
     template <unsigned int n_functions, int n>
     void
     divide_by_square(const Quaternion &Q, Derivatives<n_functions, n> &of)

@@ -31,8 +31,7 @@ namespace lamella
        RigidField::translation_y,
        RigidField::translation_z}};
 
-    /// The field that turns the section about each axis, and the sign of its
-    /// amplitude for a right-handed turn.
+    /// The field that rotates the section about each axis, and its sign.
     constexpr std::array<unsigned int, 3> rotates_about{
       {RigidField::slope_z, RigidField::rotation_y, RigidField::slope_x}};
     constexpr std::array<double, 3> sign_of_rotation{{-1., 1., 1.}};
@@ -129,8 +128,7 @@ namespace lamella
   void
   GeometricallyExactBeam::make_laws(const bool keeps_normal)
   {
-    // Of a section that does, stiffness against shear over that against
-    // stretch.
+    // Ratio of shear to axial stiffness for sections that stay normal.
     constexpr double       normal = 1e4;
     const SectionOperator *before = nullptr;
     along_axis().for_each_element(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The points of a beam whose sections turn: where they are, what forces there
-// do, and what is shown of them.
+// Points of a beam with rotating sections: positions, forces, output.
 
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>

@@ -26,8 +26,7 @@ namespace lamella
 
   namespace
   {
-    /// A curve of the section swept along the axis: new points are the
-    /// section's own in x and z, the mean in y.
+    /// A curve of the section swept along the axis: its x, z; the mean y.
     class SweptManifold : public Manifold<3, 3>
     {
     public:
@@ -45,8 +44,7 @@ namespace lamella
       get_new_point(const ArrayView<const Point<3>> &points,
                     const ArrayView<const double>   &weights) const override
       {
-        // Points above each other are one to the section, which may not take
-        // the same point twice.
+        // The section may not take points above each other twice.
         std::vector<Point<2>> places;
         std::vector<double>   shares;
         double                y = 0.;

@@ -184,9 +184,8 @@ namespace lamella
     void
     check_slenderness(const BodyDescription &body, const SectionMesh &mesh)
     {
-      // Forces of a beam come out of displacements that differ by (h / L)^2 of
-      // themselves: at 1e6 three of sixteen digits are left
-      // (doc/theory/stable-basis.md).
+      // Forces of a beam lose digits by a factor (L / h)^2: at L / h = 1e6
+      // three of sixteen are left (doc/theory/stable-basis.md).
       constexpr double most = 1e7, sensible = 1e6;
 
       const auto corners = dealii::GridTools::compute_bounding_box(mesh.mesh)

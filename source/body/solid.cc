@@ -51,8 +51,7 @@ namespace lamella
   void
   Solid::find_kinds()
   {
-    // Nodes relative to the first, in units far below the element's size and
-    // far above the rounding of positions.
+    // Nodes relative to the first, rounded far below element size.
     using Key = std::vector<long>;
     std::unordered_map<Key, unsigned int, boost::hash<Key>> numbers;
     const unsigned int last = element.n_nodes() - 1;

@@ -42,8 +42,7 @@ namespace lamella
 
 
 
-    /// The nodes of a facet of degree @p p, s first: their numbers on the cell,
-    /// xi first.
+    /// Cell numbers of the nodes of a facet of degree @p p: s first, xi first.
     std::vector<unsigned int>
     nodes_of_facet(const SurfaceFacet &facet, const unsigned int p)
     {
@@ -64,8 +63,7 @@ namespace lamella
 
 
 
-    /// Of an edge's quadratic the two nodes next to the one that hangs weigh
-    /// most.
+    /// The nodes next to a hanging node have the largest quadratic weights.
     std::pair<unsigned int, unsigned int>
     two_largest_weights(std::vector<std::pair<unsigned int, double>> masters)
     {

@@ -99,8 +99,7 @@ namespace lamella
       /// where they are furthest, which becomes its direction.
       double
       bisection_error(Piece<dim> &piece);
-      /// Of a piece whose halves see nothing: the parameter that it varies
-      /// with, else the longer way.
+      /// Parameter to bisect if halves see nothing: varying, else longer.
       unsigned int
       choose_bisection_direction(const Edges      &edges,
                                  const Piece<dim> &piece) const;

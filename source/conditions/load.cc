@@ -26,8 +26,7 @@ namespace lamella
     // Of the integral of |t|, what the other rule, a grid of midpoints, may be
     // off by: it knows edges within an element to its own spacing only.
     constexpr double agreement = 0.02;
-    // An element that is bisected more often has a load in it whose shape its
-    // polynomials do not follow.
+    // More bisections: the element's polynomials cannot follow the load.
     constexpr unsigned int followed = 1;
 
 

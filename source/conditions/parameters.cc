@@ -32,8 +32,7 @@ namespace lamella
 
   namespace
   {
-    /// Throws InputError unless the positions @p points of the entry @p at suit
-    /// regions of the @p kind, point or line.
+    /// Throws InputError unless @p points of entry @p at suit @p kind.
     void
     check_positions(const Entry                         &at,
                     const std::vector<dealii::Point<3>> &points,

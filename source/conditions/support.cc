@@ -25,8 +25,7 @@ namespace lamella
 
   namespace
   {
-    /// @p place on @p region, if a row of @p support there turns with the
-    /// body.
+    /// @p place on @p region, if a row of @p support there follows rotation.
     std::optional<Location>
     follower_place(const Support  &support,
                    const Region   &region,
@@ -253,8 +252,7 @@ namespace lamella
 
   namespace
   {
-    /// A combination of the six rigid motions in words; components below a
-    /// hundredth of the largest are left out.
+    /// Six rigid motions in words, without components below 1/100.
     std::string
     describe(const std::array<double, 6> &motion)
     {
@@ -312,8 +310,7 @@ namespace lamella
 
   namespace
   {
-    /// The singular values of six columns, descending, and the right singular
-    /// vectors; rows that have the same.
+    /// Singular values of six columns, descending, and right singular vectors.
     struct Folded
     {
       std::array<double, 6>      singular_values;

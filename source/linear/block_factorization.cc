@@ -69,8 +69,7 @@ namespace lamella
         return factor.where().n_entries();
       }
 
-      /// Adds @p value times the product of the functionals @p u and @p v to A;
-      /// the transposed product comes by itself.
+      /// Adds @p value times the symmetrized product of @p u and @p v to A.
       void
       add(const std::vector<std::pair<DofIndex, double>> &u,
           const std::vector<std::pair<DofIndex, double>> &v,

@@ -12,8 +12,7 @@ namespace lamella
 
   namespace
   {
-    /// The blocks @p some from @p begin to @p end, the middle one after those
-    /// on both sides.
+    /// Blocks @p some from @p begin to @p end, the middle one last.
     void
     dissect(const std::vector<unsigned int> &some,
             const std::size_t                begin,

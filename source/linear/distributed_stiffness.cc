@@ -17,8 +17,7 @@ namespace lamella
 
   namespace
   {
-    /// What adds to a row: its columns, and the values, or null where only the
-    /// pattern is asked for.
+    /// A contribution to a row: columns and values (null for the pattern).
     using RowUse = std::function<void(const DofIndex               row,
                                       const std::vector<DofIndex> &columns,
                                       const double *const          values,
@@ -41,8 +40,7 @@ namespace lamella
           constrained[line.index] = true;
       }
 
-      /// Calls @p use with what adds to the condensed matrix: this process's
-      /// blocks, and springs in its own rows.
+      /// Calls @p use with own blocks and springs of the condensed matrix.
       void
       for_each_row(const bool with_values, const RowUse &use) const
       {

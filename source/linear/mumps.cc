@@ -59,8 +59,7 @@ namespace lamella
       void
       solve(Vector &x) const override;
 
-      /// As RepeatedFactorization has it: where pivots are chosen MUMPS knows
-      /// it, as a mantissa beside an exponent.
+      /// As in RepeatedFactorization; MUMPS has a mantissa beside an exponent.
       int
       sign_of_determinant() const
       {
@@ -318,8 +317,7 @@ namespace lamella
 
 
 
-    /// The rows from @p begin to @p end as MUMPS takes sparse right-hand sides:
-    /// a column each, all counted from 1.
+    /// Rows @p begin to @p end as sparse right-hand sides, counted from 1.
     struct SparseColumns
     {
       std::vector<int>    starts{1}, dofs;
@@ -347,8 +345,7 @@ namespace lamella
     MumpsFactorization::products(const std::vector<LinearFunctional> &rows,
                                  const unsigned int first) const
     {
-      // As many at a time as make good use of the BLAS, while their solutions
-      // take no more than 200 MB a process.
+      // Enough at a time for the BLAS, at most 200 MB of solutions per process.
       const unsigned int at_once =
         std::min(128., std::max(16., 25e6 * n_processes() / mumps.n));
       std::vector<double> result((rows.size() - first) * rows.size());

@@ -106,8 +106,7 @@ namespace lamella
   ElasticTensor
   strain_rotation(const Triad &triad)
   {
-    // epsilon'_kl = e_k . epsilon e_l; an engineering shear strain counts both
-    // of its places, hence the factors.
+    // epsilon'_kl = e_k . epsilon e_l; factors are for engineering shear.
     ElasticTensor T;
     for (unsigned int r = 0; r < 6; ++r)
       for (unsigned int c = 0; c < 6; ++c)

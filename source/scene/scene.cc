@@ -304,8 +304,7 @@ namespace lamella
 
   namespace
   {
-    /// Returns @p text without items that --set left out of a list, and the
-    /// names.
+    /// Returns @p text without items that --set removed from a list; and names.
     std::pair<SceneText, NameLists>
     listed(SceneText text)
     {

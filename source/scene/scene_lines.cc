@@ -87,8 +87,7 @@ namespace lamella
 
   namespace
   {
-    /// Returns the place of the comment of @p line, a '#' without a backslash
-    /// before it; npos if there is none.
+    /// Returns the position of the comment of @p line ('\#' is none), or npos.
     std::size_t
     begin_of_comment(const std::string &line)
     {

@@ -57,8 +57,7 @@ namespace lamella
 
 
 
-    /// Returns the present name of an entry of version 0.2.0 that was renamed;
-    /// empty for any other @p path.
+    /// Returns the new name of a renamed entry of version 0.2.0, or nothing.
     std::string
     new_name(const std::string &path)
     {

@@ -11,8 +11,7 @@ namespace lamella
 {
   namespace
   {
-    // Value, column in the matrix and in its sparsity pattern, and half of
-    // that again for the solver's own format.
+    // Value, column in matrix and pattern; half again for the solver's format.
     constexpr double bytes_per_entry = 24.;
 
     // Smaller bodies are built quickly, with an exact check.
@@ -41,8 +40,7 @@ namespace lamella
                    ny = sum(body.axis.elements), p = body.theory.order;
       const double q    = body.theory.is_solid() ? p : body.axis.degree;
       const double dofs = 3. * (p * nx + 1.) * (p * nz + 1.) * (q * ny + 1.);
-      // In each direction a node is coupled with 2 p + 1 nodes at element ends
-      // and p + 1 inside: p + 2 on average.
+      // A node couples with 2 p + 1 nodes at element ends, p + 1 inside.
       return {dofs, dofs * 3. * (p + 2.) * (p + 2.) * (q + 2.)};
     }
   } // namespace

@@ -208,8 +208,7 @@ namespace lamella
 
 
 
-    /// Throws InputError if the last of @p contacts pairs the same surfaces as
-    /// another: their penalties would add up.
+    /// Throws InputError if two @p contacts pair the same surfaces.
     void
     check_contact_is_new(const std::vector<ContactPair> &contacts)
     {

@@ -145,9 +145,8 @@ namespace lamella
 
 
 
-    /// Adds notes on long elements at clamps. A clamp prevents contraction; the
-    /// disturbance decays within about a width of the section, but a long
-    /// element spreads it over its own length.
+    /// Adds notes on long elements at clamps, which prevent contraction within
+    /// about a width of the section; long elements spread this disturbance.
     void
     add_clamp_note(const unsigned int        number,
                    const Scene              &scene,

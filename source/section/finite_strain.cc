@@ -171,8 +171,7 @@ namespace lamella
 
 
 
-    /// dE / dH at H, with F_j = e_j + H_j: a row a strain, a column for each
-    /// component of H, row after row of it.
+    /// dE / dH at H, F_j = e_j + H_j: rows are strains, columns H by rows.
     std::array<std::array<double, 9>, 6>
     strain_derivative(const Gradient &H)
     {

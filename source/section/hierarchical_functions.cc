@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The basis of a Lagrange expansion that is hierarchical by degree: products of
-// integrated Legendre polynomials.
+// Basis of a Lagrange expansion, hierarchical by degree: products of integrated
+// Legendre polynomials.
 
 #include <lamella/section/lagrange_element.h>
 

@@ -91,8 +91,8 @@ namespace lamella
 
   namespace
   {
-    /// The distinct values of coordinate @p d of @p nodes, ascending, and the
-    /// place of each node among them.
+    /// Distinct values of coordinate @p d of @p nodes, ascending; their
+    /// indices.
     std::pair<std::vector<double>, std::vector<unsigned int>>
     distinct_coordinates(const std::vector<Point<2>> &nodes,
                          const unsigned int           d)

@@ -10,8 +10,7 @@ namespace lamella
 
   namespace
   {
-    /// Modes are smooth over the section: some of its points tell how far it
-    /// turns.
+    /// Number of points that determine the rotation of smooth modes.
     unsigned int
     stride_of(const SectionSpace &space)
     {

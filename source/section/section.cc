@@ -152,9 +152,8 @@ namespace lamella
 
 
 
-    /// Drops the transverse shear strains of a value and of its derivative,
-    /// whose sum Kirchhoff's constraint makes vanish; dropping both keeps the
-    /// digits that the difference would lose.
+    /// Drops the transverse shear strains of a value and of its derivative:
+    /// their sum vanishes by Kirchhoff's constraint, with loss of digits.
     void
     drop_transverse_shear(SectionPoint &point)
     {
@@ -379,8 +378,7 @@ namespace lamella
             on_near_sides(place,
                           Tensor<2, 2>(expansion->map(cell, place).jacobian),
                           tolerance));
-        // The distance allowed is a fraction of the cell's extension, which the
-        // box exceeds by a fifth on each side.
+        // Fraction of the cell's extension, which the box exceeds by a fifth.
         const auto   corners = box.get_boundary_points();
         const double size    = corners.first.distance(corners.second) / 1.4;
         if (is_curved && distance < std::min(smallest, 0.02 * size))

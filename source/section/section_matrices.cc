@@ -216,9 +216,8 @@ namespace lamella
 
 
 
-    /// A part of a section with a stiffness that is the same all over it: a
-    /// ply, or one of the harmonics of a ply whose law varies, which then
-    /// weights the integrals over the ply.
+    /// A part of a section with constant stiffness: a ply, or a harmonic of a
+    /// ply whose varying law weights its integrals.
     struct StiffnessPart
     {
       unsigned int  ply, harmonic;
@@ -279,8 +278,8 @@ namespace lamella
 
 
 
-    /// The functions of @p element at the points @p quadrature of @p cell, into
-    /// @p D; returns where these lie.
+    /// Writes @p element at points @p quadrature of @p cell to @p D; returns
+    /// them.
     std::vector<Point<2>>
     evaluate_functions(const CrossSectionElement &element,
                        const unsigned int         cell,

@@ -29,8 +29,7 @@ namespace lamella
 
 
 
-    /// A Saint-Venant state of a curvature 1 without the rigid motions of its
-    /// warping.
+    /// A Saint-Venant state of curvature 1; its warping has no rigid motion.
     class ShapeState
     {
     public:
@@ -170,8 +169,7 @@ namespace lamella
       const ElasticLaw   law    = section.law(point.cell, point.position);
       const Voigt        stress = law.stress(here.strain);
       const Tensor<1, 3> bent   = cross_product_3d(curvature, here.warped);
-      // Green's strain less its linear part, and the curvature of the warping;
-      // and what both do together.
+      // Nonlinear part of Green's strain, curvature of the warping, and both.
       const Voigt quadratic = product(here.H, here.H, 0.5) + axial_strain(bent);
       Gradient    of_bent;
       of_bent[1]            = bent;

@@ -8,8 +8,7 @@ namespace lamella
 
   namespace
   {
-    // Strains that a section's own fields give in every theory, and those that
-    // free contraction completes.
+    // Strains of section fields, and those that free contraction completes.
     constexpr std::array<unsigned int, 3> kept{{1, 3, 5}}, completed{{0, 2, 4}};
 
 

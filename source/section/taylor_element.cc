@@ -21,8 +21,7 @@ namespace lamella
 
   namespace
   {
-    // What is left of a polynomial without its parts along the others must be
-    // more than the rounding of those parts.
+    // Smallest rest of an orthogonalized polynomial, above its rounding.
     constexpr double dependent = arithmetic::rounding_of_solutions;
 
     // On curved cells the polynomials of x and z are of three times the degree

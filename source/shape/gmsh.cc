@@ -159,8 +159,7 @@ namespace lamella
 
 
 
-    /// Throws InputError if there is no physical surface, or none of a name of
-    /// Parts; @p material is one that there is.
+    /// Throws InputError if a name of Parts is no physical surface, or none is.
     void
     check_parts(const GmshFile    &mesh,
                 const SectionFile &file,
@@ -338,8 +337,7 @@ namespace lamella
 
 
 
-    /// Throws InputError if @p file's scale takes lengths, or fourth powers of
-    /// them, out of the range of doubles.
+    /// Throws InputError if @p file's scale makes lengths out of range.
     void
     check_scale(const GmshMesh &mesh, const SectionFile &file)
     {
@@ -404,8 +402,7 @@ namespace lamella
 
 
 
-    /// Gives the plies of @p section the planes that @p file says for the
-    /// physical surfaces of @p mesh.
+    /// Sets planes of the plies of @p section by @p file's physical surfaces.
     void
     set_ply_planes(const GmshFile                    &mesh,
                    const SectionFile                 &file,

@@ -84,8 +84,7 @@ namespace lamella
                   const int         group,
                   const std::size_t first_word);
 
-      /// The places of the @p n nodes that the words of the line @p at, an
-      /// element, name from @p first_word on.
+      /// Nodes of the element in line @p at: @p n words from @p first_word on.
       std::array<unsigned int, 4>
       nodes_of_element(const GmshLines  &at,
                        const std::size_t first_word,

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// GridIn of deal.II reads these files, too, word by word, and trusts them: a
-// missing coordinate shifts all that follows, a node number of -1 or a count of
-// four billion ends the program. Gmsh's own library is no safer. Hence this
-// reader checks each line.
+// GridIn of deal.II trusts these files word by word: a missing coordinate
+// shifts all that follows; a node number of -1 or a count of 4e9 ends the
+// program. Gmsh's own library is no safer. This reader checks each line.
 
 #include <lamella/base/text.h>
 #include <lamella/shape/gmsh_file.h>

@@ -56,8 +56,7 @@ namespace lamella
   SectionProperties
   section_properties(const SectionMesh &section)
   {
-    // On the arcs of any sensible mesh the geometry of degree 6 is exact to
-    // rounding, or nearly.
+    // Degree 6 represents arcs of sensible meshes almost to rounding.
     const MappingQ<2>   mapping(6);
     const FE_Nothing<2> nothing;
     FEValues<2>         values(mapping,
@@ -99,8 +98,8 @@ namespace lamella
   {
     using CellIterator = Triangulation<2>::active_cell_iterator;
 
-    /// The smallest sine of the inner angles of @p cell; negative where it is
-    /// not convex, zero where it is degenerate.
+    /// The smallest sine of inner angles of @p cell; not positive if
+    /// degenerate.
     double
     smallest_sine(const CellIterator &cell)
     {

@@ -13,8 +13,7 @@ namespace lamella
 {
   namespace
   {
-    /// Throws InputError unless @p walls, as @p entry gives them, leave some of
-    /// @p extension, which is @p named so.
+    /// Throws InputError unless @p walls leave some of @p extension (@p named).
     void
     check_walls_fit(const std::vector<double> &walls,
                     const double               extension,
@@ -31,8 +30,7 @@ namespace lamella
 
 
 
-    /// The pieces of @p entry for @p n walls, between '|': one for all or one a
-    /// wall. Empty ones if it is empty.
+    /// The pieces of @p entry between '|' for @p n walls: one for all or each.
     std::vector<std::string>
     one_per_wall(const Entry &entry, const std::vector<std::string> &walls)
     {

@@ -65,8 +65,7 @@ namespace lamella
 
   namespace
   {
-    // Beyond this a surface is out of reach: with 16 digits of a quadratic form
-    // such a root may be rounding.
+    // Larger roots of a quadratic form may be rounding (16 digits).
     constexpr double out_of_reach = 1e6;
 
 
@@ -101,8 +100,7 @@ namespace lamella
 
 
 
-    /// The smallest root above @p from of a R^2 + b R + c, which is negative at
-    /// @p from; none if there is none.
+    /// The smallest root above @p from of a R^2 + b R + c, if any; f(from) < 0.
     std::optional<double>
     next_root(const double a, const double b, const double c, const double from)
     {

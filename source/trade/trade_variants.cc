@@ -31,7 +31,7 @@ namespace lamella
     /// Below that folder: the results of the run that counts.
     constexpr const char *kept_run = "/run";
 
-    /// Runs below `short_run` seconds are made `tries` times; the fastest
+    /// Runs below `short_run` seconds are repeated `tries` times; the fastest
     /// counts.
     constexpr double       short_run = 1.;
     constexpr unsigned int tries     = 3;
@@ -114,9 +114,8 @@ namespace lamella
 
 
 
-    /// The record in @p folder if it says @p fingerprint and the variant
-    /// succeeded, null otherwise: what made one fail (a time limit, other
-    /// programs' memory) may have passed.
+    /// The record in @p folder if it has @p fingerprint and no failure, else
+    /// null: causes of failures (a time limit, other programs) may be gone.
     json
     record_in(const std::string &folder, const std::string &fingerprint)
     {
@@ -131,8 +130,7 @@ namespace lamella
 
 
 
-    /// Puts what the run with the numbers @p other cost into @p values of
-    /// another run of the same scene.
+    /// Replaces costs in @p values by those of @p other, the same scene.
     void
     record_costs_of(json &values, const json &other)
     {

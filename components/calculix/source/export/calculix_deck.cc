@@ -25,8 +25,7 @@ namespace lamella
   {
     using Json = nlohmann::ordered_json;
 
-    /// A probe with the points that it is the mean over, a list each of its
-    /// rows: of a point one point a ply.
+    /// A probe with the points of its mean, one list per row (ply).
     struct LocatedProbe
     {
       const Probe           *probe;

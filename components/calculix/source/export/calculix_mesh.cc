@@ -401,8 +401,8 @@ namespace lamella
 
   namespace
   {
-    /// The axes of @p ply, a plane one of a body with the axes @p of_body, as
-    /// those of the element set @p set.
+    /// Writes the axes of @p ply of a body with @p of_body for element set @p
+    /// set.
     void
     write_orientation(std::ostream      &deck,
                       const std::string &set,
