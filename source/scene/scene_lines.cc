@@ -87,7 +87,7 @@ namespace lamella
 
   namespace
   {
-    /// Returns the position of the comment of @p line ('\#' is none), or npos.
+    /// Returns the position of the comment of @p line (`\#` is none), or npos.
     std::size_t
     begin_of_comment(const std::string &line)
     {

@@ -50,8 +50,7 @@ namespace lamella
 
 
 
-    /// Sets row @p p of @p rows to the work of @p P at point p on columns of @p
-    /// G.
+    /// Sets row @p p of @p rows to the work of @p P on columns of @p G.
     void
     set_row(const unsigned int              p,
             const Tensor<2, 3>             &P,

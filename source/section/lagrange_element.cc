@@ -91,8 +91,7 @@ namespace lamella
 
   namespace
   {
-    /// Distinct values of coordinate @p d of @p nodes, ascending; their
-    /// indices.
+    /// Distinct values of coordinate @p d of @p nodes, and their indices.
     std::pair<std::vector<double>, std::vector<unsigned int>>
     distinct_coordinates(const std::vector<Point<2>> &nodes,
                          const unsigned int           d)

@@ -278,8 +278,7 @@ namespace lamella
 
 
 
-    /// Writes @p element at points @p quadrature of @p cell to @p D; returns
-    /// them.
+    /// Writes @p element at @p quadrature of @p cell to @p D; returns points.
     std::vector<Point<2>>
     evaluate_functions(const CrossSectionElement &element,
                        const unsigned int         cell,

@@ -98,8 +98,7 @@ namespace lamella
   {
     using CellIterator = Triangulation<2>::active_cell_iterator;
 
-    /// The smallest sine of inner angles of @p cell; not positive if
-    /// degenerate.
+    /// Smallest sine of inner angles of @p cell; not positive if degenerate.
     double
     smallest_sine(const CellIterator &cell)
     {

@@ -401,8 +401,7 @@ namespace lamella
 
   namespace
   {
-    /// Writes the axes of @p ply of a body with @p of_body for element set @p
-    /// set.
+    /// Writes the axes of @p ply for @p set; the body has axes @p of_body.
     void
     write_orientation(std::ostream      &deck,
                       const std::string &set,
