@@ -54,7 +54,7 @@ namespace lamella
   Entry::positive() const
   {
     if (is_empty())
-      refuse_missing("entry.missing: give a positive number.");
+      refuse_missing("entry.is-missing: give a positive number.");
     const double value = number();
     if (!(value > 0.))
       refuse("entry.not-positive: must be positive");

@@ -144,7 +144,7 @@ namespace lamella
           return "entry.out-of-range: must lie between " + to_text(least) +
                  " and " + to_text(std::stod(high));
         return least > 0. ? "entry.not-positive: must be positive" :
-                            "entry.negative: must not be negative";
+                            "entry.is-negative: must not be negative";
       }
 
 

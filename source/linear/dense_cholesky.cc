@@ -19,7 +19,7 @@ namespace lamella
     if (n > 0)
       dealii::potrf("L", &size, factor.data(), &size, &info);
     if (info != 0)
-      throw NumericsError("linear.singular: " + std::string(what) +
+      throw NumericsError("linear.singular-matrix: " + std::string(what) +
                           " is singular to rounding.");
   }
 

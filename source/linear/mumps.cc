@@ -280,7 +280,7 @@ namespace lamella
                             "lower order, or more machines.");
       const bool factorized = mumps.job == 2;
       if (error == singular && mumps.sym == unsymmetric)
-        throw NumericsError("linear.singular: The tangent of " + what +
+        throw NumericsError("linear.singular-matrix: The tangent of " + what +
                             " is singular to rounding.");
       if (error == singular || error == not_positive ||
           (factorized && error >= 0 && negative_pivots > 0))

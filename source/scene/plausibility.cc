@@ -210,7 +210,7 @@ namespace lamella
     const bool   is_mm = scene.units.length == "mm";
     const double there = is_mm ? g : g / thousand;
     if (!scene.units.length.empty() && there > least && there < most)
-      plausibility_warnings.push_back("scene.gravity: Gravity is " +
+      plausibility_warnings.push_back("scene.unusual-gravity: Gravity is " +
                                       to_text(g) + " " + scene.units.length +
                                       "/s^2, and that of the Earth is " +
                                       (is_mm ? "9810 mm/s^2" : "9.81 m/s^2"));

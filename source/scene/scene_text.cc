@@ -149,7 +149,7 @@ namespace lamella
     refuse_repetition(entries, "entry", file);
     refuse_repetition(subsections, "subsection", file);
     if (entries.empty())
-      throw InputError("scene.empty: the scene is empty. `lamella "
+      throw InputError("scene.no-entries: the scene is empty. `lamella "
                        "--print-parameters` prints the entries of a scene.")
         .at(file + ": ");
     for (const std::string &assignment : overrides)

@@ -122,7 +122,7 @@ namespace lamella
       if (triangles.n > 0)
         refuse_line(entry,
                     triangles.first_line,
-                    "shape.triangles: " + std::to_string(triangles.n) +
+                    "shape.triangular-cells: " + std::to_string(triangles.n) +
                       (triangles.n == 1 ?
                          " cell is a triangle" :
                          " cells are triangles, this the first"),

@@ -41,10 +41,11 @@ namespace lamella
             "Constrain the body by a Support and leave Isostatic support "
             "false.");
         else if (body.stabilization != 0.)
-          throw InputError("Body " + body.name + "/Stabilization",
-                           to_text(body.stabilization),
-                           "export.stabilization: its springs are not exported",
-                           "Constrain the body by a Support and set it to 0.");
+          throw InputError(
+            "Body " + body.name + "/Stabilization",
+            to_text(body.stabilization),
+            "export.stabilization-not-exported: its springs are not exported",
+            "Constrain the body by a Support and set it to 0.");
       const std::vector<PrescribedFunctional> rows =
         prescribed_functionals(scene.supports, mesh.bodies());
       for (unsigned int body = 0; body < scene.bodies.size(); ++body)
@@ -69,14 +70,15 @@ namespace lamella
     {
       for (const Load &load : scene.loads)
         if (!load.temperature.empty())
-          throw InputError("Load " + load.name + "/Temperature",
-                           load.temperature.text(),
-                           "export.temperature: temperatures are not exported",
-                           "Leave the load out of Loads.");
+          throw InputError(
+            "Load " + load.name + "/Temperature",
+            load.temperature.text(),
+            "export.temperature-not-exported: temperatures are not exported",
+            "Leave the load out of Loads.");
       if (scene.gravity.norm() > 0.)
         throw InputError("Gravity",
                          to_text(scene.gravity),
-                         "export.gravity: weight is not exported",
+                         "export.gravity-not-exported: weight is not exported",
                          "Set it to 0, 0, 0.");
     }
 
