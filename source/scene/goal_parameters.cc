@@ -74,8 +74,8 @@ namespace lamella
       // Shortest bar (error_bar.h), in per cent.
       constexpr double of_rounding = 1e-6;
       if (!(per_cent > 0. && per_cent <= 100.))
-        entry.refuse("scene.per-cent-out-of-range: must be more than 0 and at "
-                     "most 100 per cent");
+        entry.refuse("scene.invalid-per-cent: must be more than 0 and at most "
+                     "100 per cent");
       if (per_cent < of_rounding)
         entry.refuse("scene.tolerance-below-rounding: is below the rounding "
                      "error of any number, 1e-6 per cent",

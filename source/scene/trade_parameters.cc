@@ -129,8 +129,8 @@ namespace lamella
           "Write, e.g., tolerance 1.");
       const double per_cent = variant.number(piece.substr(word.size() + 1));
       if (!(per_cent > 0. && per_cent <= 100.))
-        variant.refuse("scene.per-cent-out-of-range: the tolerance must be "
-                       "more than 0 and at most 100 per cent",
+        variant.refuse("scene.invalid-per-cent: the tolerance must be more "
+                       "than 0 and at most 100 per cent",
                        "Write, e.g., tolerance 1.");
       return per_cent / 100.;
     }
@@ -262,8 +262,8 @@ namespace lamella
       for (const double per_cent : entry.numbers())
         {
           if (!(per_cent > 0. && per_cent <= 100.))
-            entry.refuse("scene.per-cent-out-of-range: must be more than 0 and "
-                         "at most 100 per cent");
+            entry.refuse("scene.invalid-per-cent: must be more than 0 and at "
+                         "most 100 per cent");
           tolerances.push_back(per_cent / 100.);
         }
       return tolerances;
@@ -276,8 +276,8 @@ namespace lamella
     {
       const double seconds = entry.number();
       if (!(seconds >= 0. && seconds <= longest_time))
-        entry.refuse("scene.time-limit-out-of-range: must be 0 (none) or "
-                     "seconds, at most 1e9");
+        entry.refuse(
+          "scene.invalid-time-limit: must be 0 (none) or seconds, at most 1e9");
       return seconds;
     }
   } // namespace

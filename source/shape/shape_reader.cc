@@ -129,8 +129,8 @@ namespace lamella
       finest.is_empty() ? result.radius / 8. : finest.positive();
     if (!(result.finest_cell <= result.radius &&
           result.finest_cell >= 1e-6 * result.radius))
-      finest.refuse("shape.finest-cell-out-of-range: must lie between a "
-                    "millionth of the radius and the radius " +
+      finest.refuse("shape.invalid-finest-cell: must lie between a millionth "
+                    "of the radius and the radius " +
                     to_text(result.radius));
     result.sectors = count("Sectors");
     if (result.sectors % 4 != 0)
