@@ -12,13 +12,11 @@
 
 namespace lamella
 {
-  /**
-   * Sparsity of the factor L of a matrix of dense blocks with the elimination
-   * order: the symbolic part of factorize_blocks(). Each block is a supernode
-   * of L; its column has the blocks with which it couples at its elimination.
-   * Arrays are those of SupernodalFactor. Blocks are numbered in the order of
-   * elimination.
-   */
+  /// Sparsity of the factor L of a matrix of dense blocks with the elimination
+  /// order: the symbolic part of factorize_blocks(). Each block is a supernode
+  /// of L; its column has the blocks with which it couples at its elimination.
+  /// Arrays are those of SupernodalFactor. Blocks are numbered in the order of
+  /// elimination.
   struct BlockPattern
   {
     /// A block below the diagonal of a column of L: its number, and its first

@@ -12,13 +12,11 @@
 
 namespace lamella
 {
-  /**
-   * The factor L of A = P^T L L^T P by supernodes, sets of columns with the
-   * same rows. Supernode s has the columns column[s] to column[s+1] and the
-   * rows row[first_row[s]] to row[first_row[s+1]], beginning with its columns;
-   * its entries begin at entry[first_entry[s]], column by column. The layout is
-   * CHOLMOD's. A view: the factor must outlive it and not change.
-   */
+  /// The factor L of A = P^T L L^T P by supernodes, sets of columns with the
+  /// same rows. Supernode s has the columns column[s] to column[s+1] and the
+  /// rows row[first_row[s]] to row[first_row[s+1]], beginning with its columns;
+  /// its entries begin at entry[first_entry[s]], column by column. The layout
+  /// is CHOLMOD's. A view: the factor must outlive it and not change.
   struct SupernodalFactor
   {
     /// Number of rows of L and of supernodes; column, first_row and first_entry

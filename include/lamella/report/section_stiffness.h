@@ -18,13 +18,11 @@ namespace lamella
   inline constexpr std::array<const char *, 6> section_force_names{
     {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"}};
 
-  /**
-   * Section properties for beam programs: SaintVenant's 6 x 6 stiffness,
-   * constants derived from it, and the mass. They do not depend on theories.
-   *
-   * Rounding is removed: couplings m_ij below 1e-10 sqrt(m_ii m_jj) and
-   * coordinates below 1e-10 of the section's size are 0.
-   */
+  /// Section properties for beam programs: SaintVenant's 6 x 6 stiffness,
+  /// constants derived from it, and the mass. They do not depend on theories.
+  ///
+  /// Rounding is removed: couplings m_ij below 1e-10 sqrt(m_ii m_jj) and
+  /// coordinates below 1e-10 of the section's size are 0.
   struct SectionStiffness
   {
     /// Expansion in which the states were computed: `LE-3`.
@@ -52,14 +50,12 @@ namespace lamella
   unsigned int
   expansion_degree(const SectionMesh &mesh);
 
-  /**
-   * Returns stiffness, by SaintVenant in LE-N with N of expansion_degree(),
-   * and mass of the section @p mesh. Costs one Cholesky factorization of the
-   * section. Shares @p mesh during the call; not collective.
-   *
-   * Numerical failure (cells too thin, more than 300,000 DoFs in LE-1) does
-   * not throw, so that no run ends for it, but sets the result's `fault`.
-   */
+  /// Returns stiffness, by SaintVenant in LE-N with N of expansion_degree(),
+  /// and mass of the section @p mesh. Costs one Cholesky factorization of the
+  /// section. Shares @p mesh during the call; not collective.
+  ///
+  /// Numerical failure (cells too thin, more than 300,000 DoFs in LE-1) does
+  /// not throw, so that no run ends for it, but sets the result's `fault`.
   SectionStiffness
   section_stiffness(std::shared_ptr<const SectionMesh> mesh);
 

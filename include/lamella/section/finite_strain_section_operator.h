@@ -68,9 +68,8 @@ namespace lamella
 
     /// Calls @p use with the tangents of each cell, one for each station @p q
     /// of an element, after the @p correction (predicted_strain()). With the
-    /// sums over the stations X of w_k l_k stretch and Y of w_k l_k
-    /// on_stretch, the assumed strain subtracts Y^T X + X^T Y times the
-    /// element's length.
+    /// sums over the stations X of w_k l_k stretch and Y of w_k l_k on_stretch,
+    /// the assumed strain subtracts Y^T X + X^T Y times the element's length.
     void
     for_each_cell(
       const FieldParts                                            &q,

@@ -24,14 +24,12 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /**
-     * Returns the section in @p in, lengths in the scene's unit. @p materials
-     * are the scene's names; if there is only one, sections need not name it.
-     * The path of a mesh file is relative to @p folder; the file is not read.
-     * Throws InputError, also for entries of other shapes, and for more than
-     * about 50,000 cells, or 10,000 in a mesh line, so that a typing error does
-     * not exhaust the memory.
-     */
+    /// Returns the section in @p in, lengths in the scene's unit. @p materials
+    /// are the scene's names; if there is only one, sections need not name it.
+    /// The path of a mesh file is relative to @p folder; the file is not read.
+    /// Throws InputError, also for entries of other shapes, and for more than
+    /// about 50,000 cells, or 10,000 in a mesh line, so that a typing error
+    /// does not exhaust the memory.
     static SectionShape
     parse(const Entries                  &in,
           const std::vector<std::string> &materials,

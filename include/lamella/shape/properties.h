@@ -39,14 +39,12 @@ namespace lamella
   SectionProperties
   section_properties(const SectionMesh &section);
 
-  /**
-   * Throws InputError of @p entry, the mesh's source, unless each cell is
-   * convex with inner angles between 0 and 180 degrees (positive Jacobian), no
-   * two vertices coincide, and all cells are connected by sides. Checks in this
-   * order; the message has the number of faulty cells and the first one's
-   * place. Vertices coincide if they are closer than 1e-6 of the shortest edge
-   * in each coordinate. n log n for n vertices.
-   */
+  /// Throws InputError of @p entry, the mesh's source, unless each cell is
+  /// convex with inner angles between 0 and 180 degrees (positive Jacobian), no
+  /// two vertices coincide, and all cells are connected by sides. Checks in
+  /// this order; the message has the number of faulty cells and the first one's
+  /// place. Vertices coincide if they are closer than 1e-6 of the shortest edge
+  /// in each coordinate. n log n for n vertices.
   void
   check_section_mesh(const SectionMesh &section, const Entry &entry);
 

@@ -92,8 +92,7 @@ namespace lamella
     /// that the run itself does not need.
     nlohmann::json
     run_job(const Job &job, const std::string &output) const;
-    /// Runs run_job() in a process of its own; its output goes into the
-    /// folder.
+    /// Runs run_job() in a process of its own; its output goes into the folder.
     ProcessEnd
     run_scene(const Job &job, const std::string &output) const;
     /// Runs @p work in a process of its own with its own MPI, and returns its
