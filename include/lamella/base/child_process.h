@@ -20,22 +20,18 @@ namespace lamella
     bool time_limit_reached = false;
     /// Wall seconds from start to end; the limit counts processor seconds.
     double seconds = 0.;
-    /// Result of the work of run_forked(); empty if it did not end, which is a
-    /// failure whatever the status.
+    /// Result of the work of run_forked(); empty if the work failed.
     std::string result;
   };
 
   /**
-   * Runs @p program and waits for its end. The program is killed with this
-   * process, and does not see its MPI: MPI's environment variables are removed.
-   * Its standard input is empty. Throws InputError if it cannot be started.
-   *
-   * @param program path of the program; no shell reads it
-   * @param words arguments, without the program's name
-   * @param output, errors paths of files to be overwritten; if empty, output
-   *   goes where this process prints
-   * @param processor_seconds limit for all threads together, rounded up to
-   *   whole seconds, one second after which the program is killed; 0: none
+   * Runs @p program, a path that no shell interprets, with the arguments
+   * @p words and waits for its end. The program is killed with this process and
+   * gets neither standard input nor MPI's environment variables. It overwrites
+   * the files @p output and @p errors; if empty, its output goes where this
+   * process prints. It is killed one second after @p processor_seconds of all
+   * threads together, in whole seconds (0: no limit). Throws InputError if it
+   * cannot be started.
    */
   ProcessEnd
   run_process(const std::string              &program,
@@ -50,11 +46,10 @@ namespace lamella
    * are those of outcome_of(). Loaded libraries are reused, which saves a third
    * of a second. MPI must not have been started here; @p work starts its own.
    *
-   * The result of @p work returns through a pipe as ProcessEnd::answer. The
-   * copy ends by _exit(), without destructors of this process's objects. Throws
-   * InputError if no process can be created; exceptions of @p work become the
-   * copy's outcome. From now on this process waits for its children, even if it
-   * was started with SIGCHLD ignored.
+   * ProcessEnd::result contains the result of @p work. The copy ends by
+   * _exit(), without destructors of this process's objects. Throws InputError
+   * if no process can be created. Later children of this process must be waited
+   * for, even if it was started with SIGCHLD ignored.
    */
   ProcessEnd
   run_forked(const std::function<std::string()> &work,
@@ -62,21 +57,20 @@ namespace lamella
              const std::string                  &errors,
              const double                        processor_seconds = 0.);
 
-  /// Replaces this process by the program @p program (a path; no shell reads
-  /// it) with the arguments @p words, without its own name. MPI must not have
-  /// been started here. Throws InputError if it cannot be started.
+  /// Replaces this process by @p program, a path that no shell interprets, with
+  /// the arguments @p words. MPI must not have been started here. Throws
+  /// InputError if the program cannot be started.
   [[noreturn]] void
   exec_program(const std::string              &program,
                const std::vector<std::string> &words);
 
   /// Returns the path of a python3 with the module @p module; empty if there is
-  /// none. The system's is tried before the first in PATH, which often lacks
-  /// the distribution's packages.
+  /// none. The system's is tried before the first in PATH.
   std::string
   python_with(const std::string &module);
 
-  /// Returns the path of Lamella's script @p name, as installed or else in the
-  /// source tree. Throws InputError if it is in neither.
+  /// Returns the path of Lamella's script @p name, installed or in the source
+  /// tree. Throws InputError if there is none.
   std::string
   path_of_script(const std::string &name);
 

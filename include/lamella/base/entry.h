@@ -15,20 +15,15 @@
 
 namespace lamella
 {
-  /**
-   * An entry of a scene: its path and its text. Accessors return the value in
-   * the requested form or throw InputError with path, text, rule and remedy;
-   * refuse() is for checks by the caller.
-   *
-   * An entry is a value, independent of its parameter handler. All numbers of a
-   * scene pass the same checks (number_error()). A piece of an entry may
-   * become an Entry with the path of the whole.
-   */
+  /// An entry of a scene: its path and its text. Accessors return the value in
+  /// the requested form or throw InputError with path, text, rule and remedy;
+  /// refuse() is for checks by the caller. An entry is independent of its
+  /// parameter handler. A piece of an entry may become an Entry with the path
+  /// of the whole.
   class Entry
   {
   public:
-    /// Stores @p path, as `Body upper/Kinematics/Theory`, and the trimmed
-    /// @p text without checks.
+    /// Stores @p path, as `Body upper/Kinematics/Theory`, and @p text, trimmed.
     Entry(const std::string &path, const std::string &text);
 
     /// Returns the path for messages, subsections first, separated by slashes.
@@ -45,33 +40,29 @@ namespace lamella
       return what;
     }
 
-    /// Returns whether the text is empty; an optional entry has its default
-    /// then.
+    /// Returns whether the text is empty, the default of an optional entry.
     bool
     is_empty() const
     {
       return what.empty();
     }
 
-    /// Throws InputError(path, value, rule, remedy). @p rule says what the text
-    /// must be, or what is wrong, without a full stop; @p remedy is whole
-    /// sentences, or empty.
+    /// Throws InputError(path, value, rule, remedy). @p rule is the condition
+    /// or the fault, without a full stop; @p remedy is whole sentences, or
+    /// empty.
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 
-    /// Throws InputError::missing() for a required entry; @p remedy says what
-    /// to give.
+    /// Throws InputError::missing() for a required entry, with @p remedy.
     [[noreturn]] void
     refuse_missing(const std::string &remedy) const;
 
     /// Returns the number that the whole text spells (see number_error()).
-    /// Throws InputError unless it is one finite number, zero or of a size
-    /// between 1e-30 and 1e30. The unit is the caller's.
+    /// Throws InputError unless it is zero or of a size between 1e-30 and 1e30.
     double
     number() const;
 
-    /// Returns the number in a @p piece of the text. The message names the
-    /// whole entry and quotes the piece.
+    /// Returns the number in a @p piece of the text. Messages quote the piece.
     double
     number(const std::string &piece) const;
 
@@ -104,13 +95,12 @@ namespace lamella
     dealii::Point<3>
     point(const std::string &piece) const;
 
-    /// Returns `true` or `false`. Throws InputError for any other word,
-    /// including `yes` and `1`.
+    /// Returns `true` or `false`. Throws InputError for any other word.
     bool
     boolean() const;
 
     /// Returns the value of the enumeration @p E with this name. Throws
-    /// InputError that lists the names (Names<E>) if there is none.
+    /// InputError that lists the names if there is none.
     template <typename E>
     E
     choice() const
@@ -131,7 +121,7 @@ namespace lamella
 
     /// Returns the text, which must be among @p names of the scene's @p list.
     /// Throws InputError otherwise: `there is no KIND 'text'. The nearest of
-    /// LIST is ...` (nearest_name()).
+    /// LIST ...`
     const std::string &
     among(const std::vector<std::string> &names,
           const std::string              &kind,
@@ -144,9 +134,8 @@ namespace lamella
     std::string where, what;
   };
 
-  /// The entries of the subsection that a ParameterHandler is in, with its
-  /// path. Keeps a reference to the handler, which must stay in that
-  /// subsection.
+  /// The entries of the current subsection of a ParameterHandler, with its
+  /// path. The handler must outlive the object and stay in that subsection.
   class Entries
   {
   public:
@@ -163,13 +152,13 @@ namespace lamella
       return subsection;
     }
 
-    /// Returns the entry @p name. Throws deal.II's exception, a program error,
-    /// if it is not declared.
+    /// Returns the entry @p name, which must be declared (otherwise deal.II
+    /// throws).
     Entry
     operator[](const std::string &name) const;
 
-    /// Throws InputError for the subsection as a whole, without a value: for
-    /// conflicts between entries, or if none of several is given.
+    /// Throws InputError for the subsection as a whole, without a value, such
+    /// as conflicts between entries.
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 

@@ -7,28 +7,22 @@
 
 namespace lamella
 {
-  /**
-   * Lagrange polynomials on [0, 1] at the Gauss-Lobatto points x_i,
-   *   L_i(x) = prod_{j != i} (x - x_j) / (x_i - x_j).
-   * (They equal deal.II's Polynomials::Lagrange, but are evaluated together,
-   * with derivatives and without allocation, for the many points of contact.)
-   *
-   * Their products on the unit square are the trace functions phi_k of facets.
-   * The points include both ends, so neighbors share nodes, and interpolation
-   * is well conditioned at high degrees. They are equidistant up to degree 2.
-   */
+  /// Lagrange polynomials on [0, 1] at the Gauss-Lobatto points x_i,
+  ///   L_i(x) = prod_{j != i} (x - x_j) / (x_i - x_j).
+  /// They equal deal.II's Polynomials::Lagrange, but are evaluated together,
+  /// with derivatives and without allocation. The points include both ends, so
+  /// neighbors share nodes; they are equidistant up to degree 2. Products on
+  /// the unit square are the trace functions phi_k of facets.
   class GaussLobattoBasis
   {
   public:
     /// Largest number of functions, for arrays of fixed size.
     static constexpr unsigned int max_size = 64;
 
-    /// Constructs @p degree + 1 functions; the degree is at least 1. Throws
-    /// ExcNotImplemented for degrees of max_size and more.
+    /// Constructs @p degree + 1 functions; 1 <= degree < max_size.
     explicit GaussLobattoBasis(const unsigned int degree);
 
-    /// Returns the cached basis of @p degree, valid to the end of the program.
-    /// Not thread-safe.
+    /// Returns the cached basis of @p degree. Not thread-safe.
     static const GaussLobattoBasis &
     of_degree(const unsigned int degree);
 
@@ -47,9 +41,8 @@ namespace lamella
     }
 
     /// Evaluates the functions at @p x and, unless null, their first and second
-    /// derivatives. Arrays have room for size() numbers. Products of
-    /// differences avoid division by zero at nodes and extrapolate outside of
-    /// [0, 1]; n^2 operations for n functions.
+    /// derivatives. Arrays have room for size() numbers. Nodes and points
+    /// outside of [0, 1] are permitted. n^2 operations for n functions.
     void
     evaluate(const double x,
              double      *values,

@@ -16,8 +16,8 @@ namespace lamella
   std::vector<dealii::Point<2>>
   grid_points(const GaussLobattoBasis &s, const GaussLobattoBasis &t);
 
-  /// Computes the functions L_i(s) L_j(t) of these nodes at @p st, in their
-  /// order, and overwrites @p values.
+  /// Computes the functions L_i(s) L_j(t) of these nodes at @p st into
+  /// @p values.
   void
   evaluate_on_grid(const GaussLobattoBasis &s,
                    const GaussLobattoBasis &t,

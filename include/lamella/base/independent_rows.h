@@ -9,12 +9,11 @@
 
 namespace lamella
 {
-  /// Returns the numbers of independent rows of @p A, at most as many as
-  /// columns, by pivoted Cholesky factorization of A A^T (as LAPACK's dgeqp3 of
-  /// A^T, which chooses among equals by rounding). Each is the row with the
-  /// longest remainder without its parts along those before. Ends if the
-  /// remainder is below @p relative times the longest row: the chosen rows span
-  /// all others.
+  /// Returns the numbers of independent rows of @p A by pivoted Cholesky
+  /// factorization of A A^T (as LAPACK's dgeqp3 of A^T). Each is the row with
+  /// the longest remainder orthogonal to the rows before. Ends if the remainder
+  /// is below @p relative times the longest row: the chosen rows span all
+  /// others.
   std::vector<unsigned int>
   select_independent_rows(const dealii::LAPACKFullMatrix<double> &A,
                           const double relative = 0.);

@@ -8,15 +8,13 @@
 namespace lamella
 {
   /// Installs a handler that prints @p words (at most 1000 characters) to the
-  /// error output if the user ends the program (Ctrl-C, kill), which then ends
-  /// by that signal (exit status 130 or 143). Must be called by one thread, and
-  /// by one process of several.
+  /// error output if the user ends the program (Ctrl-C, kill). Exit status 130
+  /// or 143. Must be called by one thread, and by one process of several.
   void
   set_interruption_message(const std::string &words);
 
   /// Delays such a signal during its lifetime, so that writing completes. A
-  /// second signal of the same kind ends the program at once. No effect before
-  /// set_interruption_message().
+  /// second signal of the same kind ends the program at once.
   class SignalBlock
   {
   public:

@@ -18,27 +18,25 @@ namespace lamella
   template <int dim>
   struct InverseImage
   {
-    /// Last iterate u. For a place outside of the cube's image, in the
-    /// continuation of the map, as far as @p keep permits.
+    /// Last iterate u. Outside of the cube, the map is continued as far as
+    /// @p keep permits.
     dealii::Point<dim> unit;
-    /// Length of the last step in unit coordinates: rounding if converged, zero
-    /// for an affine map. Large if the map does not reach the place.
+    /// Length of the last step in unit coordinates: rounding if converged,
+    /// large if x(u) = x has no solution.
     double change = std::numeric_limits<double>::max();
   };
 
   /**
-   * Solves x(u) = x for a map x(u) of the unit cube by Newton's method from
-   * @p start,
+   * Solves x(u) = x for a map x(u) of the unit cube by Newton's method,
    *   u <- u + (dx/du)^-1 (x - x(u)),
-   * until the step is below 1e-14, for at most 20 steps. Used for sections,
-   * their columns, and facets that rays meet; deal.II's Mapping inverts the
-   * maps of its own cells. Throws nothing: the caller checks the residual or
-   * `change`; a singular Jacobian gives NaN.
+   * from @p start until the step is below 1e-14, for at most 20 steps. Throws
+   * no exception: the caller checks the residual or `change`; a singular
+   * Jacobian gives NaN.
    *
+   * @param start initial u
    * @param is_affine whether x(u) is affine, so that one step is exact
    * @param missing u -> (x - x(u), dx/du), both in the same unit of length
-   * @param keep u -> whether to continue; may bring u back from far outside of
-   *   the cube, where a curved map may fold
+   * @param keep u -> whether to continue; may bring u back to the cube
    */
   template <int dim, typename Missing, typename Keep>
   InverseImage<dim>
@@ -65,7 +63,7 @@ namespace lamella
   }
 
   /// Clips @p unit to [-0.5, 1.5] in each coordinate and returns true, as the
-  /// `keep` of inverse_image(). Places further out end at that border.
+  /// `keep` of inverse_image().
   template <int dim>
   bool
   clip_to_neighborhood(dealii::Point<dim> &unit)

@@ -9,8 +9,7 @@
 
 namespace lamella
 {
-  /// Returns the Lagrange polynomial of @p points that is one at point @p i, at
-  /// @p t.
+  /// Returns the Lagrange polynomial of point @p i of @p points at @p t.
   inline double
   lagrange(const std::vector<double> &points,
            const unsigned int         i,

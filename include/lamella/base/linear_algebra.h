@@ -22,9 +22,9 @@ namespace dealii::TrilinosWrappers
 
 namespace lamella
 {
-  // The one place that decides the linear algebra of the program. A vector of
-  // the whole scene has one block per body: contact couples bodies only through
-  // rows, so no matrix of the whole scene exists outside the `full` strategy.
+  // The linear algebra of the program. A vector of the scene has one block per
+  // body. Contact couples bodies only through linear functionals; only the
+  // strategy `full` has a matrix of the whole scene.
 
   /// The number of a DoF within its body, from 0; constrained DoFs count.
   using DofIndex = dealii::types::global_dof_index;
@@ -36,12 +36,11 @@ namespace lamella
   /// A Vector per body, in the order of the scene's Bodies.
   using BlockVector = dealii::BlockVector<double>;
 
-  /// A sparse matrix of one body on one process; its SparsityPattern must
-  /// outlive it.
+  /// A sparse matrix of one body on one process; refers to its SparsityPattern.
   using Matrix = dealii::SparseMatrix<double>;
 
-  /// u = G v + u_p: lines that give a DoF as an affine combination of others.
-  /// close() resolves chains and comes before any use.
+  /// u = G v + u_p: a DoF as an affine combination of others. Call close()
+  /// before any use.
   using Constraints = dealii::AffineConstraints<double>;
 
   /// Matrix and vector that processes share, each with a contiguous range of

@@ -9,33 +9,30 @@
 
 namespace lamella
 {
-  /// Bytes per MB in tables and summaries: 1024^2, unlike the 1e9 of a GB in
-  /// gigabytes() and `Memory limit`.
+  /// Bytes per MB in tables and summaries: 1024^2; a GB in gigabytes() is 1e9.
   constexpr double megabyte = 1024. * 1024.;
 
-  /// Returns the resident memory of this process in bytes (VmRSS of Linux),
-  /// including libraries and MPI's buffers.
+  /// Returns the resident memory of this process in bytes (VmRSS of Linux).
   double
   resident_memory();
   /// Returns the largest resident memory since the start (VmHWM), in bytes.
   double
   peak_memory();
 
-  /// Throws InputError if a limit on the address space (ulimit -v) is too low:
-  /// OpenBLAS would wait forever for a buffer. Must be called first.
+  /// Throws InputError if a limit on the address space (ulimit -v) is too low
+  /// for OpenBLAS. Must be called first.
   void
   require_address_space();
 
-  /// Returns the sum of @p bytes over the processes on this machine. Collective
-  /// over all processes.
+  /// Returns the sum of @p bytes over the processes on this machine.
+  /// Collective.
   double
   sum_over_machine(const double bytes);
 
   /// Returns the memory in bytes that the processes on a machine can still use
-  /// together: the machine's, or that of its control group (a container, a
-  /// batch job) if less; with a @p limit in bytes per machine (0: none), the
-  /// rest of it. The minimum over all machines, not negative. File caches count
-  /// as free. Collective.
+  /// together, the minimum over all machines. It is limited by the machine, its
+  /// control group (a container, a batch job) and @p limit, in bytes per
+  /// machine (0: none). File caches count as free. Collective.
   double
   available_memory(const double limit = 0.);
 
@@ -44,8 +41,7 @@ namespace lamella
   double
   to_bytes(const Entry &entry);
 
-  /// Returns @p bytes as in "2.4 GB" (1e9 bytes), with two digits below one GB
-  /// and three from there on.
+  /// Returns @p bytes as in "2.4 GB" (1e9 bytes), with two or three digits.
   std::string
   gigabytes(const double bytes);
 } // namespace lamella

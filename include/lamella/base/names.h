@@ -11,8 +11,7 @@
 
 namespace lamella
 {
-  /// Name of a value of the enumeration @p E; a string literal, so that lists
-  /// are constant expressions.
+  /// Name of a value of the enumeration @p E.
   template <typename E>
   struct NameOf
   {
@@ -32,14 +31,13 @@ namespace lamella
    *       {Strategy::condensed, "condensed"}, {Strategy::full, "full"}};
    *   };
    * in the order of messages. Values without a name (`undefined`) cannot be
-   * written in a scene. Enumerations without a list do not compile. Names and
-   * values must be unique; otherwise the first is used.
+   * written in a scene. Names and values must be unique.
    */
   template <typename E>
   struct Names;
 
-  /// Returns the name of @p value; empty if it has none. The second template
-  /// argument excludes types without a list from overload resolution.
+  /// Returns the name of @p value; empty if it has none. SFINAE excludes types
+  /// without a list.
   template <typename E, std::size_t = sizeof(Names<E>)>
   std::string
   name_of(const E value)
@@ -61,8 +59,7 @@ namespace lamella
     return std::nullopt;
   }
 
-  /// Returns the pattern of an entry that takes one of the names. Values that
-  /// match can be read by named() or Entry::choice().
+  /// Returns the pattern of an entry that takes one of the names.
   template <typename E>
   dealii::Patterns::Selection
   selection()

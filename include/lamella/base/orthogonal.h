@@ -7,21 +7,12 @@
 
 namespace lamella
 {
-  /**
-   * Makes @p v orthogonal to the vectors @p basis from number @p first on by
-   * Gram-Schmidt,
-   *   part_j = (v, b_j), v <- v - sum_j part_j b_j,
-   * twice, which is sufficient to rounding. @p v is not normalized: the caller
-   * decides whether the rest is rounding. Returns the sums of part_j, the
-   * coefficients of the old v, from @p first on. T is a number or a tensor.
-   * Costs 2 n m operations for m vectors of length n.
-   * (dealii::QR::append_column makes one pass against all columns, in the
-   * Euclidean product, and divides by the rest.)
-   *
-   * @param v changed in place
-   * @param basis orthonormal from number first on; each as long as v
-   * @param product symmetric, positive definite, and bilinear
-   */
+  /// Makes @p v orthogonal to the vectors @p basis from number @p first on by
+  /// Gram-Schmidt, twice against rounding,
+  ///   part_j = (v, b_j), v <- v - sum_j part_j b_j.
+  /// @p v is not normalized. @p basis is orthonormal in @p product, which is
+  /// bilinear, symmetric and positive definite. Returns the sums of part_j, the
+  /// coefficients of the old v, from @p first on. T is a number or a tensor.
   template <typename T, typename Product>
   std::vector<double>
   make_orthogonal(std::vector<T>                    &v,

@@ -9,13 +9,12 @@
 namespace lamella
 {
   /// A file that is written as PATH.new in the same folder and then renamed, so
-  /// that readers never see a part of it. If anything fails, the old file
-  /// remains.
+  /// that readers never find a part of it. The old file survives failures.
   class OutputFile
   {
   public:
-    /// Opens the file and creates the folder of @p path if needed. Throws
-    /// nothing: errors appear in commit().
+    /// Opens the file and creates the folder of @p path if needed. commit()
+    /// returns whether that failed.
     explicit OutputFile(const std::string &path);
     /// Removes a file that was not put in place.
     ~OutputFile();
@@ -29,7 +28,7 @@ namespace lamella
     }
 
     /// Closes the stream and renames the file; call it once. Returns whether
-    /// this and all writing succeeded. On failure the old file remains.
+    /// this and all writing succeeded.
     bool
     commit();
 
@@ -39,8 +38,8 @@ namespace lamella
     std::ofstream file;
   };
 
-  /// Writes @p text into the file @p path by an OutputFile; creates its folder.
-  /// Throws InputError if it fails.
+  /// Writes @p text into the file @p path by an OutputFile. Throws InputError
+  /// if it fails.
   void
   write_file(const std::string &path, const std::string &text);
 
@@ -49,8 +48,7 @@ namespace lamella
   void
   append_to_file(const std::string &path, const std::string &text);
 
-  /// Throws InputError for a file that cannot be written, with the system's
-  /// reason.
+  /// Throws InputError: @p path cannot be written, with the system's reason.
   [[noreturn]] void
   throw_cannot_write(const std::string &path);
 } // namespace lamella

@@ -12,14 +12,11 @@
 
 namespace lamella
 {
-  /// Patterns of entries: deal.II's with the ranges of a scene's numbers
-  /// (text.h: zero, or a size between 1e-30 and 1e30), and two more. A value
-  /// that does not match is rejected, with the pattern's rule, before it is
-  /// read.
+  /// Patterns of entries: deal.II's with the ranges of a scene's numbers (zero,
+  /// or a size between 1e-30 and 1e30), and two more.
   namespace patterns
   {
-    /// Returns the pattern of any number from -1e30 to 1e30. Entry::number()
-    /// rejects sizes below 1e-30 except zero.
+    /// Returns the pattern of any number from -1e30 to 1e30.
     dealii::Patterns::Double
     number();
 
@@ -27,16 +24,15 @@ namespace lamella
     dealii::Patterns::Double
     positive();
 
-    /// Returns the pattern of any number of numbers between commas; an empty
-    /// entry is an empty list.
+    /// Returns the pattern of any number of numbers between commas.
     dealii::Patterns::List
     numbers();
     /// Returns the pattern of exactly @p n numbers, as 3 of a point.
     dealii::Patterns::List
     numbers(const unsigned int n);
 
-    /// A whole number from @p least to @p most in any spelling, as 1e3 or 8.0
-    /// (which deal.II's Integer does not read).
+    /// A whole number from @p least to @p most in any spelling, such as 1e3 or
+    /// 8.0.
     class Whole : public dealii::Patterns::PatternBase
     {
     public:
@@ -46,8 +42,7 @@ namespace lamella
       /// Returns whether @p text is a valid whole number within the bounds.
       bool
       match(const std::string &text) const override;
-      /// Returns the description of deal.II's Integer with the same bounds,
-      /// which refuse() parses.
+      /// Returns the description of deal.II's Integer with the same bounds.
       std::string
       description(const OutputStyle style = Machine) const override;
       /// Returns a copy, as deal.II's ParameterHandler keeps one.
@@ -58,8 +53,7 @@ namespace lamella
       unsigned int least, most;
     };
 
-    /// A word in place of what another pattern takes: `auto`, `none`, or
-    /// nothing for an optional entry. Copies share the other pattern.
+    /// A word in place of another pattern: `auto`, `none`, or empty.
     class WordOrPattern : public dealii::Patterns::PatternBase
     {
     public:
@@ -81,17 +75,14 @@ namespace lamella
       std::shared_ptr<const dealii::Patterns::PatternBase> other;
     };
 
-    /// Returns the pattern of an optional entry: WordOrPattern with the empty
-    /// word.
+    /// Returns the pattern of an optional entry, which may be empty.
     WordOrPattern
     optional(const dealii::Patterns::PatternBase &other);
 
     /// Throws InputError for @p entry, which does not match the pattern with
     /// the machine description @p pattern. The rule is made from the
     /// description: bounds of numbers and lists, names of a selection, `, or
-    /// WORD` for WordOrPattern. Where any real number is allowed, errors of
-    /// spelling come first, so that `abc` is no number rather than out of
-    /// bounds.
+    /// WORD` for WordOrPattern.
     [[noreturn]] void
     refuse(const Entry &entry, const std::string &pattern);
 

@@ -9,13 +9,11 @@
 
 namespace lamella
 {
-  // How the processes of a run share the work: each knows the whole scene and
-  // holds whole vectors, so rows, contact and reports read as they do on one.
-  // Matrices, their solution and the loops over elements are shared: each
+  // The processes of a run: each has the whole scene and whole vectors.
+  // Matrices, their solution and the loops over elements are distributed: each
   // process has a contiguous part of a body.
 
-  /// Returns the communicator of the run, all processes started together. Only
-  /// sum_over_machine() splits it.
+  /// Returns the communicator of the run.
   inline MPI_Comm
   communicator()
   {
@@ -56,8 +54,8 @@ namespace lamella
   }
 
   /// Replaces the shares @p v by their sum over the processes, equal to the
-  /// last bit on all, so that their later decisions agree. @p v has the same
-  /// size everywhere, and zeros outside of a process's share. Collective.
+  /// last bit on all. @p v has the same size everywhere, and zeros outside of a
+  /// process's share. Collective.
   inline void
   sum_over_processes(Vector &v)
   {

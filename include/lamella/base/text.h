@@ -14,25 +14,23 @@ namespace lamella
   std::string
   trimmed(const std::string &text);
 
-  /// Returns the first 50 and last 25 characters of @p text and its length, for
-  /// messages; all of a text of up to 100.
+  /// Returns the first 50 and last 25 characters of @p text and its length; all
+  /// of a text of up to 100.
   std::string
   abridged(const std::string &text);
 
   /// Splits @p text at each @p separator outside of parentheses (muParser
-  /// expressions such as `if(y>1, 2, 0)` stay whole) and trims the pieces.
-  /// Empty pieces are kept, also at the end; a blank text has none.
+  /// expressions stay whole) and trims the pieces. Empty pieces are kept, also
+  /// at the end; a blank text has none.
   std::vector<std::string>
   split(const std::string &text, const char separator);
 
-  /// Returns @p text with each @p what, which must not be empty, replaced by
-  /// @p by. Replacements are not searched again.
+  /// Returns @p text with each @p what, not empty, replaced by @p by.
   std::string
   replaced(std::string text, const std::string &what, const std::string &by);
 
-  /// Bounds of a scene's nonzero numbers: fourth powers of them (moments of
-  /// areas), and squares of their products (stiffness times length^4), are
-  /// still doubles.
+  /// Bounds of a scene's nonzero numbers: their fourth powers (moments of
+  /// areas), and squares of stiffness times length^4, are still doubles.
   constexpr double smallest_number = 1e-30, largest_number = 1e30;
 
   /// An error in a text, in the form of Entry::refuse(): a rule without a full
@@ -44,13 +42,11 @@ namespace lamella
   };
 
   /// Returns the error if @p text does not spell one finite number within the
-  /// bounds. Point and exponent as in C; no unit, hexadecimal digits, inf or
-  /// nan. White space at the ends is ignored.
+  /// bounds. Point and exponent as in C; no unit.
   TextError
   number_error(const std::string &text);
 
-  /// Returns the number that @p text spells; undefined unless number_error()
-  /// finds no error.
+  /// Returns the number that @p text spells; requires no number_error().
   double
   to_number(const std::string &text);
 
@@ -59,8 +55,7 @@ namespace lamella
   joined(const std::vector<std::string> &names,
          const std::string              &separator = ", ");
 
-  /// Returns @p value with @p digits significant digits, as C's %g. Use 17
-  /// digits for numbers that are read again.
+  /// Returns @p value with @p digits significant digits, as `%g`.
   std::string
   to_text(const double value, const int digits = 6);
 

@@ -9,10 +9,10 @@
 
 namespace lamella
 {
-  /// The units of a scene. They label results and convert built-in materials
-  /// (in pascals); all other numbers have to be in the consistent system that
-  /// the labels name: `m, N` has stresses in Pa, `mm, N` in MPa; `none` has no
-  /// labels and converts nothing.
+  /// The units of a scene. They label results and convert built-in materials.
+  /// All other numbers must be in the consistent system of the labels: `m, N`
+  /// has stresses in Pa, `mm, N` in MPa; `none` has no labels and converts no
+  /// number.
   struct Units
   {
     /// Labels for tables and messages; empty in a scene without units.
@@ -22,8 +22,8 @@ namespace lamella
     /// Value of one pascal in the scene's unit of stress: 1e-6 for `mm, N`.
     double pascal = 1.;
 
-    /// Returns the units of `m, N`, `mm, N` or `none`; blanks around the comma
-    /// are ignored. Throws InputError for anything else.
+    /// Returns the units of `m, N`, `mm, N` or `none`. Throws InputError for
+    /// anything else.
     static Units
     parse(const Entry &entry);
   };

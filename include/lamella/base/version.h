@@ -7,13 +7,13 @@
 
 namespace lamella
 {
-  /// Returns the program version, `MAJOR.MINOR.PATCH` of CMakeLists.txt,
-  /// printed in results. A resumed run must have the same.
+  /// Returns the program version, `MAJOR.MINOR.PATCH` . A resumed run must have
+  /// the same.
   std::string
   version();
 
-  /// Returns the output of --version: version and commit, then libraries (the
-  /// BLAS as loaded) and compiler, a line each.
+  /// Returns the output of --version: versions of program, libraries and
+  /// compiler.
   std::string
   full_version();
 } // namespace lamella

@@ -13,9 +13,9 @@
 namespace lamella
 {
   /// The factor L of A = P^T L L^T P with the sparsity of a BlockPattern: the
-  /// numeric part of factorize_blocks(). A is assembled into the entries of L
-  /// on and below the diagonal and factorized in place, right-looking: each
-  /// completed block updates the later ones.
+  /// numeric part of factorize_blocks(). A is assembled into L on and below the
+  /// diagonal and factorized in place: each completed block updates the later
+  /// ones.
   class BlockFactor
   {
   public:
@@ -31,9 +31,9 @@ namespace lamella
     /// Allocates the entries of A, zero. Throws std::bad_alloc.
     void
     allocate();
-    /// Returns the address at which the entries of column DoF @p column of A in
-    /// the rows of block @p block would begin if that began with DoF 0; nullptr
-    /// above the diagonal. The two must couple.
+    /// Returns the address of the entries of column DoF @p column of A in the
+    /// rows of block @p block, as if that began with DoF 0; nullptr above the
+    /// diagonal. The two must couple.
     double *
     column_begin(const DofIndex column, const unsigned int block);
     double &
@@ -42,8 +42,7 @@ namespace lamella
     /// Replaces A by L. Throws NotPositiveDefinite; @p what names A in it.
     void
     factorize(const std::string &what);
-    /// Returns the square of the ratio of the smallest to the largest pivot, an
-    /// estimate.
+    /// Returns the squared ratio of the smallest to the largest pivot.
     double
     reciprocal_condition() const
     {

@@ -7,8 +7,7 @@
 
 namespace lamella
 {
-  /// Dense blocks of a matrix, as for a beam whose nodes have lists of dense
-  /// fields: one block per pair of nodes of an element.
+  /// Dense blocks of a matrix, one per pair of nodes of an element.
   struct DenseBlocks
   {
     /// Block g has the DoFs first[g] to first[g + 1] - 1; as many entries as
@@ -19,21 +18,18 @@ namespace lamella
   };
 
   /**
-   * Factorizes the stiffness of @p terms, condensed by @p constraints
-   * (StiffnessMatrix), block by block: A = P^T L L^T P, where P permutes blocks
-   * and keeps the order of the DoFs within each.
+   * Factorizes the stiffness of @p terms, condensed by @p constraints, block by
+   * block: A = P^T L L^T P, where P permutes blocks.
    *
-   * There is no sparse matrix: terms are assembled into L (its lower triangle
-   * by supernodes, one per block; SupernodalFactor) and factorized there by
-   * LAPACK's potrf and the BLAS's trsm, syrk and gemm. Memory is 8 bytes per
-   * nonzero of L; a sparse matrix with its copy and ordering takes several
-   * times as much. Springs and constraints may couple any blocks.
+   * Terms are assembled into L (its lower triangle by supernodes, one per
+   * block; SupernodalFactor) without a sparse matrix. They are factorized there
+   * by LAPACK's potrf and the BLAS's trsm, syrk and gemm. Memory is 8 bytes per
+   * nonzero of L. Springs and constraints may couple any blocks.
    *
    * Blocks of one clique (inner nodes of an element) are eliminated first, the
-   * others by nested dissection along their numbers, the first and the last at
-   * the end (springs may connect both ends of a body). A chain then has a fill
-   * of a few blocks per node, and a half-solved row passes through a number of
-   * blocks logarithmic in theirs.
+   * others by nested dissection along their numbers. The first and the last
+   * block are eliminated at the end. A chain then has a fill of a few blocks
+   * per node; the length of a half-solved row is logarithmic in their number.
    *
    * @p monitor receives the size before memory is allocated, then the end of
    * the assembly. Throws NotPositiveDefinite as factorize() does, with the same

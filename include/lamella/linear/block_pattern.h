@@ -14,21 +14,18 @@ namespace lamella
 {
   /// Sparsity of the factor L of a matrix of dense blocks with the elimination
   /// order: the symbolic part of factorize_blocks(). Each block is a supernode
-  /// of L; its column has the blocks with which it couples at its elimination.
-  /// Arrays are those of SupernodalFactor. Blocks are numbered in the order of
-  /// elimination.
+  /// of L. Blocks are numbered in the order of elimination.
   struct BlockPattern
   {
-    /// A block below the diagonal of a column of L: its number, and its first
-    /// row in the column.
+    /// A block below the diagonal: its number, and its first row in the column.
     struct Part
     {
       unsigned int            block;
       dealii::types::blas_int row;
     };
 
-    /// Analyzes the condensed matrix of @p terms; constraints and springs
-    /// couple blocks, too.
+    /// Analyzes the matrix of @p terms, coupled by constraints and springs,
+    /// too.
     BlockPattern(const StiffnessTerms &terms,
                  const DenseBlocks    &blocks,
                  const Constraints    &constraints);
@@ -64,8 +61,7 @@ namespace lamella
     std::vector<std::int64_t> column, first_row, first_entry, row, permutation;
 
   private:
-    /// Returns the groups of coupled blocks by their numbers in @p blocks,
-    /// which block_of must have, too.
+    /// Returns the groups of coupled blocks by their numbers in @p blocks.
     std::vector<std::vector<unsigned int>>
     cliques_of(const StiffnessTerms &terms,
                const DenseBlocks    &blocks,

@@ -10,9 +10,8 @@
 namespace lamella
 {
   /// Returns A X for a sparse matrix A and many columns X. Several columns are
-  /// processed together, adjacent in memory, so that an entry of A is read once
-  /// for all of them. Sums are in the order of the entries of A, as in a
-  /// product with one vector.
+  /// processed together, so that an entry of A is read once for all of them.
+  /// Sums have the order of a product with one vector.
   dealii::LAPACKFullMatrix<double>
   times_columns(const Matrix &A, const dealii::LAPACKFullMatrix<double> &X);
 } // namespace lamella

@@ -13,18 +13,14 @@ namespace lamella
    * Returns a solver by conjugate gradients with ML's smoothed aggregation, for
    * matrices of nodal displacements; memory and work are proportional to the
    * DoFs. Coarse levels preserve the @p near_null_space, whole vectors that
-   * vanish in constrained DoFs. Each right-hand side is iterated separately, so
-   * contact with many rows is expensive.
+   * vanish in constrained DoFs. Each right-hand side is iterated separately.
    *
    * The tolerance is |b - A x| <= 1e-11 |b| within 2000 iterations; otherwise
    * throws NumericsError, which names @p what. Chebyshev smoothing, and a
    * direct solution on the coarsest level of at most 300 unknowns. Six vectors
-   * are interpreted as the rigid motions of nodes with three DoFs each, which
-   * are aggregated together.
-   *
-   * Shares the ownership of @p matrix and copies the vectors. No condition
-   * estimate. The solved rows are RowProducts, one whole solution per row.
-   * Collective, as are all functions of the result.
+   * are interpreted as the rigid motions of nodes with three DoFs each. Shares
+   * the ownership of @p matrix. No condition estimate. Collective, as are all
+   * functions of the result.
    */
   std::unique_ptr<LinearSolver>
   make_conjugate_gradients(std::shared_ptr<const SharedMatrix> matrix,

@@ -8,15 +8,13 @@
 namespace lamella
 {
   /// The factor L of a dense symmetric positive definite matrix A = L L^T, by
-  /// LAPACK, for the condensed contact systems C + d of the active rows. n^3/3
-  /// operations to factorize, 2 n^2 to solve, 8 n^2 bytes. Serial.
+  /// LAPACK. n^3/3 operations to factorize, 2 n^2 to solve. Serial.
   class DenseCholesky
   {
   public:
     /// Factorizes the matrix given as @p n consecutive columns, of which only
-    /// the lower triangle is read. Throws NumericsError, saying that @p what is
-    /// singular, if a pivot is not positive. The n x n numbers are overwritten
-    /// by L; n may be zero.
+    /// the lower triangle is read; n may be zero. Throws NumericsError, naming
+    /// @p what, if a pivot is not positive.
     DenseCholesky(std::vector<double> matrix,
                   const unsigned int  n,
                   const char *const   what);
@@ -26,8 +24,7 @@ namespace lamella
     solve(std::vector<double> &x) const;
 
   private:
-    /// L in the lower triangle, column by column; above it the original
-    /// entries.
+    /// L in the lower triangle, by columns; original entries above.
     std::vector<double> factor;
     int                 n;
   };

@@ -7,14 +7,13 @@
 
 namespace lamella
 {
-  /// The factors P A = L U of a dense matrix with partial pivoting, by LAPACK,
-  /// for the condensed systems of frictional contact, which are not symmetric.
-  /// 2 n^3 / 3 operations to factorize, 2 n^2 to solve, 8 n^2 bytes. Serial.
+  /// The factors P A = L U of a dense matrix with partial pivoting, by LAPACK.
+  /// 2 n^3 / 3 operations to factorize, 2 n^2 to solve. Serial.
   class DenseLU
   {
   public:
-    /// Factorizes the matrix given as @p n consecutive columns. It is singular
-    /// if a pivot is zero. The n x n numbers are overwritten; n may be zero.
+    /// Factorizes the matrix given as @p n consecutive columns; n may be zero.
+    /// It is singular if a pivot is zero.
     DenseLU(std::vector<double> matrix, const unsigned int n);
 
     bool
@@ -42,12 +41,12 @@ namespace lamella
     bool                singular;
   };
 
-  /// Returns x = A^-1 b or, for dependent rows, the x of least norm sum d_i
-  /// x_i^2 among the minimizers of A x - @p b, each row weighted with 1 / sqrt
-  /// d_i, where d_i > 0 is the size of its diagonal. @p matrix has n
-  /// consecutive columns. Rows are dependent if a pivot of the weighted matrix
-  /// is below @p rounding times the largest; singular values below that share
-  /// are then zero (LAPACK's gesdd, about 20 n^3 operations).
+  /// Returns x = A^-1 b, if A is singular the x of least norm sum d_i x_i^2
+  /// among the minimizers of A x - @p b. Row i is weighted with 1 / sqrt d_i,
+  /// where d_i > 0 is the size of its diagonal. @p matrix has n consecutive
+  /// columns. A is singular if a pivot of the weighted matrix is below
+  /// @p rounding times the largest; smaller singular values are then zero
+  /// (LAPACK's gesdd).
   std::vector<double>
   solve_dependent(const std::vector<double> &matrix,
                   const std::vector<double> &d,

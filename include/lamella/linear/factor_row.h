@@ -11,9 +11,9 @@
 
 namespace lamella
 {
-  /// A row of the five matrices that form one factor of a beam stiffness, of
-  /// the axis or of the section: its ascending columns, and the entries (p, q)
-  /// = (0, 0), (0, 1), (1, 0), (1, 1) of each, that of transverse shear last.
+  /// A row of the five matrices of one factor of a beam stiffness, of the axis
+  /// or the section: its ascending columns, and the entries (p, q) = (0, 0),
+  /// (0, 1), (1, 0), (1, 1) of each, that of transverse shear last.
   struct FactorRow
   {
     std::vector<unsigned int>          columns;
@@ -21,8 +21,7 @@ namespace lamella
   };
 
   /// Returns row @p r of five matrices with one pattern; @p matrix_number(m)
-  /// returns matrix m by reference. Columns for which @p wanted is false are
-  /// omitted.
+  /// returns matrix m. Columns for which @p wanted is false are omitted.
   template <typename Factor, typename Wanted>
   FactorRow
   factor_row(const Factor      &matrix_number,

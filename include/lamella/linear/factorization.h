@@ -8,10 +8,9 @@
 
 namespace lamella
 {
-  /// Exception: a factorization failed at the DoF @p dof (of the matrix, not in
-  /// elimination order). Body::make_solver() adds its location. Usual causes
-  /// are an unconstrained rigid motion, and a slenderness or stiffness ratio
-  /// beyond double precision.
+  /// Exception: a factorization failed at the DoF @p dof of the matrix. Usual
+  /// causes are an unconstrained rigid motion, and a slenderness or stiffness
+  /// ratio beyond double precision.
   class NotPositiveDefinite : public NumericsError
   {
   public:
@@ -28,25 +27,21 @@ namespace lamella
   /**
    * Factorizes @p matrix, of which only the upper triangle is read, with
    * CHOLMOD's supernodal Cholesky factorization A = P^T L L^T P (AMD or METIS
-   * ordering, serial). The condition estimate is the square of the ratio of the
-   * largest to the smallest diagonal entry of L, accurate to an order of
-   * magnitude. The solved rows are ForwardSolvedRows.
+   * ordering, serial). The condition estimate is the squared ratio of the
+   * largest to the smallest diagonal entry of L.
    *
-   * The matrix is copied without exact zeros, which would only cause fill, and
-   * not referred to. @p monitor is called between symbolic analysis and
-   * factorization; its exceptions pass through with all memory freed. Throws
-   * NotPositiveDefinite, a NumericsError, if a pivot is not positive, naming
-   * the matrix @p what, and NumericsError if the factor does not fit in memory.
-   * Not collective.
+   * The matrix is copied without exact zeros. @p monitor is called between
+   * symbolic analysis and factorization. Throws NotPositiveDefinite, naming the
+   * matrix @p what, if a pivot is not positive, and NumericsError if the factor
+   * does not fit in memory.
    */
   std::unique_ptr<LinearSolver>
   factorize(const Matrix        &matrix,
             const std::string   &what,
             const FactorMonitor &monitor = {});
 
-  /// Matrix entries in MUMPS's coordinate format, rows and columns counted from
-  /// 1. Entries at the same place are summed, across processes, too. 16 bytes
-  /// per entry.
+  /// Matrix entries in MUMPS's coordinate format, with 1-based rows and
+  /// columns. Entries at the same place are summed, across processes, too.
   struct MatrixEntries
   {
     /// Entry k is values[k] at (rows[k], columns[k]).
@@ -54,12 +49,11 @@ namespace lamella
     std::vector<double> values;
   };
 
-  /// Entries of the upper triangle of a symmetric matrix, columns[k] >=
-  /// rows[k].
+  /// Entries of the upper triangle of a symmetric matrix.
   struct UpperTriangle : MatrixEntries
   {
-    /// Adds an entry, rows and columns counted from 0, unless it is below the
-    /// diagonal or zero.
+    /// Adds an entryunless zero or below the diagonal; @p row and @p column
+    /// count from 0.
     void
     add(const DofIndex row, const DofIndex column, const double value)
     {
@@ -71,17 +65,15 @@ namespace lamella
     }
   };
 
-  /// A matrix of constant pattern, analyzed once and factorized repeatedly,
-  /// otherwise as factorize_shared(). Used for the Newton method of the `full`
-  /// strategy, whose K + K^p (Eq. 22) keeps its pattern while contact changes.
+  /// A matrix of constant pattern, analyzed once and factorized repeatedly, for
+  /// the Newton method of the `full` strategy (K + K^p, Eq. 22).
   class RepeatedFactorization
   {
   public:
     virtual ~RepeatedFactorization() = default;
 
-    /// Factorizes the matrix with the values @p values in the pattern, in its
-    /// order and as many as it has on this process. Throws NumericsError as
-    /// factorize() does. Collective.
+    /// Factorizes the matrix with @p values in the order of this process's
+    /// pattern. Throws NumericsError as factorize() does. Collective.
     virtual void
     factorize(std::vector<double> values) = 0;
 
@@ -90,8 +82,7 @@ namespace lamella
     virtual void
     solve(Vector &x) const = 0;
 
-    /// Returns the sign of the determinant of the last factorized matrix, 1 or
-    /// -1; it is 1 for a definite one.
+    /// Returns the sign of the determinant of the last factorized matrix.
     virtual int
     sign_of_determinant() const = 0;
   };
@@ -104,9 +95,9 @@ namespace lamella
   };
 
   /// Returns a factorization for the matrix of @p n rows with the given
-  /// @p pattern, of which each process passes its part; its values are ignored
-  /// but must have the same number. @p what names the matrix in messages.
-  /// Throws NumericsError if the analysis fails. Collective.
+  /// @p pattern, of which each process passes its part. @p what names the
+  /// matrix in messages. Throws NumericsError if the analysis fails.
+  /// Collective.
   std::unique_ptr<RepeatedFactorization>
   analyze_shared(const DofIndex     n,
                  MatrixEntries      pattern,
@@ -114,16 +105,14 @@ namespace lamella
                  const std::string &what);
 
   /**
-   * Factorizes the matrix of @p n rows, of which each process holds a part of
-   * the entries, with MUMPS (multifrontal, L D L^T without pivoting) on all
-   * processes. Collective, as are all functions of the result.
+   * Factorizes the matrix of @p n rows, of which each process has a part of the
+   * entries, with MUMPS (multifrontal, L D L^T without pivoting). Collective,
+   * as are all functions of the result.
    *
-   * MUMPS is called directly, since the interfaces of deal.II and Trilinos
-   * (Amesos) treat every matrix as unsymmetric, with twice the work and memory,
-   * and solve for one right-hand side at a time, of which contact has many.
-   *
-   * The entries are freed once the factor exists. The ordering is minimum
-   * degree, and nested dissection where that would leave much fill
+   * The interfaces of deal.II and Trilinos treat every matrix as unsymmetric
+   * and solve for one right-hand side at a time, so MUMPS is called directly.
+   * The entries are freed after the factorization. The ordering is minimum
+   * degree, or nested dissection if that gives less fill
    * (doc/guides/running-in-parallel.md). Throws NumericsError as factorize()
    * does, and if entries are not finite. No condition estimate. The solved rows
    * are RowProducts.

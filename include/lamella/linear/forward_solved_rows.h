@@ -16,16 +16,15 @@ namespace lamella
   /// same rows. Supernode s has the columns column[s] to column[s+1] and the
   /// rows row[first_row[s]] to row[first_row[s+1]], beginning with its columns;
   /// its entries begin at entry[first_entry[s]], column by column. The layout
-  /// is CHOLMOD's. A view: the factor must outlive it and not change.
+  /// is CHOLMOD's. Refers to the factor.
   struct SupernodalFactor
   {
-    /// Number of rows of L and of supernodes; column, first_row and first_entry
-    /// have n_supernodes + 1 entries.
+    /// Number of rows of L and of supernodes (column, first_row and first_entry
+    /// have n_supernodes + 1 entries).
     std::size_t         n = 0, n_supernodes = 0;
     const std::int64_t *column = nullptr, *first_row = nullptr,
                        *first_entry = nullptr, *row = nullptr;
-    /// Dense blocks of all supernodes, each with as many rows as the supernode,
-    /// by columns as LAPACK and the BLAS take them.
+    /// Dense blocks of all supernodes, by columns.
     const double *entry = nullptr;
     /// Row i of P A P^T is row permutation[i] of A.
     const std::int64_t *permutation = nullptr;
@@ -33,21 +32,16 @@ namespace lamella
 
   /**
    * Half-solved rows b_k, the columns of Y = L^-1 P B^T, with B A^-1 B^T = Y^T
-   * Y.
+   * Y:
+   *   A^-1 = P^T L^-T L^-1 P, so b_i A^-1 b_j = (L^-1 P b_i) . (L^-1 P b_j).
    *
-   * A row involves a few DoFs, so its column vanishes outside the supernodes of
+   * A row involves a few DoFs. Its column vanishes outside the supernodes of
    * these DoFs and their ancestors in the elimination tree (the parent of a
-   * supernode has its first row below the columns; Gilbert 1994). Only those
-   * are computed and stored: per supernode a dense block of all columns that
-   * pass through it.
-   *
-   *   A^-1 = P^T L^-T L^-1 P, so b_i A^-1 b_j = (L^-1 P b_i) . (L^-1 P b_j):
-   *
-   * the forward substitution, in which a sparse row remains sparse, suffices
-   * for all products. Supernodes are eliminated from the leaves up for all new
-   * columns together, by LAPACK's trtrs and the BLAS's gemm. Memory is 8 bytes
-   * for each row of a supernode and column that passes through it; the root
-   * block is common to all columns, leaves to very few.
+   * supernode has its first row below the columns; Gilbert 1994). Only these
+   * entries are computed and stored, per supernode in a dense block of all
+   * columns that pass through it. Supernodes are eliminated from the leaves up
+   * for all new columns together, by LAPACK's trtrs and the BLAS's gemm. Memory
+   * is 8 bytes for each row of a supernode and column that passes through it.
    */
   class ForwardSolvedRows
   {
@@ -55,8 +49,8 @@ namespace lamella
     /// Refers to the data of @p factor, which must outlive this object.
     explicit ForwardSolvedRows(const SupernodalFactor &factor);
 
-    /// Half-solves @p rows together, which is faster per row. Repeated weights
-    /// of one DoF are summed; constants are ignored.
+    /// Half-solves @p rows together. Weights of one DoF are summed; constants
+    /// are ignored.
     void
     append(const std::vector<LinearFunctional> &rows);
 
@@ -68,15 +62,12 @@ namespace lamella
     }
 
     /// Returns y_i . y_j of the columns i from @p first on with all j, at [j *
-    /// (size() - first) + i - first]: (m - first) x m numbers, column by
-    /// column. Costs m (m - first) times the mean length of the common columns,
-    /// as dense products per supernode.
+    /// (size() - first) + i - first]: (m - first) x m numbers.
     std::vector<double>
     products(const unsigned int first) const;
 
-    /// Returns Y @p lambda, all columns, in the order of L; P^T L^-T times it
-    /// is A^-1 B^T lambda, one backward substitution for all rows by the
-    /// caller. @p lambda has one number per column; zeros are skipped.
+    /// Returns Y @p lambda in the order of L, with one number of @p lambda per
+    /// column; P^T L^-T times the result is A^-1 B^T lambda.
     Vector
     combination(const std::vector<double> &lambda) const;
 
@@ -101,29 +92,24 @@ namespace lamella
     std::size_t
     parent(const std::size_t supernode) const;
 
-    /// Allocates blocks for @p rows, the first of them column @p first of Y,
-    /// and fills in P B^T.
+    /// Fills P B^T of @p rows into new blocks, from column @p first of Y.
     void
     scatter(const std::vector<LinearFunctional> &rows,
             const unsigned int                   first);
 
-    /// Solves L_11 X = B for the last block of @p supernode, and subtracts L_21
-    /// X above.
+    /// Solves L_11 X = B for the last block of @p supernode; subtracts L_21 X.
     void
     eliminate(const std::size_t supernode);
 
-    /// Subtracts @p change, L_21 X of @p supernode, column by column, from its
-    /// ancestors.
+    /// Subtracts @p change, L_21 X of @p supernode, from its ancestors.
     void
     update_ancestors(const std::size_t          supernode,
                      const std::vector<double> &change);
 
-    /// The factor, the position of each row of A in L, and the supernode of
-    /// each column of L.
+    /// Factor, position of each row of A in L, supernode of each column of L.
     SupernodalFactor         factor;
     std::vector<std::size_t> position, supernode_of;
-    /// Blocks of each supernode, one per call of append() that passed through
-    /// it.
+    /// Blocks of each supernode, one per call of append().
     std::vector<std::vector<Block>> blocks;
     /// Number of columns of Y so far.
     unsigned int n_columns = 0;

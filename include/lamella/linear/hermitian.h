@@ -11,12 +11,10 @@
 namespace lamella
 {
   /**
-   * Solves (P + i Q) (x + i y) = f for each real right-hand side f, where P + i
-   * Q is Hermitian and positive definite: P = @p real symmetric, Q =
-   * @p imaginary antisymmetric, with the same sparsity pattern; the upper
-   * triangles are read. One complex supernodal Cholesky factorization by
-   * CHOLMOD: half the work of the real symmetric form of twice the size, and a
-   * quarter of its analysis.
+   * Solves (P + i Q) (x + i y) = f for each real right-hand side f. P + i Q is
+   * Hermitian and positive definite: P = @p real symmetric, Q = @p imaginary
+   * antisymmetric, with the same sparsity pattern; the upper triangles are
+   * read. CHOLMOD factorizes the complex matrix.
    *
    * Returns x of the first right-hand side, y of it, x of the second, and so
    * on. Throws NumericsError, naming the matrix @p what, if a pivot is not

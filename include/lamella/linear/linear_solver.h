@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `linear`: matrices and their solvers. It owns the assembled
+// The room `linear`: matrices and their solvers. It has the assembled
 // stiffness, the factorizations by CHOLMOD, MUMPS and dense blocks, conjugate
-// gradients, and the half-solved products B K^-1 B^T of contact rows, all
-// behind LinearSolver. It never depends on beams, supports or contacts.
+// gradients, and the products B K^-1 B^T of contact constraints, behind
+// LinearSolver. It is independent of beams, supports and contacts.
 
 #ifndef lamella_linear_linear_solver_h
 #define lamella_linear_linear_solver_h
@@ -40,9 +40,7 @@ namespace lamella
       {SolverKind::cg, "cg"}};
   };
 
-  /// Size of a factor from the symbolic analysis of the matrix pattern
-  /// (ordering, elimination tree), which is cheap compared with the
-  /// factorization.
+  /// Size of a factor from the symbolic analysis of the matrix pattern.
   struct FactorSize
   {
     /// Numbers stored for the factor by all processes, 8 bytes each.
@@ -52,22 +50,19 @@ namespace lamella
   };
 
   /// Callback before the memory of a factor is allocated, on all processes or
-  /// on none. An exception prevents the allocation, such as the InputError of
-  /// the memory budget.
+  /// on none. An exception prevents the allocation.
   using FactorMonitor = std::function<void(const FactorSize &)>;
 
   /// Returns a lower bound of the multiplications for a factor with @p n
-  /// columns and @p non_zeros: z^2 / n, the sum of the squares of equal
-  /// columns.
+  /// columns and @p non_zeros: z^2 / n.
   inline double
   operations_of_factor(const double non_zeros, const double n)
   {
     return non_zeros * non_zeros / n;
   }
 
-  /// Callbacks of the construction of a solver. Each may be empty. Each is
-  /// called once, in the order of declaration. `blocks` is assembled inside its
-  /// factor, whose size it reports first.
+  /// Callbacks of the construction of a solver, each optional and called once,
+  /// in the order of declaration. `blocks` reports the size first.
   struct SolverMonitor
   {
     /// Called on all processes when the matrix is assembled.
@@ -100,28 +95,20 @@ namespace lamella
    *
    * The compliance is the Schur complement of contact: with the contact forces
    * lambda and the initial gaps g_0,
-   *
    *   A v = f + B^T lambda, B v + g_0 = 0
-   *
    * is statically condensed to
-   *
-   *   (B A^-1 B^T) lambda = -(g_0 + B A^-1 f),
-   *
-   * a dense system of the size of the contact. Entry (i, j) is the gap of row i
-   * due to a unit force in row j: length/force where rows are gaps.
-   *
-   * Rows must come from LinearFunctional::reduced(), without constants and
-   * eliminated DoFs. They are numbered in the order of appending and never
-   * removed.
+   *   (B A^-1 B^T) lambda = -(g_0 + B A^-1 f).
+   * Entry (i, j) is the gap of row i due to a unit force in row j: length/force
+   * where rows are gaps. Rows must come from LinearFunctional::reduced(),
+   * without constants. They are numbered in the order of appending.
    */
   class SolvedRows
   {
   public:
     virtual ~SolvedRows() = default;
 
-    /// Solves for @p rows together, which is faster per row. Earlier rows and
-    /// their products are unchanged. Throws NumericsError if an iteration does
-    /// not converge.
+    /// Solves for @p rows together, which is faster per row. Throws
+    /// NumericsError if an iteration does not converge.
     virtual void
     append(const std::vector<LinearFunctional> &rows) = 0;
 
@@ -130,15 +117,12 @@ namespace lamella
     size() const = 0;
 
     /// Returns b_i A^-1 b_j of the rows i from @p first on with all j, at [j *
-    /// (size() - first) + i - first]: an (m - first) x m matrix, column by
-    /// column. If first is the size() before the last append(), it is what that
-    /// call added; the transposed part follows by symmetry.
+    /// (size() - first) + i - first]: an (m - first) x m matrix.
     virtual std::vector<double>
     products(const unsigned int first) const = 0;
 
-    /// Returns A^-1 B^T @p lambda with one entry of @p lambda per row: a whole
-    /// vector of the body, in which constrained DoFs are still to be
-    /// distributed.
+    /// Returns A^-1 B^T @p lambda, one entry per row: a whole vector of the
+    /// body, in which constrained DoFs are still to be distributed.
     virtual Vector
     displacement(const std::vector<double> &lambda) const = 0;
   };
@@ -150,9 +134,8 @@ namespace lamella
    * iteration. Vectors are whole on every process. Collective where processes
    * share the matrix, with the same arguments and results on all.
    *
-   * Owns its data, so the matrix may be destroyed (`cg` shares its ownership).
-   * Must outlive its SolvedRows. Refinement against the residual from strains
-   * removes the rounding errors of the assembled matrix
+   * Owns its data and must outlive its SolvedRows. Refinement against the
+   * residual from strains removes the rounding errors of the assembled matrix
    * (doc/theory/stable-basis.md).
    */
   class LinearSolver
@@ -160,9 +143,8 @@ namespace lamella
   public:
     virtual ~LinearSolver() = default;
 
-    /// Computes x = A^-1 x, with the right-hand side in @p x, whole on every
-    /// process and zero in constrained DoFs. Throws NumericsError if an
-    /// iteration does not converge.
+    /// Computes x = A^-1 x; @p x is zero in constrained DoFs. Throws
+    /// NumericsError if an iteration does not converge.
     virtual void
     solve(Vector &x) const = 0;
 
@@ -174,18 +156,16 @@ namespace lamella
         solve(one);
     }
 
-    /// Returns an empty set of solved rows that refers to this solver; several
-    /// may exist.
+    /// Returns an empty set of solved rows that refers to this solver.
     virtual std::unique_ptr<SolvedRows>
     solved_rows() const = 0;
 
-    /// Returns the largest diagonal entry of A in absolute value; force/length
-    /// for displacement DoFs.
+    /// Returns the largest diagonal entry of A in absolute value.
     virtual double
     largest_diagonal() const = 0;
 
-    /// Returns a lower bound of the condition number of A, or 0 if unknown.
-    /// CHOLMOD has one at no cost; MUMPS and conjugate gradients have none.
+    /// Returns a lower bound of the condition number of A, or 0 if unknown
+    /// (MUMPS, conjugate gradients).
     virtual double
     condition_estimate() const = 0;
 

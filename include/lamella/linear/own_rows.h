@@ -15,16 +15,10 @@
 
 namespace lamella
 {
-  /**
-   * Calls @p use(row, columns, values) for each row of @p matrix that this
-   * process owns: a number, a vector of numbers and a pointer to as many
-   * values, valid during the call. (deal.II's iterators copy a row for each
-   * entry.)
-   *
-   * Columns are numbered as in the whole matrix, in Trilinos' order, which is
-   * not sorted. The matrix must be compressed. Not collective; together the
-   * processes see each row once.
-   */
+  /// Calls @p use(row, columns, values) for each row of @p matrix that this
+  /// process owns: a number, a vector of numbers and a pointer to as many
+  /// values, valid during the call. Columns are numbered as in the whole matrix
+  /// and not sorted. The matrix must be compressed. Not collective.
   template <typename Use>
   void
   for_each_own_row(const SharedMatrix &matrix, const Use &use)

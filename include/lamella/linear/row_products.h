@@ -7,31 +7,23 @@
 
 namespace lamella
 {
-  /**
-   * Solved rows of a solver without half solutions: of A^-1 B^T only B A^-1 B^T
-   * is stored, and a displacement takes another solution. By symmetry, new
-   * columns give the products with all earlier rows, so no column is stored.
-   *
-   * m rows cost m solutions and m^2/2 numbers, 8 bytes each, on every process,
-   * where whole columns would take m times the DoFs. Used by MUMPS, which
-   * solves for many sparse right-hand sides at a time, and by conjugate
-   * gradients, which solve for one at a time.
-   */
+  /// Solved rows of a solver without half solutions (MUMPS, conjugate
+  /// gradients). It stores B A^-1 B^T only; a displacement takes another
+  /// solution. m rows cost m solutions and m^2/2 numbers, 8 bytes each, on
+  /// every process.
   class RowProducts : public SolvedRows
   {
   public:
-    /// Returns b_j A^-1 b_i of all given rows j with the rows i from @p first
-    /// on, at [(i - first) * number of rows + j]. Collective if the solver is,
-    /// with the same result on all processes.
+    /// Returns b_j A^-1 b_i of all given rows j and the rows i from @p first
+    /// on, at [(i - first) * number of rows + j]. Collective if the solver is.
     using Solve = std::function<
       std::vector<double>(const std::vector<LinearFunctional> &rows,
                           const unsigned int                   first)>;
 
-    /// Refers to @p solver, of @p n_dofs unknowns, which @p solve usually
-    /// captures.
+    /// Refers to @p solver, of @p n_dofs unknowns.
     RowProducts(const LinearSolver &solver, const DofIndex n_dofs, Solve solve);
 
-    /// Calls Solve once, for @p rows together with all earlier ones.
+    /// Calls Solve once, for @p rows with all earlier ones.
     void
     append(const std::vector<LinearFunctional> &rows) override;
 
@@ -45,7 +37,7 @@ namespace lamella
     std::vector<double>
     products(const unsigned int first) const override;
 
-    /// Costs one solution, and is as accurate as that.
+    /// Costs one solution.
     Vector
     displacement(const std::vector<double> &lambda) const override;
 
@@ -57,7 +49,7 @@ namespace lamella
     /// Rows in the order of appending.
     std::vector<LinearFunctional> rows;
     /// Products of each row with those up to the end of its batch: kept[i][j] =
-    /// b_j A^-1 b_i, the lower triangle and a little more within a batch.
+    /// b_j A^-1 b_i, the lower triangle and more.
     std::vector<std::vector<double>> kept;
   };
 } // namespace lamella

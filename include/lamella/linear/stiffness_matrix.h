@@ -16,10 +16,9 @@
 namespace lamella
 {
   /// Stiffness entries between all @p rows and all @p columns, to be added. A
-  /// beam block is one row of the Kronecker products of axis and section
-  /// matrices, sums of the fundamental nuclei (Eq. 12) over what couples with
-  /// that DoF. Other bodies may use element matrices; only the sum of all
-  /// blocks matters.
+  /// beam block is a row of the Kronecker products of axis and section
+  /// matrices, sums of the fundamental nuclei (Eq. 12). Other bodies may use
+  /// element matrices.
   struct StiffnessBlock
   {
     /// DoFs of the body before constraints. Values of common DoFs are summed.
@@ -40,12 +39,12 @@ namespace lamella
     }
   };
 
-  /// A stiffness term k r^T r: a spring to the ground along row r, with k in
-  /// force/length if r is a length. The constant part of r has no effect.
+  /// A stiffness term k r^T r: a spring to the ground along r, with k in
+  /// force/length if r is a length.
   using SpringTerm = std::pair<LinearFunctional, double>;
 
-  /// Terms of the stiffness of a body: the sum of all blocks and of k r^T r
-  /// over the springs, before condensation.
+  /// Terms of the stiffness of a bodybefore condensation, the sum of all blocks
+  /// and springs k r^T r.
   struct StiffnessTerms
   {
     /// Number of rows of the whole matrix, constrained ones included.
@@ -54,8 +53,7 @@ namespace lamella
     dealii::IndexSet owned;
     /// Calls its second argument with each block of the unconstrained
     /// stiffness, with values if the first is true: all blocks, or this
-    /// process's share in a distributed assembly. Called several times, for the
-    /// pattern and for the values.
+    /// process's share in a distributed assembly. Called several times.
     std::function<void(const bool,
                        const std::function<void(const StiffnessBlock &)> &)>
       for_each_block;
@@ -63,65 +61,54 @@ namespace lamella
     std::vector<SpringTerm> springs;
   };
 
-  /**
-   * The stiffness of a body, condensed by the homogeneous part of its
-   * constraints,
-   *
-   *   A = G^T K G, u = G v + u_p,
-   *
-   * with the stiffness K of the terms and the unconstrained DoFs v. All DoFs
-   * keep their numbers; rows and columns of constrained DoFs are empty except
-   * for a positive diagonal.
-   */
+  /// The stiffness of a body, condensed by the homogeneous part of its
+  /// constraints,
+  ///   A = G^T K G, u = G v + u_p,
+  /// with the stiffness K of the terms and the unconstrained DoFs v. All DoFs
+  /// keep their numbers; rows and columns of constrained DoFs are empty except
+  /// for a positive diagonal.
   class StiffnessMatrix
   {
   public:
     virtual ~StiffnessMatrix() = default;
 
     /// Calls @p use with row, column and value of the entries in the rows owned
-    /// by this process (all rows if serial): both triangles, zeros of the
-    /// pattern included.
+    /// by this process: both triangles, zeros of the pattern included.
     virtual void
     for_each_entry(
       const std::function<void(DofIndex, DofIndex, double)> &use) const = 0;
 
-    /// Returns the whole diagonal on every process. Collective where processes
-    /// share the matrix.
+    /// Returns the whole diagonal. Collective where processes share the matrix.
     virtual Vector
     diagonal() const = 0;
 
     /// Returns a solver, which does not refer to this object. Throws
-    /// NumericsError if the matrix is not positive definite, naming it by
-    /// @p what, such as `body 'upper'`; CHOLMOD throws NotPositiveDefinite with
-    /// the DoF. @p monitor receives the size of a factor, if there is one.
-    /// Collective where processes share the matrix.
+    /// NumericsError, naming the matrix @p what, if it is not positive
+    /// definite; CHOLMOD throws NotPositiveDefinite with the DoF. @p monitor
+    /// receives the size of a factor. Collective where processes share the
+    /// matrix.
     virtual std::unique_ptr<LinearSolver>
     factorize(const std::string   &what,
               const FactorMonitor &monitor = {}) const = 0;
 
     /// Frees the entries if factorize() has copied them before it calls its
-    /// monitor, which may call this to make room for the factor. No effect
-    /// otherwise.
+    /// monitor, which may call this to make room for the factor.
     virtual void
     release()
     {}
   };
 
   /// Assembles a deal.II SparseMatrix on one process, to be factorized by
-  /// CHOLMOD. @p constraints must be closed; neither argument is referred to
-  /// afterwards.
+  /// CHOLMOD. @p constraints must be closed.
   std::unique_ptr<StiffnessMatrix>
   assemble_serial(const StiffnessTerms &terms, const Constraints &constraints);
 
-  /**
-   * Assembles a Trilinos sparse matrix with the rows terms.owned on each
-   * process; blocks may add to rows of other processes. @p kind = mumps
-   * factorizes it; cg uses conjugate gradients, preconditioned by smoothed
-   * aggregation (ML) that preserves the @p near_null_space: displacements of
-   * almost no energy, the rigid motions. These whole vectors are copied and set
-   * to zero in constrained DoFs, whose diagonal becomes the mean of the others.
-   * @p constraints must be closed and the same on all processes. Collective.
-   */
+  /// Assembles a Trilinos sparse matrix with the rows terms.owned on each
+  /// process; blocks may add to rows of other processes. @p kind = mumps
+  /// factorizes it; cg uses conjugate gradients, preconditioned by smoothed
+  /// aggregation (ML) that preserves the @p near_null_space, such as rigid
+  /// motions. @p constraints must be closed and the same on all processes.
+  /// Collective.
   std::unique_ptr<StiffnessMatrix>
   assemble_distributed(const StiffnessTerms      &terms,
                        const Constraints         &constraints,
