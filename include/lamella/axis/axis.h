@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `axis`: the beam's other factor. It owns the mesh of the axis, which
-// is deal.II's, the axis elements B2, B3, B4, their shape functions and the
-// points that shear is taken at, and the matrices A_pq that go with the S_pq.
-// It never knows the section.
-//
-// In the paper the axis is the index i of Eq. 7, u = F_tau N_i u_(tau i): all
-// that depends on N_i(y) is here, all that depends on F_tau(x, z) in `section`.
+// The room `axis`: the mesh of a beam's axis, the axis elements B2, B3, B4,
+// their shape functions N_i(y) in u = F_tau N_i u_(tau i) (Eq. 7), the
+// integration points of shear strains, and the matrices A_pq. The functions
+// F_tau(x, z) are in the room `section`.
 
 #ifndef lamella_axis_axis_h
 #define lamella_axis_axis_h
@@ -24,42 +21,37 @@
 
 namespace lamella
 {
-  /// Description of the mesh along the axis in a scene, checked by
-  /// AxisParameters. Solids use the same pieces for extrusion; degree, nodes
-  /// and shear strains apply to beams only.
+  /// The mesh along the axis in a scene, checked by AxisParameters. Solids are
+  /// extruded with the same pieces; the rest applies to beams only.
   struct AxisMesh
   {
     /// Length of the axis, positive; y is in [0, length].
     double length = 0.;
-    /// Degree of N_i: 1, 2, 3 for B2, B3, B4. The cubic B4 is exact for a beam
-    /// that bends under forces at its ends.
+    /// Degree of N_i: 1, 2, 3 for B2, B3, B4. B4 is exact for a beam in bending
+    /// by end forces.
     unsigned int degree = 3;
-    /// Equal elements in each piece between 0, the breaks and the length: one
-    /// number more than breaks, each at least 1.
+    /// Equal elements in each piece between 0, the breaks and the length.
     std::vector<unsigned int> elements;
     /// Distances of the ends of pieces from the start, ascending, strictly
-    /// between 0 and the length. Short pieces grade a mesh towards a clamp or a
-    /// load.
+    /// between 0 and the length. Short pieces grade a mesh.
     std::vector<double> breaks;
     /// Refinement factor of automatic grading (grade_axes()), which sets
-    /// elements and breaks by the touches of the body; 0: they are given.
+    /// elements and breaks by the contacts of the body; 0: they are given.
     double refinement_factor = 0.;
     /// True if nodes are equidistant, as in the CUF literature's B4, instead of
-    /// the Gauss-Lobatto points of FE_Q. The space is the same, contact pairs
-    /// differ. No effect on B2 and B3.
+    /// the Gauss-Lobatto points of FE_Q. No effect on B2 and B3.
     bool equidistant_nodes = false;
-    /// True if transverse shear strains are assumed one degree lower (MITC),
-    /// without which B2 and B3 lock in shear.
+    /// True if transverse shear strains are assumed one degree lower (MITC).
     bool assumed_shear = false;
   };
 
-  /// Returns the lengths of the elements from the start; their sum is the
-  /// length. @p description has to be complete.
+  /// Returns the lengths of the elements from the start of the complete
+  /// @p description.
   std::vector<double>
   element_lengths(const AxisMesh &description);
 
-  /// Nonzero shape functions of an axis element at a point. With nodal values
-  /// u_i a field has
+  /// Nonzero shape functions of an axis element at a point. Nodal values u_i
+  /// have
   ///   the value sum N_i u_i,   the derivative sum N_i' u_i along y,
   ///   and in transverse shear strains the value sum N^_i u_i.
   struct AxisPoint
@@ -69,10 +61,9 @@ namespace lamella
     /// Distance from the start of the axis [length].
     double y = 0.;
     /// N_i and dN_i / dy [1/length], degree + 1 each, in the order of
-    /// Axis::nodes_of_cell(): the two ends first, as in deal.II's FE_Q.
+    /// Axis::nodes_of_cell(): the two ends first.
     std::vector<double> N, dN;
-    /// N in transverse shear strains: N itself, or its projection N^ on
-    /// polynomials of one degree less.
+    /// N in transverse shear strains: N, or its projection N^.
     std::vector<double> N_shear;
   };
 
@@ -81,29 +72,24 @@ namespace lamella
    * along y, and the four matrices of Eq. 12,
    *   A_NN = int N_i N_j,  A_NdN = int N_i N_j',  A_dNdN = int N_i' N_j'
    * and A_dNN, the transpose of A_NdN, with ' = d/dy and integrals over the
-   * length. Units: length, none, 1 / length. A row per node, with at most 2
-   * degree() + 1 entries.
+   * length. Units: length, none, 1 / length. Rows and columns are nodes.
    *
-   * In a transverse shear strain such as gamma_yz = w' + a, the slope w' has
-   * one degree less than the rotation a that cancels it in a slender beam, so
-   * that B2 and B3 lock. With assumed shear strains the rotation is
-   * interpolated at the degree() Gauss points of an element (Dvorkin and
-   * Bathe's MITC for a beam). This is its projection N^ on polynomials of one
-   * degree less, since the rest is a multiple of the Legendre polynomial that
-   * vanishes there. Since N' has that degree, int N^ N' = int N N' and int N^ N
-   * = int N^ N^: only A_shear = int N^_i N^_j is needed in addition.
+   * B2 and B3 lock in shear: in gamma_yz = w' + a, the slope w' has one degree
+   * less than the rotation a that cancels it in a slender beam. Assumed shear
+   * strains interpolate the rotation at the degree() Gauss points of an element
+   * (Dvorkin and Bathe's MITC for a beam). This is its projection N^ on
+   * polynomials of one degree less. Since N' has that degree, int N^ N' = int N
+   * N' and int N^ N = int N^ N^: only A_shear = int N^_i N^_j is needed in
+   * addition.
    *
-   * Every process has the whole axis, and owns contiguous elements (for loops)
-   * and, independently, contiguous nodes (for rows of matrices).
-   *
-   * Owns its mesh and DoF handler, on the run's communicator; immutable.
-   * Lengths are in the scene's unit, y is the body's own axis.
+   * Every process has the whole axis. It owns contiguous elements (for loops)
+   * and, independently, contiguous nodes (for rows of matrices). Lengths are in
+   * the scene's unit, y is the body's own axis. Immutable.
    */
   class Axis
   {
   public:
-    /// Meshes, numbers the nodes and integrates the matrices. @p description
-    /// has to be complete. Collective.
+    /// Meshes, numbers the nodes and integrates the matrices. Collective.
     explicit Axis(const AxisMesh &description);
 
     /// Returns the degree of N_i on an element.
@@ -141,15 +127,14 @@ namespace lamella
     }
 
     /// Returns the elements that this process integrates over, first and one
-    /// past the last; possibly none. Processes have equal numbers.
+    /// past the last; possibly none.
     std::pair<unsigned int, unsigned int>
     own_cells() const
     {
       return owned_cells;
     }
 
-    /// Returns the nodes whose rows this process keeps, first and one past the
-    /// last, independent of own_cells().
+    /// Returns the nodes of this process's rows, first and one past the last.
     std::pair<unsigned int, unsigned int>
     own_nodes() const;
 
@@ -160,8 +145,7 @@ namespace lamella
       return node_positions;
     }
 
-    /// Returns the nodes of @p cell in the order of AxisPoint::N: begin, end,
-    /// interior.
+    /// Returns the nodes of @p cell as AxisPoint::N: begin, end, interior.
     const std::vector<unsigned int> &
     nodes_of_cell(const unsigned int cell) const
     {
@@ -181,32 +165,28 @@ namespace lamella
       return cell_bounds[cell].second;
     }
 
-    /// Returns the shape functions and their derivatives by y at @p eta in [0,
-    /// 1] of @p cell, y = cell_begin + eta (cell_end - cell_begin). Values of N
-    /// below 1e-14 are exactly zero, which keeps rows at nodes short.
+    /// Returns the shape functions at y = cell_begin + @p eta (cell_end -
+    /// cell_begin) of @p cell. Values of N below 1e-14 are exactly zero.
     AxisPoint
     evaluate(const unsigned int cell, const double eta) const;
 
-    /// Returns the cells that contain @p y within @p tolerance [length], far
-    /// below an element's, with eta in [0, 1] (exactly 0 or 1 at an end within
-    /// the tolerance): two at a node between elements, none outside of the
-    /// axis. Loops over all elements.
+    /// Returns the cells that contain @p y within @p tolerance [length], with
+    /// eta in [0, 1] (exactly 0 or 1 at an end within the tolerance): two at a
+    /// node between elements, none outside of the axis.
     std::vector<std::pair<unsigned int, double>>
     locate(const double y, const double tolerance) const;
 
-    /// Returns the first cell with @p node and the node's eta in it. Loops over
-    /// all elements.
+    /// Returns the first cell with @p node and the node's eta in it.
     std::pair<unsigned int, double>
     cell_of_node(const unsigned int node) const;
 
-    /// Returns int N_i dy of each node, positive, with the sum length(). Times
-    /// an edge length in the section they are the tributary areas of contact
-    /// nodes.
+    /// Returns int N_i dy of each node. Times an edge length in the section
+    /// they are the tributary areas of contact nodes.
     std::vector<double>
     node_weights() const;
 
-    /// Returns the integration points, degree + 1 Gauss points per cell, exact
-    /// for products of two N_i, by cell, all on every process.
+    /// Returns the integration points of all cells, degree + 1 Gauss points
+    /// each, exact for products of two N_i.
     const std::vector<AxisPoint> &
     integration_points() const
     {
@@ -220,10 +200,9 @@ namespace lamella
       return weights;
     }
 
-    /// Returns a matrix of Eq. 12. p, q in {0, 1} are the orders of the
+    /// Returns a matrix of Eq. 12. @p p, @p q in {0, 1} are the orders of the
     /// derivatives of the row's and the column's function: A(0, 1) = A_NdN. All
-    /// five matrices share the sparsity pattern of nodes with a common element,
-    /// and are whole on every process.
+    /// five matrices share the sparsity pattern and are whole on every process.
     const Matrix &
     A(const unsigned int p, const unsigned int q) const
     {
@@ -231,8 +210,7 @@ namespace lamella
     }
 
     /// Returns int N^_i N^_j, or A(0, 0) without assumed shear strains. It
-    /// replaces A(0, 0) for the part of S_00 with a transverse shear strain on
-    /// either side (Section::S_shear).
+    /// replaces A(0, 0) for Section::S_shear.
     const Matrix &
     A_shear() const
     {
@@ -251,7 +229,7 @@ namespace lamella
     make_matrices();
 
     /// Returns N^_i at @p eta in [0, 1]: sum_q L_q(eta) N_i(eta_q), with the
-    /// degree() Gauss points eta_q and their Lagrange polynomials L_q.
+    /// Gauss points eta_q and their Lagrange polynomials L_q.
     std::vector<double>
     projected_shape_functions(const double eta) const;
 

@@ -19,8 +19,7 @@ namespace lamella
    *   Axis breaks      distances that end a piece      (none)
    *   Axis nodes       Gauss-Lobatto or equidistant    (Gauss-Lobatto)
    *   Shear strains    auto, assumed or full           (auto)
-   * `auto` assumes the transverse shear strains of B2 and B3, which lock
-   * otherwise, and not those of B4.
+   * `auto` is `assumed` for B2 and B3, which lock otherwise, and `full` for B4.
    */
   struct AxisParameters
   {
@@ -28,10 +27,9 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the mesh of an axis of @p length, in the scene's unit, from the
-    /// entries @p in. Throws InputError for breaks that do not ascend within
-    /// the length, and unless each piece has a whole number of elements from 1
-    /// to 100000.
+    /// Returns the mesh of an axis of @p length from the entries @p in. Throws
+    /// InputError for breaks that do not ascend within the length, and unless
+    /// each piece has from 1 to 100000 elements.
     static AxisMesh
     parse(const Entries &in, const double length);
   };

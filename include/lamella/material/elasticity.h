@@ -11,18 +11,15 @@ namespace lamella
 {
   /// A symmetric second-order tensor in the order of the paper's Eq. 4, {xx,
   /// yy, zz, xy, xz, yz}, in scene, body (x across, y along, z up) or ply axes
-  /// (11, 22, 33, 12, 13, 23). Strains have engineering shear strains gamma = 2
-  /// epsilon, so that sigma . epsilon is twice the strain energy density;
-  /// stresses have plain shear stresses.
+  /// (11, 22, 33, 12, 13, 23). Shear strains are engineering shear strains
+  /// gamma = 2 epsilon; stresses have plain shear stresses.
   using Voigt = dealii::Tensor<1, 6>;
 
   /// C of sigma = C epsilon (Eq. 6) in the order of Voigt; symmetric,
-  /// [force/length^2]. With engineering shear strains the shear moduli are on
-  /// the diagonal without a factor 2.
+  /// [force/length^2]. Its diagonal contains the shear moduli.
   using ElasticTensor = dealii::Tensor<2, 6>;
 
   /// Orthonormal, right-handed vectors e_1, e_2, e_3 as the rows of a matrix.
-  /// triad * v are the components of v along them.
   using Triad = dealii::Tensor<2, 3>;
 
   /// Returns the identity.
@@ -30,10 +27,9 @@ namespace lamella
   unit_triad();
 
   /// The nine constants of an orthotropic material in its own axes: 1 along the
-  /// fiber, 2 across it in the plane of the ply, 3 normal to the ply. Stresses
-  /// are in the units of the scene. nu_ij is the contraction along j under
-  /// tension along i, so nu_ij / E_i = nu_ji / E_j gives the other three
-  /// ratios. All are zero, which is invalid, until set.
+  /// fiber, 2 across it in the plane of the ply, 3 normal to the ply. nu_ij is
+  /// the contraction along j under tension along i: nu_ij / E_i = nu_ji / E_j.
+  /// All are zero, which is invalid, until set.
   struct EngineeringConstants
   {
     /// Young's moduli along 1, 2 and 3 [force/length^2].
@@ -44,16 +40,14 @@ namespace lamella
     double nu12 = 0., nu13 = 0., nu23 = 0.;
 
     /// Returns the isotropic material of Young's modulus @p E and Poisson's
-    /// ratio @p nu, with G = E / (2 (1 + nu)), unchecked: violated_condition()
-    /// requires -1 < nu < 1/2.
+    /// ratio @p nu, with G = E / (2 (1 + nu)), unchecked.
     static EngineeringConstants
     isotropic(const double E, const double nu);
 
-    /// Describes, with values, the first violated condition of positive
-    /// definiteness of the compliance, hence of C; empty if there is none. The
-    /// conditions (Lempriere 1968): all moduli positive, nu_ij^2 < E_i / E_j
-    /// for each pair, and 1 - nu12 nu21 - nu23 nu32 - nu13 nu31 - 2 nu21 nu32
-    /// nu13 > 0. NaN violates them.
+    /// Describes the first violated condition of positive definiteness of the
+    /// compliance; empty if there is none. The conditions (Lempriere 1968) are:
+    /// all moduli positive, nu_ij^2 < E_i / E_j for each pair, and 1 - nu12
+    /// nu21 - nu23 nu32 - nu13 nu31 - 2 nu21 nu32 nu13 > 0.
     std::string
     violated_condition() const;
 
@@ -72,34 +66,28 @@ namespace lamella
 
   /// Returns the matrix T that transforms strains (with engineering shear
   /// strains) into the axes of @p triad: epsilon' = T epsilon. Energy is
-  /// invariant, so sigma = T^T sigma' and C = T^T C' T. The rows of T are those
-  /// of epsilon'_kl = e_k . epsilon e_l. T is not orthogonal because of the
-  /// engineering shear strains: stresses transform with T^-T.
+  /// invariant, so sigma = T^T sigma' and C = T^T C' T. T is not orthogonal:
+  /// stresses transform with T^-T.
   ElasticTensor
   strain_rotation(const Triad &triad);
 
-  /// Returns C in the frame that @p triad is given in, T^T C' T, from @p local
-  /// C' in the triad's axes: from ply axes into the body's for ply_axes().
+  /// Returns T^T C' T from @p local C' in the axes of @p triad: C in the frame
+  /// of its vectors, from ply axes into the body's for ply_axes().
   ElasticTensor
   rotated(const ElasticTensor &local, const Triad &triad);
 
   /// Returns the ply axes in the body frame (x across, y along, z up) for a
-  /// fiber at @p degrees, 0 along +y and positive towards +x, rotated about z:
-  /// e_1 = (sin, cos, 0), e_3 = (0, 0, 1), e_2 = e_3 x e_1 = (-cos, sin, 0).
-  /// Sines and cosines below 1e-15 are zero, which gives cross-plies exact
-  /// zeros and sparser stiffness matrices.
+  /// fiber at @p degrees, 0 along +y and positive towards +x: e_1 = (sin, cos,
+  /// 0), e_3 = (0, 0, 1), e_2 = e_3 x e_1 = (-cos, sin, 0). Sines and cosines
+  /// below 1e-15 are zero, so cross-plies have exact zeros.
   Triad
   ply_axes(const double degrees);
 
-  /**
-   * Returns the ply axes in the body frame of a ply in the plane of y and t = y
-   * x n, with its unit normal n in the section, @p normal = (n_x, n_z), so that
-   * t = (n_z, 0, -n_x). The fiber is at @p degrees, 0 along +y and positive
-   * towards t,
-   *   e_1 = sin t + cos y,  e_3 = n,  e_2 = e_3 x e_1 = -cos t + sin y.
-   * Seen against n with +y up, positive angles lean to the right. For n = +z, t
-   * is +x: the axes above.
-   */
+  /// Returns the ply axes in the body frame of a ply in the plane of y and t =
+  /// y x n = (n_z, 0, -n_x), with its unit @p normal n = (n_x, n_z) in the
+  /// section. The fiber is at @p degrees, 0 along +y and positive towards t,
+  ///   e_1 = sin t + cos y,  e_3 = n,  e_2 = e_3 x e_1 = -cos t + sin y.
+  /// For n = +z, t is +x: the axes above.
   Triad
   ply_axes(const double degrees, const dealii::Tensor<1, 2> &normal);
 } // namespace lamella

@@ -14,11 +14,9 @@ namespace lamella
    * laminate code: angles between slashes, `+-45` (or `-+45`) for a pair,
    * brackets optionally followed by a repetition and by `s` for symmetric, as
    * in `0/90/0`, `[0/90]s`, `[0/+-45/90]2s`. Repetition precedes reflection:
-   * [0/90]2s is 0/90/0/90/90/0/90/0.
+   * [0/90]2s is 0/90/0/90/90/0/90/0. `s` reflects the whole stack.
    *
-   * Angles are arbitrary numbers. A code has at most 1000 characters and a
-   * repetition from 1 to 1000. `s` reflects the whole stack, so the middle
-   * plies are equal; a single middle ply is written out (`0/90/0`). Throws
+   * A code has at most 1000 characters and a repetition from 1 to 1000. Throws
    * InputError if the text of @p entry is no such code.
    */
   std::vector<double>

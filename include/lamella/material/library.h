@@ -17,8 +17,7 @@ namespace lamella
   library_materials();
 
   /// Returns the built-in material @p name in the stresses of @p units, with
-  /// sources in doc/reference/materials.md. Moduli and strengths are multiplied
-  /// by Units::pascal, densities by its square; hertz-200, whose modulus has no
+  /// sources in doc/reference/materials.md. hertz-200, whose modulus has no
   /// unit, is not converted. Data that a source lacks are empty. Throws
   /// InputError with the nearest name if there is none, and with the entry in
   /// the second form.

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `material`: what a body is made of. It owns the elastic constants
-// and their limits, density, expansion and strengths, the rotation of plies,
-// the code of layups, the library of built-in materials, and the law that makes
-// a stress of a strain, the only one there is. It never knows where the
-// material is: it has no meshes.
+// The room `material`: elastic constants and their limits, density, expansion
+// and strengths, the rotation of plies, codes of layups, the library of
+// built-in materials, and the constitutive law. It is independent of meshes.
 
 #ifndef lamella_material_material_h
 #define lamella_material_material_h
@@ -17,11 +15,10 @@
 
 namespace lamella
 {
-  /// Strengths of an orthotropic material in its own axes, all positive, also
-  /// in compression, in the stress unit of the scene: tension (t) and
-  /// compression (c) along 1, 2 and 3 as X, Y and Z, and shear. Set by
-  /// `Strengths` of a `subsection Material`, or as strains (engineering shear
-  /// strains) by `Ultimate strains`.
+  /// Strengths of an orthotropic material in its own axes, positive also in
+  /// compression: tension (t) and compression (c) along 1, 2 and 3 as X, Y and
+  /// Z, and shear. Also used for strains (engineering shear strains) at
+  /// failure.
   struct Strengths
   {
     /// Tension and compression along 1, 2 and 3 [force/length^2].
@@ -40,9 +37,8 @@ namespace lamella
 
   /// Slopes p of Puck's fracture curves at zero normal stress on the fracture
   /// plane, dimensionless: of shear along the fiber (l) and across it (t),
-  /// towards tension and compression. The defaults are those for carbon of
-  /// Puck, Kopp and Knops (Compos. Sci. Technol. 62 (2002) 371-378), the lower
-  /// end of the range for pt.
+  /// towards tension and compression. Defaults are for carbon (Puck, Kopp and
+  /// Knops, Compos. Sci. Technol. 62 (2002) 371-378; pt at its lower end).
   struct PuckInclinations
   {
     double pl_tension = 0.35, pl_compression = 0.3;
@@ -57,24 +53,21 @@ namespace lamella
   };
 
   /// A material in its own axes and the units of the scene. Optional data are
-  /// empty if not given. A plain value, copied into each ply.
+  /// empty if not given.
   struct Material
   {
     Material() = default;
 
-    /// Converts elastic constants, implicitly, to a material without other
-    /// data.
+    /// Converts elastic constants to a material without other data.
     Material(const EngineeringConstants &elastic)
       : elastic(elastic)
     {}
 
     /// Elastic constants; zero, which is invalid, until set.
     EngineeringConstants elastic;
-    /// Mass per volume [force s^2 / length^4]: kg/m^3 for m and N, t/mm^3 for
-    /// mm and N.
+    /// Mass per volume [force s^2 / length^4], as kg/m^3 or t/mm^3.
     std::optional<double> density;
-    /// Thermal expansion alpha_1, alpha_2, alpha_3 in the material's own axes
-    /// [1/K].
+    /// Thermal expansion alpha_1, alpha_2, alpha_3 [1/K].
     std::optional<dealii::Tensor<1, 3>> expansion;
     /// Stresses and strains at failure.
     std::optional<Strengths> strengths, ultimate_strains;
@@ -88,20 +81,16 @@ namespace lamella
   /// Materials by name in the scene, sorted.
   using Materials = std::map<std::string, Material>;
 
-  /**
-   * Linear elasticity with an initial strain epsilon_0 (heat, cure), the only
-   * conversion of strains to stresses in the program (Eq. 6 extended),
-   *   sigma = C (epsilon - epsilon_0) = dW/depsilon
-   *   W     = 1/2 (epsilon - epsilon_0) . C (epsilon - epsilon_0)
-   * with engineering shear strains (Eq. 4) and symmetric positive definite C.
-   * The part -C epsilon_0 makes stress rows affine
-   * (LinearFunctional::constant()) and loads a body without external forces.
-   */
+  /// Linear elasticity with an initial strain epsilon_0 (heat, cure), the only
+  /// constitutive law of the program (Eq. 6 extended),
+  ///   sigma = C (epsilon - epsilon_0) = dW/depsilon
+  ///   W     = 1/2 (epsilon - epsilon_0) . C (epsilon - epsilon_0)
+  /// with engineering shear strains (Eq. 4) and symmetric positive definite C.
+  /// Because of -C epsilon_0, stresses are affine functionals of the DoFs.
   class ElasticLaw
   {
   public:
-    /// Stores C and epsilon_0 in the same axes, of a section the body's
-    /// (Ply::stiffness()). Nothing is checked.
+    /// Stores C and epsilon_0 in the same axes, without checks.
     explicit ElasticLaw(const ElasticTensor &stiffness,
                         const Voigt         &initial_strain = Voigt())
       : C(stiffness)
@@ -123,15 +112,14 @@ namespace lamella
     }
 
     /// Returns C (@p strain - epsilon_0) [force/length^2], for the total strain
-    /// D u (Eq. 5) in the law's axes, in the order of Eq. 4.
+    /// D u (Eq. 5) in the law's axes.
     Voigt
     stress(const Voigt &strain) const
     {
       return C * (strain - initial);
     }
 
-    /// Returns (@p strain - epsilon_0) . C (@p strain - epsilon_0) / 2, energy
-    /// per volume [force/length^2].
+    /// Returns the strain energy density W at @p strain [force/length^2].
     double
     energy_density(const Voigt &strain) const
     {

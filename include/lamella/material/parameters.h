@@ -12,10 +12,9 @@
 namespace lamella
 {
   /// The entries of a `subsection Material NAME`: one of `Library`,
-  /// `Engineering constants` (nine) and `Isotropic` (E, nu), moduli in the
-  /// scene's unit of stress; optionally `Strengths` (nine, which replace the
-  /// library's), `Ultimate strains` (nine), `Yield`, `Core strengths` (three),
-  /// `Puck inclinations`.
+  /// `Engineering constants` (nine) and `Isotropic` (E, nu); optionally
+  /// `Strengths` (nine, which replace the library's), `Ultimate strains`
+  /// (nine), `Yield`, `Core strengths` (three), `Puck inclinations`.
   struct MaterialParameters
   {
     /// Declares the entries in the subsection that @p prm is in.
@@ -23,9 +22,8 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Returns the material in the stresses of @p units. Throws InputError
-    /// unless exactly one of the three entries is given, with nine or two
-    /// constants, positive definite, nu in (-1, 1/2); and for a library
-    /// material, except hertz-200, in a scene without units.
+    /// unless exactly one of the three entries is given, with valid constants;
+    /// and for a library material, except hertz-200, in a scene without units.
     static Material
     parse(const Entries &in, const Units &units);
   };

@@ -11,17 +11,14 @@
 
 namespace lamella
 {
-  /// Outward normals of boundaries of a section, extended to all its points:
-  /// that of the projection on the nearest side. On a side normals vary
-  /// linearly between the means with its neighbors, and the projection of x is
-  /// where x - projection is parallel to them; on short sides of a circle this
-  /// is exactly the polar direction. Sides that meet at more than 30 degrees
-  /// keep their own normals.
+  /// Outward normals of boundaries of a section, extended to all points by
+  /// projection onto the nearest side. Normals vary linearly along a side
+  /// between the means with its neighbors; x - projection is parallel to them.
+  /// Sides that meet at more than 30 degrees keep their own normals.
   class CurveNormals
   {
   public:
-    /// Collects the sides of the boundaries @p names of @p section, which must
-    /// exist.
+    /// Collects the sides of the existing boundaries @p names of @p section.
     CurveNormals(const SectionMesh              &section,
                  const std::vector<std::string> &names);
 

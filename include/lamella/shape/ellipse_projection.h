@@ -7,16 +7,14 @@
 
 namespace lamella
 {
-  /// Closest-point projection onto an ellipse with axes along x and z, the
-  /// surface that a wall follows,
+  /// Closest-point projection onto the ellipse that a wall follows,
   ///   E(phi) = center + (a cos phi, b sin phi),
   /// with the outward normal n = (b cos phi, a sin phi) over its length. Curves
   /// at a constant depth are parallel to it, and no ellipses unless a = b.
   class EllipseProjection
   {
   public:
-    /// Constructs an ellipse with semi-axes @p a along x and @p b along z, both
-    /// positive [length].
+    /// Constructs an ellipse with semi-axes @p a along x and @p b along z.
     EllipseProjection(const dealii::Point<2> &center,
                       const double            a,
                       const double            b)
@@ -26,9 +24,8 @@ namespace lamella
     {}
 
     /// Returns the parameter of the closest point to @p x, in (-pi, pi], by
-    /// Newton's method for (x - E) . E' = 0 within the quadrant, where it has
-    /// one root. Unique at depths below the smallest radius of curvature,
-    /// min(a, b)^2 / max(a, b). On a circle it is the polar angle.
+    /// Newton's method for (x - E) . E' = 0 within the quadrant. Unique at
+    /// depths below the smallest radius of curvature, min(a, b)^2 / max(a, b).
     double
     parameter(const dealii::Point<2> &x) const;
 

@@ -24,13 +24,12 @@ namespace lamella
   void
   check_cells_are_convex(const GmshMesh &mesh, const Entry &entry);
 
-  /// Throws InputError if the cells around a vertex make more than a full
-  /// angle, as cells with wrong node numbers do that overlap without a common
-  /// side.
+  /// Throws InputError if the cells around a vertex exceed a full angle:
+  /// overlapping cells with wrong node numbers.
   void
   check_angles(const GmshMesh &mesh, const Entry &entry);
 
-  /// Keeps those of @p mesh's lines that are sides at the boundary. Throws
+  /// Keeps the lines of @p mesh that are sides at the boundary. Throws
   /// InputError if a line is inside, or belongs to two boundaries.
   void
   keep_boundary_lines(GmshMesh &mesh, const Entry &entry);

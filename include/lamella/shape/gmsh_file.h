@@ -15,8 +15,7 @@
 
 namespace lamella
 {
-  /// Contents of a Gmsh mesh file. Each part has its line in the file, for
-  /// messages. gmsh.cc turns it into a SectionMesh.
+  /// Contents of a Gmsh mesh file. Each part has its line in the file.
   struct GmshFile
   {
     /// Element types, as numbered by Gmsh.
@@ -41,47 +40,33 @@ namespace lamella
     {
       /// Element type, one of the above or another of Gmsh's.
       int type = 0;
-      /// Tag of its physical group without sign (orientation); 0 if it has
-      /// none.
+      /// Tag of its physical group without sign (orientation); 0 for none.
       int          group = 0;
       unsigned int line  = 0;
-      /// Indices in @p nodes below, in the order of the file. Not set for other
-      /// types than those above.
+      /// Indices in @p nodes below. Not set for other types than those above.
       std::array<unsigned int, 4> nodes{};
     };
 
-    /// (dimension, tag) -> name of a physical group: boundaries of dimension 1,
-    /// parts of dimension 2.
+    /// (dimension, tag) -> name of a physical group.
     std::map<std::pair<int, int>, Name> names;
     /// Nodes and elements in the order of the file.
     std::vector<Node>    nodes;
     std::vector<Element> elements;
   };
 
-  /// Throws InputError: @p line, from 1, of the file that @p entry names breaks
-  /// the @p rule (`PATH = FILE: line LINE: RULE. REMEDY`).
+  /// Throws InputError `PATH = FILE: line LINE: RULE. REMEDY` of @p entry.
   [[noreturn]] void
   refuse_line(const Entry       &entry,
               const unsigned int line,
               const std::string &rule,
               const std::string &remedy = "");
 
-  /**
-   * Parses @p text, a mesh in Gmsh's text format 4.1 (written since 2019) or
-   * 2.2. Other formats are rejected, with their version and the command that
-   * converts them to 4.1.
-   *
-   * The result is consistent: counts are those announced, numbers are finite,
-   * nodes and elements are numbered once, and elements refer to existing nodes.
-   * Sections without use for a plane mesh (`$Comments`, `$Periodic`, ...) are
-   * skipped. Time and memory are proportional to the length of the text.
-   *
-   * Throws InputError of @p entry, with line, error and remedy, at the first
-   * deviation.
-   *
-   * @param text the whole file; binary files are rejected
-   * @param entry `Section NAME/File`, for messages; no file is opened here
-   */
+  /// Parses @p text, a mesh in Gmsh's text format 4.1 (written since 2019) or
+  /// 2.2. The result is consistent: numbers are finite, nodes and elements are
+  /// numbered once, and elements refer to existing nodes. Parts without use for
+  /// a plane mesh (`$Comments`, `$Periodic`) are skipped. Throws InputError of
+  /// @p entry, `Section NAME/File`, with line, error and remedy, at the first
+  /// error. No file is opened.
   GmshFile
   read_gmsh_file(const std::string &text, const Entry &entry);
 } // namespace lamella

@@ -14,9 +14,8 @@
 
 namespace lamella
 {
-  /// Iterator over the lines of a text that are not blank. Parses the words of
-  /// the current line and reports errors with its number. Keeps a reference to
-  /// the text.
+  /// Iterator over the nonblank lines of a text. Parses the words of the
+  /// current line and reports errors with its number. Refers to the text.
   struct GmshLines
   {
     /// Remedy for most errors.
@@ -70,8 +69,7 @@ namespace lamella
   /// A part of the file between `$NAME` and `$EndNAME`.
   struct GmshPart
   {
-    /// Returns the number of @p things in word @p i of the line, each of which
-    /// takes @p lines_each lines of this part.
+    /// Returns the number of @p things in word @p i, @p lines_each lines each.
     std::int64_t
     announced(const std::size_t  i,
               const std::string &things,
@@ -93,18 +91,16 @@ namespace lamella
 
 
 
-  /// Parts of a Gmsh file, in any order. Parts without use for a section are
-  /// skipped.
+  /// Parts of a Gmsh file, in any order. Unused parts are skipped.
   class GmshParts
   {
   public:
-    /// Splits @p text, keeping references to both arguments. Throws InputError
-    /// of @p entry unless it is a text file of format 4.1 or 2.2 whose parts
-    /// are closed and unique.
+    /// Splits @p text, referring to both arguments. Throws InputError of
+    /// @p entry unless the format is text, 4.1 or 2.2, with closed and unique
+    /// parts.
     GmshParts(const std::string &text, const Entry &entry);
 
-    /// Returns whether nodes and elements are in blocks (version 4.1), or
-    /// listed singly (2.2).
+    /// Returns whether nodes and elements are in blocks (version 4.1).
     bool
     in_blocks() const
     {
@@ -136,8 +132,8 @@ namespace lamella
     void
     expect_first(const std::string &name) const;
 
-    /// Returns the part @p name, whose `$NAME` is the current line, and
-    /// advances to its end. Parts that are not @p wanted may contain anything.
+    /// Returns the part @p name, which begins at the current line, and advances
+    /// to its end. Parts that are not @p wanted are not checked.
     GmshPart
     part_to_end(const std::string &name, const bool wanted);
 

@@ -14,9 +14,8 @@
 
 namespace lamella
 {
-  /// A rectangular laminated section in a scene. Plies are stacked from z = 0
-  /// upwards over the whole width. `angles`, `thicknesses` and `materials` have
-  /// one entry per ply, bottom to top.
+  /// A rectangular laminated section, stacked from z = 0 upwards. `angles`,
+  /// `thicknesses` and `materials` have one entry per ply, bottom to top.
   struct Laminate
   {
     /// Width along x [length].
@@ -30,8 +29,7 @@ namespace lamella
     /// Number of cells through the thickness, for all plies or for each.
     std::vector<unsigned int> cells_per_ply{1};
     /// Number of equal cells across the width, for each piece between
-    /// @p across_breaks, ascending positions between 0 and the width (one fewer
-    /// than pieces).
+    /// @p across_breaks, ascending positions between 0 and the width.
     std::vector<unsigned int> cells_across{1};
     std::vector<double>       across_breaks{};
 
@@ -39,9 +37,8 @@ namespace lamella
     double
     height() const;
 
-    /// Returns the plies, bottom to top, of the materials in @p library, with
-    /// bottom and top from the thicknesses. Throws std::out_of_range for an
-    /// unknown material.
+    /// Returns the plies, bottom to top, with materials from @p library. Throws
+    /// std::out_of_range for an unknown material.
     std::vector<Ply>
     plies(const Materials &library) const;
   };
@@ -49,43 +46,38 @@ namespace lamella
   /// Returns the structured mesh of @p laminate, cells_across times
   /// cells_per_ply quadrilaterals per ply. Boundaries 0 to 3 are `left` (x =
   /// 0), `right`, `bottom` (z = 0) and `top`. The material id of a cell is its
-  /// ply, bottom to top; interfaces are mesh lines.
+  /// ply.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Laminate &laminate, const Materials &materials);
 
   /**
-   * Classical lamination theory of a stack of plies about the mid-plane, N = A
+   * Classical lamination theory of a stack of plies about the mid-plane: N = A
    * e + B k, M = B e + D k in the order {yy, xx, xy}, y along the beam (Jones,
    * Mechanics of Composite Materials, 2nd ed., Eqs. 4.22 to 4.24):
-   *
    *   A = sum_k Q_k (z_k - z_k-1)
    *   B = 1/2 sum_k Q_k (z_k^2 - z_k-1^2)
    *   D = 1/3 sum_k Q_k (z_k^3 - z_k-1^3)
-   *
-   * with the plane-stress stiffness Q_k of ply k in the body's axes (sigma_zz,
-   * sigma_xz and sigma_yz condensed out of C), z from the mid-plane, strains e
-   * and curvatures k of the mid-plane, N and M forces and moments per width. A
-   * is in force/length, B in force, D in force times length. Used for
-   * comparisons and for notes on theories only.
+   * Q_k is the plane-stress stiffness of ply k in the body's axes, z the
+   * distance from the mid-plane. e and k are strains and curvatures of the
+   * mid-plane, N and M forces and moments per width. A is in force/length, B in
+   * force, D in force times length. Used for comparisons and for notes on
+   * theories only.
    */
   struct LaminateStiffness
   {
     dealii::Tensor<2, 3> A, B, D;
     /// Stiffnesses of a strip of the laminate's width b, free to contract and
-    /// twist, EA = b / a_11 [force] and EI = b / d_11 [force x length^2], with
-    /// the compliances a_11 (of e_yy to N_yy) and d_11 (of k_yy to M_yy) from
+    /// twist, EA = b / a_11 [force] and EI = b / d_11 [force x length^2]. The
+    /// compliances a_11 (of e_yy to N_yy) and d_11 (of k_yy to M_yy) are from
     /// the inverse of the 6 x 6 matrix of A, B, D.
     double EA = 0., EI = 0.;
-    /// EI of a strip free to contract without twist: the row and column of k_xy
-    /// are left out [force x length^2].
+    /// EI of a strip free to contract, but not to twist [force x length^2].
     double EI_untwisted = 0.;
-    /// Integral of G_yz over the section, C_yz,yz times the area of each ply,
-    /// without a shear correction factor [force].
+    /// Integral of C_yz,yz, without a shear correction factor [force].
     double GA = 0.;
   };
 
-  /// Computes the stiffnesses of @p plies, bottom to top, touching, from z = 0,
-  /// as those of Laminate::plies(), with @p width b [length].
+  /// Computes the stiffnesses of @p plies (Laminate::plies()) of @p width b.
   LaminateStiffness
   laminate_stiffness(const std::vector<Ply> &plies, const double width);
 } // namespace lamella

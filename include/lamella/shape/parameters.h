@@ -11,8 +11,7 @@
 
 namespace lamella
 {
-  /// The entries of a `subsection Section NAME`. All shapes share one
-  /// subsection; a table in the .cc file lists the entries of each.
+  /// The entries of a `subsection Section NAME`, in common for all shapes.
   struct SectionParameters
   {
     /// Upper limit of `Cells divided`.
@@ -27,9 +26,8 @@ namespace lamella
     /// Returns the section in @p in, lengths in the scene's unit. @p materials
     /// are the scene's names; if there is only one, sections need not name it.
     /// The path of a mesh file is relative to @p folder; the file is not read.
-    /// Throws InputError, also for entries of other shapes, and for more than
-    /// about 50,000 cells, or 10,000 in a mesh line, so that a typing error
-    /// does not exhaust the memory.
+    /// Throws InputError, also for entries of other shapes and for more than
+    /// about 50,000 cells, or 10,000 in a mesh line.
     static SectionShape
     parse(const Entries                  &in,
           const std::vector<std::string> &materials,

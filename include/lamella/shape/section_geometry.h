@@ -14,22 +14,16 @@
 
 namespace lamella
 {
-  /**
-   * The isoparametric map from the unit square to the cells of a section mesh,
-   * by FE_Q<2>(degree) nodes on the mesh's curved edges,
-   *
-   *   x(xi) = sum_i N_i(xi) x_i, J = sum_i x_i (x) grad N_i,
-   *
-   * with nodes x_i on the arcs and Lagrange polynomials N_i at Gauss-Lobatto
-   * points. Cells with straight sides are bilinear; the area of curved ones
-   * converges with the degree (doc/reference/sections.md). Shares ownership of
-   * the mesh.
-   */
+  /// The isoparametric map from the unit square to the cells of a section mesh,
+  /// by FE_Q<2>(degree) nodes x_i on the mesh's curved edges,
+  ///   x(xi) = sum_i N_i(xi) x_i, J = sum_i x_i (x) grad N_i,
+  /// with Lagrange polynomials N_i at Gauss-Lobatto points. Cells with straight
+  /// sides are bilinear; the area of curved ones converges with the degree
+  /// (doc/reference/sections.md). Shares ownership of the mesh.
   class SectionGeometry
   {
   public:
-    /// Distributes the nodes of @p degree >= 1 on all cells; common sides share
-    /// nodes.
+    /// Distributes the nodes of @p degree >= 1; common sides share nodes.
     SectionGeometry(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree);
 
@@ -40,8 +34,7 @@ namespace lamella
       return element;
     }
 
-    /// Returns the positions (x, z) of all nodes [length], numbered as by
-    /// nodes_of_cell().
+    /// Returns the positions (x, z) of all nodes [length] (nodes_of_cell()).
     const std::vector<dealii::Point<2>> &
     nodes() const
     {
@@ -63,16 +56,14 @@ namespace lamella
       return cells[cell];
     }
 
-    /// A point and the Jacobian d(x, z) / d(xi, eta), whose determinant is the
-    /// area per unit of the square.
+    /// A point and the Jacobian d(x, z) / d(xi, eta).
     struct Place
     {
       dealii::Point<2>     position;
       dealii::Tensor<2, 2> jacobian;
     };
 
-    /// Maps @p unit, in [0, 1]^2 or extrapolated. Evaluates (degree + 1)^2
-    /// shape functions, or four in a cell with straight sides.
+    /// Maps @p unit, in [0, 1]^2 or extrapolated.
     Place
     map(const unsigned int cell, const dealii::Point<2> &unit) const;
 
@@ -91,8 +82,7 @@ namespace lamella
   };
 
   /// Returns whether any edge of @p mesh is curved: its middle is off the chord
-  /// by more than 1e-12 of its length. Bilinear geometry needs no higher degree
-  /// and no additional integration points.
+  /// by more than 1e-12 of its length.
   bool
   has_curved_edges(const SectionMesh &mesh);
 } // namespace lamella

@@ -11,12 +11,10 @@
 
 namespace lamella
 {
-  /// Readers of a section's entries, one per shape, for
-  /// SectionParameters::parse(). All throw InputError.
+  /// Readers of a section's entries, one per shape. All throw InputError.
   struct ShapeReader
   {
-    /// Largest number of cells in a mesh line, against typing errors that
-    /// exhaust the memory.
+    /// Largest number of cells in a mesh line, against typing errors.
     static constexpr unsigned int max_cells_in_line = 10000;
     /// Largest number of refinements of an ellipse: 49152 cells.
     static constexpr unsigned int max_ellipse_refinements = 6;
