@@ -9,8 +9,7 @@
 
 namespace lamella
 {
-  /// Returns the places of @p section (x, z) at which stresses have no limit
-  /// (singular_corners()).
+  /// Returns the points (x, z) of @p section with singular stresses.
   std::vector<dealii::Point<2>>
   corners_of(const Section &section);
 } // namespace lamella

@@ -17,38 +17,33 @@
 
 namespace lamella
 {
-  /// Nonzero expansion functions F_tau at a point of a cell with their
-  /// derivatives and the geometry there (CrossSectionElement::evaluate()).
+  /// Nonzero expansion functions F_tau at a point of a cell, with geometry.
   struct FunctionValues
   {
-    /// Point x, z in the section's plane and Jacobian d(x, z) / d(xi, eta) of
-    /// the map from the unit square, body frame [length].
+    /// Point x, z and Jacobian d(x, z) / d(xi, eta), body frame [length].
     dealii::Point<2>     position;
     dealii::Tensor<2, 2> jacobian;
-    /// F_tau [no unit] and (dF_tau/dx, dF_tau/dz) [1 / length] in the order of
-    /// cell_functions().
+    /// F_tau [no unit] and their gradients (d/dx, d/dz) [1 / length].
     std::vector<double>               values;
     std::vector<dealii::Tensor<1, 2>> gradients;
   };
 
-  /// A point of a section's boundary or interior with its tributary length or
-  /// area, for the collocation of contact, loads and supports. Along the axis
-  /// each becomes a SurfacePoint.
+  /// A point of a section with its tributary length or area, for the
+  /// collocation of contact, loads and supports. Along the axis each becomes a
+  /// SurfacePoint.
   struct EdgePoint
   {
     /// Coordinates x, z in the section's plane [length], and the unit outward
     /// normal, the weighted mean where two sides meet.
     dealii::Point<2>     position;
     dealii::Tensor<1, 2> normal;
-    /// Tributary length [length], the integral of the point's shape function,
-    /// which sum to the length of the boundary. For points of the whole section
-    /// an area [length^2].
+    /// Tributary length [length], the integral of the point's shape function.
+    /// For points of the whole section an area [length^2].
     double weight = 0.;
     /// Flag of a corner: normals of sides differ by more than 20 degrees.
     bool corner = false;
-    /// A cell with the point, the place on its unit square, and the depth of
-    /// the cell behind the boundary, its area over the length of its side
-    /// [length]; 0 for points on no boundary.
+    /// A cell with the point, the position on its unit square, and the cell's
+    /// area over the length of its side at the boundary [length]; 0 inside.
     unsigned int     cell = 0;
     dealii::Point<2> unit;
     double           depth = 0.;
@@ -59,13 +54,11 @@ namespace lamella
    * the paper's Eq. 1 on a section mesh, immutable and sharing the mesh.
    *
    * Its first three functions are 1, (x - x_c) / h and (z - z_c) / h,
-   * differentiated analytically, so that rigid motions of the section are DoFs
-   * of their own and slender beams keep their bending energy
+   * differentiated analytically. Rigid motions of the section are then DoFs of
+   * their own, and slender beams keep their bending energy
    * (doc/theory/stable-basis.md). The others are warping: TaylorElement
    * (equivalent single layer) and LagrangeElement (layer-wise) define them.
    * Each cell is the image of the unit square under a map (xi, eta) -> (x, z).
-   * Functions are numbered over the whole section; cell_functions() returns
-   * those on a cell.
    */
   class CrossSectionElement
   {
@@ -76,8 +69,7 @@ namespace lamella
     virtual unsigned int
     degree() const = 0;
 
-    /// Returns the polynomial degree of positions and functions on a side of a
-    /// cell in its parameter, with curved sides possibly above degree().
+    /// Returns the polynomial degree of positions and functions on a side.
     virtual unsigned int
     trace_degree() const
     {
@@ -85,7 +77,7 @@ namespace lamella
     }
 
     /// Returns the number of Gauss points per direction and cell that integrate
-    /// products of two functions exactly (on straight cells).
+    /// products of two functions exactly on straight cells.
     virtual unsigned int
     n_gauss_points() const
     {
@@ -96,17 +88,16 @@ namespace lamella
     virtual unsigned int
     n_functions() const = 0;
 
-    /// Returns 0 for 1, x, z, higher for finer functions. Coarse DoFs are
-    /// eliminated first, which keeps the hierarchy.
+    /// Returns 0 for 1, x, z, higher for others. Coarse DoFs are eliminated
+    /// first.
     virtual unsigned int
     level(const unsigned int tau) const
     {
       return tau < 3 ? 0 : 1;
     }
 
-    /// Returns for functions hierarchical by degree the q of the LE-q that the
-    /// function completes (functions of degree up to q come first and span
-    /// LE-q), else degree().
+    /// Returns for functions hierarchical by degree the smallest q of LE-q that
+    /// contains the function, else degree().
     virtual unsigned int
     function_degree(const unsigned int) const
     {
@@ -114,12 +105,12 @@ namespace lamella
     }
 
     /// Returns the nonzero functions on @p cell, ascending, beginning with 0,
-    /// 1, 2. The reference stays valid.
+    /// 1, 2.
     virtual const std::vector<unsigned int> &
     cell_functions(const unsigned int cell) const = 0;
 
-    /// Returns cell_functions() and the geometry at @p unit, which may lie a
-    /// little outside of the unit square.
+    /// Returns cell_functions() and the geometry at @p unit, possibly slightly
+    /// outside of the unit square.
     virtual FunctionValues
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
 
@@ -128,24 +119,23 @@ namespace lamella
     map(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
 
     /// Returns points that determine the trace on the boundary @p boundary,
-    /// with outward normals, and as weights the integrals of nodal functions,
-    /// which sum to its length. None for an unknown name.
+    /// with outward normals and integrals of nodal functions as weights. None
+    /// for an unknown name.
     virtual std::vector<EdgePoint>
     edge_points(const std::string &boundary) const = 0;
 
     /// Returns n_functions() points that determine the expansion on the whole
-    /// section, as for a clamp (normal and weight not set).
+    /// section, without normal and weight.
     virtual std::vector<EdgePoint>
     section_points() const = 0;
 
-    /// Returns points with their areas, all positive and (on straight cells)
-    /// the whole area in sum, for end faces of a beam; normal not set.
+    /// Returns points with their areas, all positive, for end faces of a beam;
+    /// normal not set.
     virtual std::vector<EdgePoint>
     section_grid() const = 0;
 
     /// Return edge_points() and section_grid() for functions of @p degree and
-    /// less (function_degree()); for all functions if not hierarchical by
-    /// degree.
+    /// less (function_degree()).
     virtual std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary, const unsigned int) const
     {
@@ -157,8 +147,8 @@ namespace lamella
       return section_grid();
     }
 
-    /// Returns the sides on boundary @p name as pairs of cell and face, by
-    /// cell. Faces are xi = 0, xi = 1, eta = 0, eta = 1 (deal.II's).
+    /// Returns the sides on boundary @p name as pairs of cell and face,
+    /// numbered as deal.II's, by cell.
     std::vector<std::pair<unsigned int, unsigned int>>
     boundary_faces(const std::string &name) const;
 
@@ -195,14 +185,12 @@ namespace lamella
       return length;
     }
 
-    /// Returns the box of the mesh's vertices [length]; curved edges may leave
-    /// it a little.
+    /// Returns the box of the mesh's vertices [length].
     dealii::BoundingBox<2>
     bounding_box() const;
 
   protected:
-    /// Returns 1, (x - x_c) / h, (z - z_c) / h with exact gradients and the
-    /// given geometry; derived classes append further functions.
+    /// Returns 1, (x - x_c) / h, (z - z_c) / h with exact gradients.
     FunctionValues
     linear_functions(const dealii::Point<2>     &position,
                      const dealii::Tensor<2, 2> &jacobian) const;
@@ -214,10 +202,9 @@ namespace lamella
       double               weight = 0.;
     };
 
-    /// Adds a side's @p share of normal and length, of the point's nodal
-    /// function, to @p point, where the side has the normal @p own_normal;
-    /// marks corners of more than 20 degrees. The caller finally normalizes the
-    /// sum of normals.
+    /// Adds a side's @p share of normal and length to @p point, where the side
+    /// has the normal @p own_normal; marks corners. The caller finally
+    /// normalizes the sum of normals.
     static void
     add_side(EdgePoint                  &point,
              const SideShare            &share,
@@ -235,13 +222,12 @@ namespace lamella
     EdgePoint
     point_at(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// Returns the depth of @p cell behind its side @p face, area over length
-    /// of side, at the middle of the side [length].
+    /// Returns the area of @p cell over the length of side @p face [length].
     double
     depth(const unsigned int cell, const unsigned int face) const;
 
     /// Sets (x_c, z_c) to the centroid of the cells with straight sides, h to
-    /// half the diagonal of the bounding box. @p mesh is not null.
+    /// half the diagonal of the bounding box.
     explicit CrossSectionElement(std::shared_ptr<const SectionMesh> mesh);
 
     /// Section mesh; (x_c, z_c) and h [length].
@@ -250,15 +236,15 @@ namespace lamella
     double                             length;
   };
 
-  /// Returns the point of the unit square at @p t in [0, 1] of @p face, along
-  /// eta on faces 0 and 1, along xi on 2 and 3.
+  /// Returns the point of the unit square at @p t in [0, 1] of @p face. Faces 0
+  /// and 1 are along eta, faces 2 and 3 along xi.
   dealii::Point<2>
   face_point(const unsigned int face, const double t);
 
-  /// Returns the outward normal, scaled with the length [length] of @p face per
-  /// unit of its parameter, for the Jacobian @p jacobian of the cell's map and
-  /// the face's normal N on the unit square, by Nanson's formula,
-  ///   n ds = det(J) J^-T N dt.
+  /// Returns the outward normal, scaled with the length of @p face per unit of
+  /// its parameter, by Nanson's formula
+  ///   n ds = det(J) J^-T N dt
+  /// with the @p jacobian J and the face's normal N on the unit square.
   dealii::Tensor<1, 2>
   scaled_face_normal(const unsigned int          face,
                      const dealii::Tensor<2, 2> &jacobian);

@@ -14,25 +14,23 @@ namespace lamella
   /// Displacement gradient in body axes, H[i][c] = d u_c / d x_i [no unit].
   using Gradient = dealii::Tensor<2, 3>;
 
-  /// Returns d Phi / dx and d Phi / dz [1 / length] of field number @p a at
-  /// @p point of a section.
+  /// Returns d Phi / dx and d Phi / dz [1 / length] of field @p a at @p point.
   std::array<dealii::Tensor<1, 3>, 2>
   field_derivatives(const SectionPoint &point, const unsigned int a);
 
-  /// Returns H at @p point with the coefficients @p q of its fields, in their
-  /// order, at station @p k.
+  /// Returns H at @p point with the coefficients @p q at station @p k.
   Gradient
   gradient_at(const SectionPoint &point,
               const FieldParts   &q,
               const unsigned int  k);
 
-  /// Returns Green's strain of the gradient @p H, order of Voigt, shears twice,
+  /// Returns Green's strain of @p H, order of Voigt, shears twice,
   ///   E_ij = (H_ij + H_ji + sum_c H_ic H_jc) / 2.
   Voigt
   green_strain(const Gradient &H);
 
   /// Returns the first Piola-Kirchhoff stress S (1 + H), one row per direction,
-  /// from @p second, the second one S in the order of Voigt.
+  /// from the @p second, S in the order of Voigt.
   dealii::Tensor<2, 3>
   first_stress(const Gradient &H, const Voigt &second);
 
@@ -42,8 +40,8 @@ namespace lamella
   Voigt
   predicted_strain(const Gradient &H, const Gradient &dH);
 
-  /// Returns the symmetric derivative of first_stress() by H where S = C E has
-  /// the C of @p law, with row and column 3 i + c for H[i][c],
+  /// Returns the symmetric derivative of first_stress() by H for S = C E, with
+  /// row and column 3 i + c for H[i][c] and C of @p law,
   ///   (dE/dH)^T C dE/dH + S_ij delta_cd.
   /// @p second is the S of the second term, that of predicted_strain() (mixed
   /// integration points: Magisano, Leonetti and Garcea, Int. J. Numer. Meth.
@@ -51,8 +49,7 @@ namespace lamella
   dealii::Tensor<2, 9>
   green_tangent(const Gradient &H, const Voigt &second, const ElasticLaw &law);
 
-  /// Returns the geometric part S_ij delta_cd of green_tangent() for a constant
-  /// second stress @p second.
+  /// Returns the geometric part S_ij delta_cd of green_tangent().
   dealii::Tensor<2, 9>
   stress_tangent(const Voigt &second);
 
@@ -76,7 +73,7 @@ namespace lamella
 
     /// Returns R^T sigma R = U S U / det U, order of Voigt: Cauchy's stress
     /// sigma = F S F^T / det F in axes that rotate with the material. @p second
-    /// is the second Piola-Kirchhoff stress S.
+    /// is S.
     Voigt
     corotated_stress(const Voigt &second) const;
 
@@ -91,8 +88,8 @@ namespace lamella
   /// Measures of rotation and stretch of the material.
   struct Stretch
   {
-    /// Angle [rad], largest principal value of |E|, and |E_yy|; over the points
-    /// of a section the largest, for E_yy the root mean square.
+    /// Angle [rad], largest principal value of |E|, and |E_yy|; the largest
+    /// over a section, for E_yy the root mean square.
     double rotation = 0., strain = 0., along = 0.;
   };
   Stretch

@@ -13,31 +13,30 @@ namespace lamella
 {
   /**
    * The total Lagrangian operator of a section with finite rotations, by the
-   * points of the section. With the displacement gradient, sums over fields
-   *   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z,
+   * points of the section. The displacement gradient has sums over fields,
+   *   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z.
    * Green's strain E and the second Piola-Kirchhoff stress S = C E of small
-   * strains, per length of the beam (integrals over the undeformed section)
+   * strains give, per length of the beam (over the undeformed section)
    *   energy = int E . C E / 2 dA,   W = int dE/dq^T S dA,
    *   dW/dq = int (dE/dq)^T C dE/dq + S_ij (dH_i/dq)^T dH_j/dq dA.
-   * At q = 0 these are the matrices of SectionOperator, over the same points.
+   * The matrices at q = 0 are those of SectionOperator.
    *
-   * In elements of degree 3, bending has degree 2 and the squares in E_yy have
-   * degree 4. Terms that cannot cancel cause locking and stress oscillations.
-   * So E_yy is an assumed strain of degree 2. From its values at the stations
-   * (Gauss weights w_k of sum 1) the part of degree 3 is subtracted,
+   * Bending has degree 2 in elements of degree 3, and the squares in E_yy have
+   * degree 4. Terms that cannot cancel cause locking and stress oscillations,
+   * so E_yy is an assumed strain of degree 2. The part of degree 3 of its
+   * values at the stations (Gauss weights w_k of sum 1) is subtracted,
    *   E_k - l_k sum_m w_m l_m E_m,   l_k = sqrt(7) P_3 at station k,
    * which is zero for strains that are linear in q.
    *
-   * For sections whose strains are those of their displacements, including all
-   * affine maps of the section: LE, TE-2 and up. Fields of LE are sparse; the
-   * derivative comes cell by cell. Refers to the space.
+   * For sections whose strains are those of their displacements: LE, TE-2 and
+   * up. Fields of LE are sparse; the derivative comes cell by cell. Refers to
+   * the space.
    */
   class FiniteStrainSectionOperator
   {
   public:
-    /// Constructs the operator for @p n_stations stations per element. Asserts
-    /// that the section completes no strains (StrainCompletion) and the space
-    /// has no modes.
+    /// Constructs the operator for @p n_stations stations per element. The
+    /// section completes no strains (StrainCompletion); the space has no modes.
     FiniteStrainSectionOperator(const SectionSpace &space,
                                 const unsigned int  n_stations);
 
@@ -45,18 +44,17 @@ namespace lamella
     SectionForces
     forces(const FieldParts &q) const;
 
-    /// Returns the largest values at the points, and of means over the section,
-    /// at the stations of @p q.
+    /// Returns the largest values at the points and stations, for coefficients
+    /// @p q; for means, those over the section.
     Stretch
     largest(const FieldParts &q) const;
 
-    /// Returns the fields of each section cell, in the order of
-    /// for_each_cell().
+    /// Returns the fields of each cell, in the order of for_each_cell().
     std::vector<const std::vector<unsigned int> *>
     fields_of_cells() const;
 
-    /// Derivative of the work at the points of a cell, symmetric: a row and a
-    /// column for each value and then each derivative of its fields.
+    /// Derivative of the work at the points of a cell, symmetric: rows for each
+    /// value, then each derivative of its fields.
     struct CellTangent
     {
       const std::vector<unsigned int> *fields = nullptr;
@@ -67,9 +65,9 @@ namespace lamella
     };
 
     /// Calls @p use with the tangents of each cell, one for each station @p q
-    /// of an element, after the @p correction (predicted_strain()). With the
-    /// sums over the stations X of w_k l_k stretch and Y of w_k l_k on_stretch,
-    /// the assumed strain subtracts Y^T X + X^T Y times the element's length.
+    /// of an element, after the @p correction (predicted_strain()). X is the
+    /// sum over the stations of w_k l_k stretch, Y that of w_k l_k on_stretch.
+    /// The assumed strain subtracts Y^T X + X^T Y times the element's length.
     void
     for_each_cell(
       const FieldParts                                            &q,
@@ -83,9 +81,9 @@ namespace lamella
       return weights[k] * modes[k];
     }
 
-    /// Calls @p use with the geometric part of the tangent of each cell for a
-    /// constant stress, int S_ij (dH_i/dq)^T dH_j/dq dA, where @p stress gives
-    /// S at a point of a cell.
+    /// Calls @p use with the geometric part of the tangent of each cell, int
+    /// S_ij (dH_i/dq)^T dH_j/dq dA, for the constant S that @p stress gives at
+    /// a point of a cell.
     void
     for_each_cell_of_stress(
       const std::function<Voigt(const unsigned int, const dealii::Point<2> &)>
@@ -101,8 +99,7 @@ namespace lamella
       dealii::Point<2> position;
     };
     /// Points with the same fields, and the matrix G of H at them for unit
-    /// values and then unit derivatives of each field, nine rows per point,
-    /// H_x, H_y, H_z.
+    /// values, then unit derivatives of each field: nine rows per point.
     struct Cell
     {
       const std::vector<unsigned int> *fields = nullptr;
@@ -115,15 +112,15 @@ namespace lamella
     lower(std::vector<Voigt> &values) const;
 
     /// Returns the tangent at a station of @p cell for @p H and @p second
-    /// stresses at its points.
+    /// stresses.
     static CellTangent
     tangent_at(const Cell                  &cell,
                const std::vector<Gradient> &H,
                const std::vector<Voigt>    &second);
 
     /// Returns at each station the first Piola-Kirchhoff stresses at the points
-    /// of @p cell times their areas, nine numbers each, from the gradients @p H
-    /// there. Adds the energy per length of each station to @p energy.
+    /// of @p cell times their areas, from the gradients @p H. Adds the energy
+    /// per length of each station to @p energy.
     std::vector<Vector>
     first_stresses(const Cell                               &cell,
                    const std::vector<std::vector<Gradient>> &H,

@@ -17,9 +17,8 @@ namespace lamella
   ///   (1 - L_q) v,
   /// with L_q the interpolation by cells at the Gauss-Lobatto points of degree
   /// q. It drops the integrated Legendre polynomials of degrees above q in a
-  /// direction, which vanish there, and neighbors agree on their common side.
-  /// (A least-squares projection over the section would distort stiff faces to
-  /// fit a soft core.) It works for any basis, by nodal values,
+  /// direction, which vanish there; neighbors agree on their common side. It
+  /// works for any basis, by nodal values,
   ///   E c' = (1 - L_q) c at the nodes,
   /// with E factorized once. Refers to the section.
   class HierarchicalSurplus
@@ -38,13 +37,13 @@ namespace lamella
       return section.element().degree();
     }
 
-    /// Removes the part in LE-@p q, @p q from 1 to degree() - 1, from the
-    /// coefficients @p c of the section's fields.
+    /// Removes the part in LE-@p q, 0 < q < degree(), from the coefficients
+    /// @p c.
     void
     remove_lower_degree(const unsigned int q, Vector &c) const;
 
   private:
-    /// Returns the displacement at a place of @p cell, one row per component,
+    /// Returns the displacement at a point of @p cell, one row per component,
     /// in terms of coefficients of the fields.
     std::array<LinearFunctional, 3>
     displacement(const unsigned int cell, const dealii::Point<2> &unit) const;

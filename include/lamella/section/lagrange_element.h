@@ -19,19 +19,20 @@ namespace lamella
    * The Lagrange expansion LE-p (Eq. 3): deal.II's FE_Q<2>(p) on the section
    * mesh, L4, L9 and L16 for p = 1, 2, 3 (nodes are Gauss-Lobatto points). The
    * geometry is isoparametric, so x and z are in the span of the nodal
-   * functions, and each basis below spans exactly LE.
+   * functions, and each basis below spans exactly LE. With cells in each ply
+   * this is the layer-wise (LW) expansion: u is continuous, transverse strains
+   * may jump at interfaces.
    *
    * In general 1, (x - x_c)/h, (z - z_c)/h replace the nodal functions of three
    * nodes not on a line; the other nodal functions are warping.
    *
-   * On a rectangular grid much wider than high, digits are lost across the
-   * width as along a slender axis. There the basis is built in columns: with
-   * G_i(x) the sum of the nodal functions of the column at x_i, G_i and G_i (z
-   * - z_c) / h_z, differentiated analytically in z, replace two nodes of each
-   * column, and 1, x, z three of these. (If much higher than wide, x and z are
-   * exchanged.)
+   * A rectangular grid much wider than high loses digits across the width as
+   * along a slender axis, so its basis is built in columns. With G_i(x) the sum
+   * of the nodal functions of the column at x_i, the functions G_i and G_i (z -
+   * z_c) / h_z replace two nodes of each column, and 1, x, z three of these. (x
+   * and z are exchanged if the grid is much higher than wide.)
    *
-   * If nodes of one beam carry LE-1, LE-2, ... the basis is *hierarchical* by
+   * If nodes of one beam have LE-1, LE-2, ... the basis is *hierarchical* by
    * degree, as deal.II's FE_Q_Hierarchical: the bilinear functions of the
    * vertices, and products
    *   l_i(xi) l_j(eta),   max(i, j) = 2, 3, ..., p,
@@ -41,38 +42,30 @@ namespace lamella
    * ends), on edges if i or j is below 2, else inside of a cell. The sign of
    * odd ones on an edge follows its direction, from the vertex of the smaller
    * number. 1, x, z replace three vertices. Functions are numbered by degree:
-   * those up to degree q span LE-q, so that LE-1 < LE-2 < ... share one set of
-   * S_pq. (It is not the default: for a single LE-p, factors and rows of
-   * contact fill by some per cent more, and condition numbers double;
-   * doc/theory/theories.md.)
+   * those up to degree q span LE-q, so that LE-1, LE-2, ... share one set of
+   * S_pq. Factors are larger and condition numbers double
+   * (doc/theory/theories.md).
    *
-   * On curved cells the map is of degree p for all functions. 1, x, z are
-   * functions of their own, so rigid motions are exact in each part, but the
-   * part q is not exactly LE-q on cells of its own shape.
-   *
-   * With cells in each ply this is the layer-wise (LW) expansion: u is
-   * continuous, transverse strains may jump at interfaces, and transverse
-   * stresses need not. n_functions() is the number of nodes; (p + 1)^2
-   * functions live on a cell, besides the three linear ones and two per column.
+   * The map on curved cells is of degree p for all functions. Rigid motions are
+   * exact in each part, but the part q is not exactly LE-q on cells of its own
+   * shape.
    */
   class LagrangeElement : public CrossSectionElement
   {
   public:
-    /// Kind of basis: nodal, in columns for slender sections, or hierarchical,
-    /// without columns.
+    /// Kind of basis: nodal (in columns if slender), or hierarchical.
     enum class Basis
     {
       nodal,
       hierarchical
     };
 
-    /// Ratio of the sides of a grid from which columns are used. Below it they
-    /// only cost, as their functions couple with more.
+    /// Ratio of the sides of a grid from which columns are used.
     static constexpr double default_column_aspect = 100.;
 
-    /// Constructs LE of @p degree from 1; shares @p mesh. @p column_aspect is
-    /// the ratio of long to short side of a rectangular grid from which a nodal
-    /// basis is built in columns.
+    /// Constructs LE of @p degree; shares @p mesh. @p column_aspect is the
+    /// ratio of sides of a rectangular grid from which a nodal basis has
+    /// columns.
     LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree,
                     const double column_aspect = default_column_aspect,
@@ -97,17 +90,15 @@ namespace lamella
       return levels.size();
     }
 
-    /// Returns 0 for 1, x, z; 1 for warping, but with columns 1 for functions
-    /// of whole columns and 2 for other nodal functions; the degree of
-    /// hierarchical functions.
+    /// Returns 0 for 1, x, z; else 1 (with columns 2 for functions of single
+    /// nodes); the degree of hierarchical functions.
     unsigned int
     level(const unsigned int tau) const override
     {
       return levels[tau];
     }
 
-    /// Returns for a hierarchical basis the q of the LE-q that the function
-    /// completes; 1, x, z belong to LE-1. Else degree().
+    /// Returns for a hierarchical basis the q of the function, else degree().
     unsigned int
     function_degree(const unsigned int tau) const override
     {
@@ -120,7 +111,7 @@ namespace lamella
       return cells[cell].numbers;
     }
 
-    /// Returns values, with those below 1e-14 set to 0 for short rows at nodes.
+    /// Returns values, with those below 1e-14 set to 0.
     FunctionValues
     evaluate(const unsigned int      cell,
              const dealii::Point<2> &unit) const override;
@@ -131,8 +122,7 @@ namespace lamella
       return geometry.map(cell, unit);
     }
 
-    /// Returns the nodes on the boundary; normals and weights are integrals of
-    /// nodal functions along the sides.
+    /// Returns the nodes on the boundary, weighted by their functions.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
@@ -143,13 +133,11 @@ namespace lamella
       return section_grid();
     }
 
-    /// Returns the nodes with integrals of nodal functions as weights
-    /// [length^2].
+    /// Returns the nodes, weighted by integrals of nodal functions [length^2].
     std::vector<EdgePoint>
     section_grid() const override;
 
-    /// Return for a hierarchical basis the nodes of LE-q, in the map of degree
-    /// p.
+    /// Return for a hierarchical basis the nodes of LE-q.
     std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary,
                        const unsigned int degree) const override;
@@ -157,12 +145,11 @@ namespace lamella
     coarse_section_grid(const unsigned int degree) const override;
 
   private:
-    /// A nonzero function on a cell: the sum of the nodal functions of @p nodes
-    /// (local numbers), for a slope times the coordinate z along the column.
+    /// A nonzero function on a cell, of nodal functions N_i of @p nodes (local
+    /// numbers) and the coordinate z along a column.
     ///   nodal         N_i
     ///   column        G = sum N_i over the column's nodes on the cell
     ///   column_slope  G (z - z_c) / h_z
-    /// The derivative of G along the column is exactly zero.
     struct LocalFunction
     {
       enum class Kind
@@ -177,8 +164,7 @@ namespace lamella
       std::vector<unsigned int> nodes;
     };
 
-    /// A hierarchical function on a cell: sign l_i(xi) l_j(eta), with its
-    /// number in the whole section.
+    /// A hierarchical function on a cell, sign l_i(xi) l_j(eta).
     struct Product
     {
       unsigned int                number;
@@ -195,8 +181,8 @@ namespace lamella
       std::vector<Product>       products;
     };
 
-    /// A grid of nodes: their places along the long side (column) and the short
-    /// side, from 0 in ascending coordinates. n_columns is 0 if there is none.
+    /// A grid of nodes: their positions along the long side (column) and the
+    /// short side, from 0, ascending. n_columns is 0 if there is no grid.
     struct Grid
     {
       std::vector<unsigned int> column, place;
@@ -209,14 +195,12 @@ namespace lamella
       return basis == Basis::hierarchical;
     }
 
-    /// Returns three of @p nodes to replace: two far apart, and one off their
-    /// line.
+    /// Returns three of @p nodes to replace, far from a line.
     std::array<unsigned int, 3>
     replaced_nodes(const std::vector<dealii::Point<2>> &nodes) const;
 
     /// Returns the grid of columns across long_side, empty if the section is
-    /// not slender or the number of nodes is not that of distinct x times that
-    /// of distinct z.
+    /// not slender or no rectangular grid.
     Grid
     find_grid(const double column_aspect) const;
 
@@ -224,8 +208,7 @@ namespace lamella
     void
     number_nodal_functions();
 
-    /// Function numbers in columns: constants and slopes of columns, and those
-    /// of nodes; 0 for none.
+    /// Function numbers: constants and slopes of columns, and nodes; 0: none.
     struct ColumnNumbers
     {
       std::vector<unsigned int> constant, slope, of_node;
@@ -238,11 +221,10 @@ namespace lamella
     void
     number_column_functions(const Grid &grid);
 
-    /// Key of a hierarchical function: its degree, the kind (vertex, edge,
-    /// cell) and number of its support, and its two indices.
+    /// Key of a hierarchical function: degree, kind of support (vertex, edge,
+    /// cell), number of support, two indices.
     using ProductKey = std::array<unsigned int, 5>;
-    /// Returns numbers of the hierarchical basis by degree, without the three
-    /// replaced vertices.
+    /// Returns hierarchical numbers by degree, without replaced vertices.
     std::map<ProductKey, unsigned int>
     number_products();
     void
@@ -261,8 +243,7 @@ namespace lamella
                     const dealii::Tensor<2, 2> &to_real,
                     FunctionValues             &values) const;
 
-    /// Return edge_points() and section_grid() at the nodes of @p grid,
-    /// possibly of lower degree than the map.
+    /// Return edge_points() and section_grid() at the nodes of @p grid.
     std::vector<EdgePoint>
     edge_points_of(const SectionGeometry &grid,
                    const std::string     &boundary) const;
@@ -282,8 +263,7 @@ namespace lamella
     std::vector<unsigned int> levels;
     std::vector<Cell>         cells;
     bool                      in_columns = false;
-    /// Direction of a grid, 0 if the section is wide, 1 if it is high, and the
-    /// length that makes the coordinate along a column dimensionless.
+    /// Direction of a grid, 0 if wide, 1 if high, and the length h_z.
     unsigned int long_side     = 0;
     double       column_length = 1.;
   };

@@ -14,14 +14,14 @@
 namespace lamella
 {
   /// The laws of a section's plies in the body frame, for beams and solids. A
-  /// ply in a flat plane has one law; a ply in a curved wall has at each point
-  /// the law in the plane's axes rotated about y with its normal.
+  /// ply in a plane has one law. The law in a curved wall varies: its axes are
+  /// rotated about y with the normal.
   class PlyLaws
   {
   public:
-    /// Constructs the laws of @p plies, which are copied. @p shear_factor k
-    /// scales transverse shear in the body frame: D C D replaces C, with
-    /// sqrt(k) in D's entries for xy and yz.
+    /// Constructs the laws of @p plies. @p shear_factor k scales transverse
+    /// shear in the body frame: D C D replaces C, with sqrt(k) in D for xy and
+    /// yz.
     explicit PlyLaws(const std::vector<Ply> &plies,
                      const double            shear_factor = 1.);
 
@@ -42,8 +42,7 @@ namespace lamella
     bool
     has_varying_laws() const;
 
-    /// Returns the law of @p ply at the point @p x of the section. Rotates a
-    /// varying law at each call, some microseconds.
+    /// Returns the law of @p ply at the point @p x of the section.
     ElasticLaw
     at(const unsigned int ply, const dealii::Point<2> &x) const
     {
@@ -63,16 +62,15 @@ namespace lamella
     static constexpr unsigned int n_harmonics = 9;
     using Harmonics                           = std::array<double, n_harmonics>;
 
-    /// Returns the harmonics of the normal of @p ply at @p x, phi its angle
-    /// from +x towards +z.
+    /// Returns the harmonics of the normal of @p ply at @p x, phi from +x to
+    /// +z.
     Harmonics
     harmonics(const unsigned int ply, const dealii::Point<2> &x) const;
 
     /// Returns C_0 ... C_8 of @p ply: its stiffness at any point is the sum of
-    /// C_k times harmonics()[k], so that integrals of C times functions of the
-    /// section are sums of integrals of functions. Nine terms are exact, since
-    /// rotation about y gives a polynomial of degree four in cos phi and sin
-    /// phi; they are discrete Fourier coefficients at nine angles.
+    /// C_k times harmonics()[k]. Nine terms are exact, since rotation about y
+    /// gives a polynomial of degree four in cos phi and sin phi; they are
+    /// discrete Fourier coefficients at nine angles.
     std::array<ElasticTensor, n_harmonics>
     stiffness_harmonics(const unsigned int ply) const;
 
@@ -84,8 +82,8 @@ namespace lamella
 
     std::vector<Ply> plies;
     double           shear_factor;
-    /// C of each ply in its own axes, and the law in the body frame for the
-    /// normal of its plane, valid for laws that do not vary.
+    /// C of each ply in its own axes, and its law in the body frame if
+    /// constant.
     std::vector<ElasticTensor> own;
     std::vector<ElasticLaw>    constant_laws;
   };

@@ -9,8 +9,7 @@
 
 namespace lamella
 {
-  /// A section operator by points of the section, with the few fields at each:
-  /// strains first, then stresses, then their work,
+  /// A section operator by points of the section: strains, stresses, and work,
   ///   epsilon(x_s) = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
   ///   W_0 = sum_s w_s D_s^T C epsilon,   W_1 = sum_s w_s D_y^T C epsilon.
   /// For any section and any list, at a cost of (points) times (fields at a
@@ -26,13 +25,13 @@ namespace lamella
     SectionForces
     forces(const FieldParts &q) const override;
 
-    /// Returns the sparse rows of the section's matrices, and those of modes.
+    /// Returns the sparse rows of the section's matrices, and rows of modes.
     std::vector<FactorRow>
     stiffness() const override;
 
   private:
-    /// Factors of a field's part of each strain (transverse shear may have
-    /// values of its own) and of its derivative, or their work.
+    /// Factors of a field's part of strains (transverse shear may have its own)
+    /// and of its derivative, or their work.
     struct Coefficient
     {
       Voigt  value;
@@ -45,8 +44,8 @@ namespace lamella
     Coefficients
     coefficients(const FieldParts &q) const;
 
-    /// Adds the work at @p point of the law @p law and integration weight
-    /// @p weight [length^2] to @p work and to @p energy of each station.
+    /// Adds the work at @p point of @p law and @p weight [length^2] to @p work
+    /// and to @p energy of each station.
     void
     add_point(const SectionPoint  &point,
               const double         weight,

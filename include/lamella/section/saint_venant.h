@@ -15,31 +15,30 @@
 
 namespace lamella
 {
-  /// A 6 x 6 matrix of section forces or strains, see SaintVenant::Force.
+  /// A 6 x 6 matrix of section forces or strains (SaintVenant::Force).
   using SectionTensor = dealii::Tensor<2, 6>;
 
   /**
    * The six Saint-Venant states of a section: its deformation far from ends and
    * loads under an axial force, a torque, two bending moments and two shear
-   * forces, for any shape, layup and coupling, with the full three-dimensional
-   * law (central solutions: Giavotto et al., Comput. Struct. 16 (1983) 403;
-   * Borri and Merlini 1986).
+   * forces. They have the full three-dimensional law, for any shape, layup and
+   * coupling (central solutions: Giavotto et al., Comput. Struct. 16 (1983)
+   * 403; Borri and Merlini 1986).
    *
    * A state is a pair of field vectors, the value a and the derivative b with
-   * respect to y, with the strain D_s a + D_y b at y = 0. With E = S_10 - S_01,
-   * the rigid fields t_x, t_y, t_z, the rotation r about y, the slopes s_x, s_z
-   * (u_y = x / h, z / h) and h the reference length:
+   * respect to y, with the strain D_s a + D_y b at y = 0:
    *   extension   S_00 a = E t_y,                   b = t_y
    *   torsion     S_00 a = E r,                     b = r
    *   curvatures  S_00 a = E b + S_11 t_x,          b = -h s_x   (and z)
    *   shear       S_00 a = E a_0 + S_11 b_0,        b = a_0,
-   * where (a_0, b_0) is a curvature, freed of axial force and torque by
-   * extension and torsion. S_00 vanishes for t_x, t_y, t_z and r, which are
-   * fixed; one Cholesky factorization serves all six.
+   * with E = S_10 - S_01, the rigid fields t_x, t_y, t_z, the rotation r about
+   * y, the slopes s_x, s_z (u_y = x / h, z / h) and the reference length h.
+   * (a_0, b_0) is a curvature, freed of axial force and torque by extension and
+   * torsion. S_00 vanishes for t_x, t_y, t_z and r, which are fixed; one
+   * Cholesky factorization serves all six.
    *
-   * The resultants of a state are g = S_10 a + S_11 b at the rigid fields. They
-   * form the columns of F, which with the energies Q_ij of pairs of states
-   * gives
+   * The resultants g = S_10 a + S_11 b at the rigid fields form the columns of
+   * F. With the energies Q_ij of pairs of states they give
    *   compliance  F^-T Q F^-1   and its inverse, the stiffness
    * in Timoshenko's sense, in the space of the section's own theory: use LE,
    * whose error falls with its degree.
@@ -63,8 +62,8 @@ namespace lamella
     };
 
     /// Computes the states of @p section, which must have a rotation about y
-    /// (not EBBT or TBT) and live longer. Throws NumericsError if S_00 without
-    /// the four fields is not positive definite in doubles.
+    /// (not EBBT or TBT) and outlive the object. Throws NumericsError if S_00
+    /// is not positive definite.
     explicit SaintVenant(const Section &section);
 
     const Section &
@@ -73,10 +72,9 @@ namespace lamella
       return section;
     }
 
-    /// Return the value a and the derivative b of each state at y = 0 in the
-    /// section's fields: extension, torsion, curvature in x and in z, shear in
-    /// x and z. Scaled as in the table of the class, with the amplitude of a
-    /// rigid field free in each.
+    /// Return a and b of each state in the section's fields: extension,
+    /// torsion, curvature in x and in z, shear in x and z. Scaled as in the
+    /// table of the class, with the amplitude of a rigid field free in each.
     const std::vector<Vector> &
     values() const
     {
@@ -102,15 +100,15 @@ namespace lamella
       return section_stiffness;
     }
 
-    /// Returns the response to the load @p load, constant along the axis,
-    /// beyond the six states: S_00 v = f + sum_j c_j (E a_j + S_11 b_j), j the
-    /// extension, the torsion and the two shears, which balance force and
-    /// torque (the first term of the solution of Almansi and Michell).
+    /// Returns the response to @p load, constant along the axis, beyond the six
+    /// states: S_00 v = f + sum_j c_j (E a_j + S_11 b_j). The extension, the
+    /// torsion and the two shears j balance force and torque (the first term of
+    /// the solution of Almansi and Michell).
     Vector
     response_to_constant(const Vector &load) const;
 
-    /// Returns v of S_00 v = @p load with translations and the rotation about y
-    /// fixed, for any resultant of the load.
+    /// Returns v of S_00 v = @p load with translations and rotation about y
+    /// fixed.
     Vector
     constrained_response(Vector load) const;
 
@@ -126,8 +124,7 @@ namespace lamella
     /// Computes the shear states from the curvatures.
     void
     find_shear_states();
-    /// Computes F, the resultants of the states, and Q, their energies in
-    /// pairs.
+    /// Computes the resultants F of the states and their energies Q in pairs.
     void
     find_resultants(dealii::FullMatrix<double> &forces,
                     dealii::FullMatrix<double> &energies) const;
@@ -142,30 +139,26 @@ namespace lamella
 
   /// Returns the six Saint-Venant warpings as columns: the states' values
   /// without their rigid parts (Warping), orthonormal in S_00. With the rigid
-  /// fields they are the fields of the theory SV. Independent amplitudes allow,
-  /// for example, bending without contraction next to a clamp. Fewer than six
-  /// if states do not warp, or warp alike.
+  /// fields they are the fields of the theory SV. There are fewer than six if
+  /// states do not warp, or warp alike.
   FieldColumns
   saint_venant_warpings(const SaintVenant &states, const Warping &warping);
 
-  /// Engineering constants from the 6 x 6 compliance. Each stiffness is that
-  /// against its own force or moment alone, all other section forces being zero
-  /// and couplings free.
+  /// Engineering constants from the 6 x 6 compliance. Each stiffness is against
+  /// its own force or moment alone, with couplings free.
   struct SectionConstants
   {
     /// Axial stiffness 1 / c(F_y, F_y) about the tension center [force].
     double EA = 0.;
     /// Principal bending stiffnesses, the larger first [force length^2], and
-    /// the angle of the bending axis of the first, from +x towards +z, in
-    /// degrees from -90 to 90.
+    /// the angle of the first bending axis, from +x towards +z, in degrees.
     std::array<double, 2> EI{};
     double                angle = 0.;
     /// Torsional stiffness [force length^2].
     double GJ = 0.;
     /// Stiffness for shear forces along x and z in the shear center [force].
     double kGA_x = 0., kGA_z = 0.;
-    /// Points of axial forces that do not bend and of shear forces that do not
-    /// twist the section: section coordinates [length].
+    /// Points [length] of axial forces without bending and shear without twist.
     dealii::Point<2> tension_center, shear_center;
   };
 

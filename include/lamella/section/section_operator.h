@@ -14,17 +14,15 @@
 
 namespace lamella
 {
-  /// Parts of a field at a station of the axis, as factors of strains and as
-  /// conjugates of work: its value q_alpha in all strains but transverse shear,
-  /// its value in transverse shear (separate where the axis assumes these
-  /// strains), and its derivative along y.
+  /// Parts of a field at a station of the axis, factors of strains and
+  /// conjugates of work: its value q_alpha, its value in transverse shear
+  /// (separate for assumed strains), and its derivative along y.
   namespace FieldPart
   {
     constexpr unsigned int value = 0, shear_value = 1, derivative = 2, n = 3;
   } // namespace FieldPart
 
-  /// Numbers for each FieldPart, one row per field of a list, one column per
-  /// station of the axis.
+  /// Numbers for each FieldPart, a row per field, a column per station.
   using FieldParts = std::array<dealii::LAPACKFullMatrix<double>, FieldPart::n>;
 
   /// Returns zeros of @p n_fields rows and @p n_stations columns.
@@ -32,7 +30,7 @@ namespace lamella
   field_parts(const unsigned int n_fields, const unsigned int n_stations);
 
   /// Generalized forces of a section at stations of the axis, conjugate to the
-  /// coefficients of its fields, and the strain energy per length of the beam.
+  /// coefficients of its fields, and the strain energy per length.
   struct SectionForces
   {
     explicit SectionForces(const unsigned int n_fields   = 0,
@@ -41,41 +39,40 @@ namespace lamella
       , energy(n_stations, 0.)
     {}
 
-    /// Forces per length of the beam for coefficients that are lengths: force /
-    /// length on the two values, force on the derivatives.
+    /// Forces per length: force / length on the two values, force on the
+    /// derivatives, for coefficients that are lengths.
     FieldParts work;
     /// Energy per length of each station [force].
     std::vector<double> energy;
   };
 
   /// Returns the forces on the fields @p list of @p space from @p forces on all
-  /// fields of its section (SectionSpace::on_list()).
+  /// fields of its section.
   SectionForces
   on_list(const SectionSpace              &space,
           const std::vector<unsigned int> &list,
           const SectionForces             &forces);
 
   /**
-   * The constitutive operator of a section for a list of its fields. With
-   * coefficients q and q' at a station of the axis, the strain of Eq. 5
-   *   epsilon = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha
-   * gives the generalized forces of Eq. 12 before integration over the axis,
+   * The constitutive operator of a section for a list of its fields.
+   * Coefficients q and q' at a station of the axis give the strain of Eq. 5
+   *   epsilon = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
+   * the generalized forces of Eq. 12 before integration over the axis,
    *   W_0 = int D_s^T C epsilon dA = S_00 q + S_01 q',
    *   W_1 = int D_y^T C epsilon dA = S_10 q + S_11 q',
    * the energy per length (q . W_0 + q' . W_1) / 2, and their derivatives, the
    * S_pq. Assumed transverse shear strains have a q of their own (FieldPart).
    *
-   * Implementations depend on the section and the list
-   * (make_section_operator()) and agree up to rounding. All compute strains
-   * first: the slopes of the axis and of the sections of a slender beam in
-   * rigid motion cancel while they are small. The section is linear, so
-   * stiffness() holds for all q. Refers to the space.
+   * Implementations (make_section_operator()) agree up to rounding. All compute
+   * strains first: the slopes of the axis and of the sections of a slender beam
+   * in rigid motion cancel while they are small. The operator is linear. Refers
+   * to the space.
    */
   class SectionOperator
   {
   public:
     /// Constructs the operator of the fields @p list of @p space, ascending.
-    /// Rotations use every @p stride-th point of the section.
+    /// Rotations use every @p stride-th point.
     SectionOperator(const SectionSpace       &space,
                     std::vector<unsigned int> list,
                     const unsigned int        stride = 1)
@@ -98,14 +95,13 @@ namespace lamella
     virtual SectionForces
     forces(const FieldParts &q) const = 0;
 
-    /// Returns for each field of the space the row of S_00, S_01, S_10, S_11
-    /// and of the transverse shear part of S_00, which may be zero if no shear
-    /// is assumed; empty for fields not in the list. Units as in Section::S().
+    /// Returns for each field of the list the row of S_00, S_01, S_10, S_11 and
+    /// of the transverse shear part of S_00, as in Section::S(). Rows of other
+    /// fields of the space are empty.
     virtual std::vector<FactorRow>
     stiffness() const = 0;
 
-    /// Returns the largest rotation curl u / 2 [rad] at the section's points
-    /// (SectionPoint) and the stations of @p q.
+    /// Returns the largest rotation curl u / 2 [rad] for the coefficients @p q.
     double
     largest_rotation(const FieldParts &q) const;
 
@@ -118,10 +114,9 @@ namespace lamella
   };
 
   /// Returns the operator of the fields @p list of @p space, ascending, with or
-  /// without assumed transverse shear strains on the axis: a
-  /// ProductSectionOperator if all fields span the whole section and couple
-  /// anyway, else a PointwiseSectionOperator. A list that is not empty begins
-  /// with the section's rigid fields.
+  /// without @p assumed_shear on the axis: a ProductSectionOperator if all
+  /// fields span the whole section, else a PointwiseSectionOperator. A nonempty
+  /// list begins with the rigid fields.
   std::unique_ptr<const SectionOperator>
   make_section_operator(const SectionSpace       &space,
                         std::vector<unsigned int> list,

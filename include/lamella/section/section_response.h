@@ -9,14 +9,13 @@
 
 namespace lamella
 {
-  /// The response of a section to a load that varies along the axis as exp(i k
-  /// y): for the section load vector f the response v exp(i k y) of an infinite
-  /// prism satisfies
+  /// The response v exp(i k y) of an infinite prism to a section load f exp(i k
+  /// y):
   ///   ( S_00 + i k (S_01 - S_10) + k^2 S_11 ) v = f,
   /// Hermitian and positive definite for real k > 0. Responses at a few wave
   /// numbers, a rational Krylov basis of the section's quadratic pencil, span
-  /// the deformation near this load. One Cholesky factorization per wave number
-  /// serves all loads (solve_hermitian()). Refers to the section.
+  /// the deformation near this load. Each wave number takes one Cholesky
+  /// factorization for all loads (solve_hermitian()). Refers to the section.
   class SectionResponse
   {
   public:
@@ -25,9 +24,8 @@ namespace lamella
     {}
 
     /// Returns the real and the imaginary part of the response to each of
-    /// @p loads at the wave number @p k > 0 [1 / length], without a part that
-    /// is negligible beside the other. Throws NumericsError if the matrix is
-    /// not positive definite in doubles.
+    /// @p loads at the wave number @p k > 0 [1 / length], without negligible
+    /// parts. Throws NumericsError if the matrix is not positive definite.
     std::vector<std::vector<Vector>>
     at(const double k, const std::vector<Vector> &loads) const;
 

@@ -14,23 +14,21 @@
 
 namespace lamella
 {
-  /// Fields of a section, one per column, in its own fields Phi_alpha: column j
-  /// is the field sum_alpha c_(alpha j) Phi_alpha. n_fields() rows, stored by
-  /// column.
+  /// Fields of a section, one per column: column j is the field sum_alpha
+  /// c_(alpha j) Phi_alpha in the section's own fields. n_fields() rows.
   using FieldColumns = dealii::LAPACKFullMatrix<double>;
 
   /**
-   * The fields that nodes of a beam may carry: those of a section, then modes,
-   * combinations of these (Saint-Venant fields, response fields and end
-   * fields). All share S_pq, so nodes with different lists may be neighbors.
+   * The fields of the nodes of a beam: those of a section, then modes,
+   * combinations of these (Saint-Venant fields, response fields and
+   * boundary-layer modes). All share S_pq, so nodes with different lists may be
+   * neighbors.
    *
    * A *dense* list has only the six rigid fields and modes: its cost does not
-   * depend on the number of the section's fields. The rigid fields and then the
-   * modes are the dense fields, numbered 0 ... n_dense() - 1. S_pq between
-   * them,
+   * depend on the number of the section's fields. S_pq between the dense
+   * fields, numbered 0 ... n_dense() - 1,
    *   B^T S_pq B,   B = [rigid fields, modes],
-   * is computed once, in n_fields() x n_dense() numbers and as many squared.
-   * Immutable; shares the section.
+   * is computed once. Immutable; shares the section.
    */
   class SectionSpace
   {
@@ -39,7 +37,7 @@ namespace lamella
     explicit SectionSpace(std::shared_ptr<const Section> section);
 
     /// Constructs a space with the modes @p columns, of n_fields() rows each.
-    /// Not for sections of EBBT or TBT, without rotation about y.
+    /// Not for sections of EBBT or TBT.
     SectionSpace(std::shared_ptr<const Section> section, FieldColumns columns);
 
     const Section &
@@ -81,8 +79,8 @@ namespace lamella
       return n_rigid + n_modes();
     }
 
-    /// Returns the number of @p alpha among dense fields, or n_dense() for a
-    /// field of the section that is not rigid.
+    /// Returns the number of @p alpha among dense fields, or n_dense() if it is
+    /// not.
     unsigned int
     dense_number(const unsigned int alpha) const
     {
@@ -96,8 +94,7 @@ namespace lamella
     bool
     is_dense(const std::vector<unsigned int> &list) const;
 
-    /// Returns the level of elimination, coarse first (SectionFunction::level);
-    /// modes are warping.
+    /// Returns the level of elimination, coarse first; modes are warping.
     unsigned int
     level(const unsigned int alpha) const
     {
@@ -105,7 +102,7 @@ namespace lamella
     }
 
     /// Returns for each field the largest displacement of its unit at the
-    /// integration points; 1 if that is zero.
+    /// integration points, or 1.
     const std::vector<double> &
     sizes() const
     {
@@ -117,23 +114,22 @@ namespace lamella
     in_section_functions(const unsigned int alpha) const;
 
     /// Changes @p coefficients of all n_fields() fields to those of the
-    /// section's fields, adding modes to these and dropping the rest.
+    /// section's fields, adding modes to these.
     void
     expand(std::vector<double> &coefficients) const;
 
-    /// Appends to @p work on the fields of the section that on the modes, the
-    /// transpose of expand().
+    /// Appends to @p work on the section's fields that on modes: expand()^T.
     void
     append_modes(std::vector<double> &work) const;
 
     /// Returns numbers @p q for the fields @p list, one row each, in the fields
-    /// of the section, modes included; columns are independent.
+    /// of the section.
     dealii::LAPACKFullMatrix<double>
     in_section(const std::vector<unsigned int>        &list,
                const dealii::LAPACKFullMatrix<double> &q) const;
 
     /// Returns the work on the fields @p list from @p work on those of the
-    /// section, one row each: the transpose of in_section().
+    /// section: in_section()^T.
     dealii::LAPACKFullMatrix<double>
     on_list(const std::vector<unsigned int>        &list,
             const dealii::LAPACKFullMatrix<double> &work) const;
@@ -152,8 +148,8 @@ namespace lamella
       return dense[2 * p + q];
     }
 
-    /// Returns the rows of S_pq of all @p carried fields (n_fields() flags),
-    /// without columns of others; other rows are empty.
+    /// Returns the rows and columns of S_pq of all @p carried fields
+    /// (n_fields() flags); other rows are empty.
     std::vector<FactorRow>
     rows(const std::vector<bool> &carried) const;
 

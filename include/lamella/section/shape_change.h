@@ -18,15 +18,15 @@ namespace lamella
    * contains Brazier's flattening of bent tubes (c < 0), Lamb's anticlastic
    * strip and Wagner's twisted one (c > 0): Green's strain at second order,
    *   c = 2 (int e_2 . C e_2 + 2 e_3 . C e_1 dA - f . v) / int e_1 . C e_1 dA
-   * where e_1 = B u_1 is the Saint-Venant state of k = 1; e_2 is quadratic in
-   * u_1 in axes that rotate with the section, H_i . H_j / 2 and the curvature
-   * of warped points; e_3 is the latter times u_1; and v relaxes e_2 and the
-   * work f of the stress C e_1 on terms bilinear in u_1 and v (the section's
-   * modal derivative), with free stretch of the axis.
+   * with the Saint-Venant state e_1 = B u_1 of k = 1. e_2 is quadratic in u_1
+   * in axes that rotate with the section, H_i . H_j / 2 and the curvature of
+   * warped points; e_3 is the latter times u_1. v relaxes e_2 and the work f of
+   * the stress C e_1 on terms bilinear in u_1 and v (the section's modal
+   * derivative), with free stretch of the axis.
    *
-   * It estimates what the law of GeometricallyExactBeam neglects, and is valid
-   * if small: wide strips flatten in a layer at their edges beyond b^2 k / h
-   * = 1. For the section of an LE with the @p states.
+   * The result estimates what GeometricallyExactBeam neglects. It is valid if
+   * small: wide strips flatten in a layer at their edges beyond b^2 k / h = 1.
+   * For the section of an LE with the @p states.
    */
   std::array<double, 3>
   stiffening_by_shape(const SaintVenant &states);

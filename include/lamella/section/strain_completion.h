@@ -16,29 +16,27 @@ namespace lamella
   /**
    * Completion of strains for low theories, whose fields cannot describe the
    * contraction of sections: bending with eps_yy = kappa z requires u_x = -nu
-   * kappa x z and u_z = -nu kappa (z^2 - x^2) / 2, of degree two. Otherwise the
-   * section is too stiff (Poisson locking: by 35 % at nu = 0.3). The missing
-   * strains are added to those of each field; with the full elasticity C,
-   * stresses, energies and forces follow from completed strains.
+   * kappa x z and u_z = -nu kappa (z^2 - x^2) / 2. Otherwise the section is too
+   * stiff (Poisson locking: by 35 % at nu = 0.3). The missing strains are added
+   * to those of each field; C gives stresses, energies and forces from
+   * completed strains.
    *
    * The missing warping is condensed out, by a plane-stress-like law or by
-   * modes. TE-2, LE and higher theories contract by themselves and have none.
-   * Completed strains belong to no displacements: a support that fixes u_x does
-   * not constrain them.
+   * modes. TE-2, LE and higher theories have no completion. Completed strains
+   * belong to no displacements: a support that fixes u_x does not constrain
+   * them.
    */
   class StrainCompletion
   {
   public:
     virtual ~StrainCompletion() = default;
 
-    /// Completes the strains SectionPoint::in_plane and along of all fields at
-    /// @p point. Call it once per point.
+    /// Completes the strains of all fields at @p point. Call it once per point.
     virtual void
     complete(SectionPoint &point) const = 0;
 
-    /// Returns the strain that an initial strain @p initial of the section cell
-    /// @p cell adds to the strains of all fields, as heat widens a section.
-    /// None by default.
+    /// Returns the strain that an initial strain of a section cell adds to the
+    /// strains of all fields. None by default.
     virtual Voigt
     of_initial(const unsigned int /*cell*/,
                const dealii::Point<2> & /*x*/,
@@ -49,15 +47,15 @@ namespace lamella
   };
 
   /// Free contraction at each point, sigma_xx = sigma_zz = sigma_xz = 0, for
-  /// EBBT and TBT. With a the kept strains {yy, xy, yz} and b the others,
+  /// EBBT and TBT. The kept strains a = {yy, xy, yz} determine the others b,
   ///   eps_b = -C_bb^-1 C_ba eps_a,
-  /// so that the law of a is C_aa - C_ab C_bb^-1 C_ba. For a ply at an angle C
+  /// so that the law of a is C_aa - C_ab C_bb^-1 C_ba. C of a ply at an angle
   /// is rotated, so that G_yz is the series and not the mean of G_13 and G_23.
   class FreeContraction : public StrainCompletion
   {
   public:
-    /// Constructs the completion from copies of the section's laws of each ply,
-    /// with the shear factor, and the ply of each cell.
+    /// Constructs the completion from the section's laws of each ply, with the
+    /// shear factor, and the ply of each cell.
     FreeContraction(const PlyLaws                   &laws,
                     const std::vector<unsigned int> &ply_of_cell);
 
@@ -65,8 +63,7 @@ namespace lamella
     void
     complete(SectionPoint &point) const override;
 
-    /// Returns eps_0 - P eps_0, with which xx, zz and xz of sigma = C (P eps +
-    /// (eps_0 - P eps_0) - eps_0) vanish.
+    /// Returns eps_0 - P eps_0, which makes xx, zz and xz of the stress vanish.
     Voigt
     of_initial(const unsigned int      cell,
                const dealii::Point<2> &x,
@@ -78,8 +75,8 @@ namespace lamella
     completion_at(const unsigned int cell, const dealii::Point<2> &x) const;
 
     PlyLaws laws;
-    /// Completion P of each ply with a constant law, eps = P eps with the kept
-    /// strains unchanged. P of other plies is computed at each point.
+    /// Completion P of each ply with a constant law, eps = P eps. P of other
+    /// plies is computed at each point.
     std::vector<ElasticTensor> completion;
     std::vector<unsigned int>  ply_of_cell;
   };
@@ -93,12 +90,11 @@ namespace lamella
    * (static condensation, without derivatives of v along y). The linear
    * displacement with its mean strain is subtracted from each mode, so that int
    * D_s v dA = 0: TE-1's own in-plane terms of constant strain keep their
-   * stiffness, which FreeContraction would remove.
+   * stiffness.
    *
-   * For one isotropic material the modes are the exact contraction under
-   * bending, and TE-1 bends like TBT; in laminates they are those of TE-2.
-   * There are two modes per polynomial beyond the linear ones, six in all, so K
-   * is a small dense matrix.
+   * The modes of one isotropic material are the exact contraction under
+   * bending, and TE-1 bends like TBT; those of laminates are those of TE-2.
+   * There are two modes per polynomial beyond the linear ones, six in all.
    */
   class ContractionModes : public StrainCompletion
   {
@@ -106,9 +102,8 @@ namespace lamella
     /// Degree of the modes: bending contracts sections quadratically.
     static constexpr unsigned int mode_degree = 2;
 
-    /// Computes the modes from the integration points @p points with @p weights
-    /// of the section and the uncompleted strains of @p n_fields fields. Keeps
-    /// only the mesh, shared.
+    /// Computes the modes from the integration points of the section and the
+    /// uncompleted strains of fields. Shares the mesh.
     ContractionModes(std::shared_ptr<const SectionMesh> mesh,
                      const std::vector<SectionPoint>   &points,
                      const std::vector<double>         &weights,
@@ -124,15 +119,13 @@ namespace lamella
     void
     find_means(const std::vector<SectionPoint> &points,
                const std::vector<double>       &weights);
-    /// Adds the integrals at @p point, with its law @p C, to @p K and to the
-    /// right hand sides, of_in_plane and of_along.
+    /// Adds integrals at a point to K, of_in_plane and of_along.
     void
     add_energies(const SectionPoint               &point,
                  const double                      weight,
                  const ElasticTensor              &C,
                  dealii::LAPACKFullMatrix<double> &K);
-    /// Returns D_s v of all modes at a point, less their means [1 / length]:
-    /// two per polynomial, displaced along x and along z.
+    /// Returns D_s v of all modes at a point, less their means [1 / length].
     std::vector<Voigt>
     mode_strains(const unsigned int cell, const dealii::Point<2> &unit) const;
 
@@ -140,8 +133,7 @@ namespace lamella
     TaylorElement modes;
     /// Mean strain of each mode over the section.
     std::vector<Voigt> means;
-    /// Amplitudes of each mode for each field, for the strains that N and N'
-    /// multiply.
+    /// Amplitudes of each mode for each field, for strains of N and N'.
     dealii::LAPACKFullMatrix<double> of_in_plane, of_along;
   };
 } // namespace lamella

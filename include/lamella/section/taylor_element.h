@@ -10,20 +10,19 @@ namespace lamella
 {
   /**
    * The Taylor expansion TE-N (Eq. 2): all polynomials of x and z up to degree
-   * N, (N + 1)(N + 2) / 2 functions over the whole section. They live on all
-   * cells (equivalent single layer): strains are continuous across ply
-   * interfaces, so transverse stresses jump there.
+   * N, (N + 1)(N + 2) / 2 functions over the whole section (equivalent single
+   * layer). Strains are continuous across ply interfaces, so transverse
+   * stresses jump there.
    *
-   * The first three functions are 1, (x - x_c)/h, (z - z_c)/h, in place of the
-   * first three polynomials. Monomials x^i z^j are nearly dependent from N = 8
-   * on, so the other functions are polynomials of the same space that are
-   * orthonormal over the actual section,
+   * The first three functions are 1, (x - x_c)/h, (z - z_c)/h. Monomials x^i
+   * z^j are nearly dependent from N = 8 on, so the other functions are
+   * polynomials of the same space that are orthonormal over the actual section,
    *   1/A int F_tau F_sigma dA = delta,
-   * by the Arnoldi process: each new polynomial is x or z times an earlier one,
-   * less its parts along the earlier ones (twice), and points are evaluated by
-   * the same recurrence (Brubeck, Nakatsukasa and Trefethen, Vandermonde with
-   * Arnoldi, SIAM Review 63, 2021), with x and z from -1 to 1 over the
-   * section's bounding box, without units.
+   * by the Arnoldi process (Brubeck, Nakatsukasa and Trefethen, Vandermonde
+   * with Arnoldi, SIAM Review 63, 2021). Each new polynomial is x or z times an
+   * earlier one, less its parts along the earlier ones (twice). Points are
+   * evaluated by the same recurrence, with x and z from -1 to 1 over the
+   * section's bounding box.
    *
    * Integrals are over the section's Gauss points, exact on straight cells. The
    * basis takes of the order of N^2 vectors over these points; an evaluation of
@@ -33,8 +32,7 @@ namespace lamella
   {
   public:
     /// Constructs TE-N of @p degree N from 1 on @p mesh, which it shares. Drops
-    /// polynomials that are combinations of earlier ones on this section to
-    /// 1e-10 of their size.
+    /// polynomials that depend on earlier ones to 1e-10 of their size.
     TaylorElement(std::shared_ptr<const SectionMesh> mesh,
                   const unsigned int                 degree);
 
@@ -44,12 +42,11 @@ namespace lamella
       return order;
     }
 
-    /// Returns N on straight sides. On curved ones, where x and z are cubic in
-    /// the side's parameter, 3 N, but N + 8 at most: the rest is small.
+    /// Returns N on straight sides; on curved ones, where x and z are cubic in
+    /// the side's parameter, 3 N, but N + 8 at most.
     unsigned int
     trace_degree() const override;
-    /// Returns N + 1; eight more on curved cells, where the integrands are no
-    /// polynomials of degree 2 N.
+    /// Returns N + 1; eight more on curved cells.
     unsigned int
     n_gauss_points() const override
     {
@@ -80,33 +77,29 @@ namespace lamella
       return geometry.map(cell, unit);
     }
 
-    /// Returns degree() + 1 Gauss-Lobatto points per boundary side of a cell,
-    /// vertices shared. Weights are integrals of their Lagrange polynomials
-    /// along the side.
+    /// Returns degree() + 1 Gauss-Lobatto points per side, vertices shared.
+    /// Weights are integrals of their Lagrange polynomials along the side.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
     /// Returns as many points as functions, whose values determine the
     /// expansion, from the Gauss-Lobatto points of the cells (approximate
-    /// Fekete points: column-pivoted elimination). With V the values of the
-    /// orthonormal polynomials at the candidates, rows are chosen by the
-    /// largest part orthogonal to previous ones, as in a pivoted Cholesky
-    /// factorization of V V^T.
+    /// Fekete points). The values V of the orthonormal polynomials at the
+    /// candidates select them by pivoted Cholesky factorization of V V^T.
     std::vector<EdgePoint>
     section_points() const override;
 
     /// Returns the Gauss-Lobatto points of all cells, degree() + 1 per
-    /// direction. Points between cells come once, with the Gauss-Lobatto
-    /// weights of all cells there [length^2].
+    /// direction. Common points come once, with the Gauss-Lobatto weights of
+    /// all cells there [length^2].
     std::vector<EdgePoint>
     section_grid() const override;
 
   private:
     /// Recurrence of an orthonormal polynomial: coordinate @p direction times
     /// number @p parent, less @p parts of numbers from @p first on, over
-    /// @p norm. Parts before @p first, of three degrees less, vanish: <x p, q>
-    /// = <p, x q>, and x q is of a lower degree than p. Number 0 is the
-    /// constant 1 without a step. Polynomials are ordered by degree.
+    /// @p norm. Parts before @p first vanish: <x p, q> = <p, x q>, and x q is
+    /// of a lower degree than p. Number 0 is the constant 1 without a step.
     struct Step
     {
       /// Direction is 0 for x, 1 for z; @p degree is the polynomial's own.
@@ -119,8 +112,7 @@ namespace lamella
     dealii::Point<2>
     scaled(const dealii::Point<2> &position) const;
 
-    /// Computes the orthonormal polynomials at @p position and their gradients
-    /// by x and z [1 / length] by the recurrence. Overwrites the vectors.
+    /// Computes the orthonormal polynomials at @p position and their gradients.
     void
     evaluate_polynomials(const dealii::Point<2>            &position,
                          std::vector<double>               &values,
@@ -131,13 +123,13 @@ namespace lamella
     collect_points(std::vector<dealii::Point<2>> &points,
                    std::vector<double>           &weights) const;
 
-    /// Computes the recurrence: for each degree x times all polynomials of one
-    /// degree less, and z times the last of these.
+    /// Computes the recurrence: x times all polynomials of one degree less, and
+    /// z times the last of these.
     void
     orthonormalize();
 
     /// Adds the step from @p parent along @p direction and appends its values
-    /// at all points to @p values, unless it depends on the earlier ones.
+    /// to @p values, unless it depends on earlier ones.
     void
     add_polynomial(const unsigned int                   parent,
                    const unsigned int                   direction,

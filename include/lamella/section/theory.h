@@ -14,8 +14,7 @@ namespace lamella
 {
   /**
    * A structural theory: the cross-section expansion of a beam and the
-   * completion of its strains (the paper's Sec. 2; doc/theory/theories.md
-   * compares). A plain value, from which Section makes the fields.
+   * completion of its strains (the paper's Sec. 2; doc/theory/theories.md).
    *
    * - EBBT, Euler-Bernoulli: sections stay plane and normal to the axis
    *   (Kirchhoff's constraint, exact, needs B4).
@@ -27,8 +26,8 @@ namespace lamella
    *   = 1, 2, 3.
    * - SV-N, Saint-Venant: the six rigid motions of a section and its six
    *   Saint-Venant warpings, with the full three-dimensional law, and the
-   *   responses at N wave numbers to loads and contacts of the scene; SV is
-   *   SV-0. The fields are made of those of LE (section_order).
+   *   responses at N wave numbers to loads and contacts; SV is SV-0. The fields
+   *   are made of those of LE (section_order).
    * - solid-N: hexahedra of degree N, 1 or 2, without section fields.
    *
    * The displacement components have the same functions F_tau, except u_x and
@@ -55,25 +54,23 @@ namespace lamella
 
     static constexpr unsigned int default_section_order = 3;
 
-    /// Flag for LE, also that of SV: functions are hierarchical by degree, so
-    /// that LE-q of lower degrees are parts of it (LagrangeElement::Basis). The
-    /// space is the same; bodies whose nodes mix degrees need it.
+    /// Flag for LE, also that of SV: functions are hierarchical by degree
+    /// (LagrangeElement::Basis). Bodies whose nodes mix degrees need it.
     bool hierarchical = false;
 
     /// Flag: sections of EBBT, TBT and TE-1 contract freely under bending.
     /// Otherwise Poisson locking makes deflections some 26 % too small at nu =
     /// 0.3. EBBT and TBT condense sigma_xx = sigma_zz = sigma_xz = 0 out of the
-    /// law of each ply; TE-1, with stiffness in xx and zz, condenses quadratic
-    /// contraction modes of the section. Other theories ignore it.
+    /// law of each ply; TE-1 condenses quadratic contraction modes of the
+    /// section.
     bool poisson_correction = true;
     /// Factor k on the shear stiffness of TBT, G A -> k G A, above 0 and at
-    /// most 1, 5/6 for rectangles of one material, 1 in the paper; ignored by
-    /// others. Reported stresses contain it, so their resultant is the shear
-    /// force.
+    /// most 1 (5/6 for rectangles of one material, 1 in the paper). Reported
+    /// stresses contain it.
     double shear_factor = 1.;
-    /// Flag of TBT: sections also rotate about the axis, keeping their shape, a
-    /// sixth field (RigidField) of stiffness G times the polar moment. For
-    /// finite rotations (of_rotating()).
+    /// Flag of TBT: sections also rotate about the axis, a sixth field of
+    /// stiffness G times the polar moment. For finite rotations
+    /// (of_rotating()).
     bool twists = false;
 
     /// Returns LE-@p order.
@@ -86,20 +83,18 @@ namespace lamella
       return result;
     }
 
-    /// Returns the name for messages: EBBT, TBT, TE-4, solid-2, and for LE with
-    /// the element of the literature, LE-2 (L9). Not for parse().
+    /// Returns the name for messages: EBBT, TE-4, solid-2, LE-2 (L9).
     std::string
     name() const;
 
-    /// Returns true for theories of five fields, with 1, x, z for u_y alone: no
-    /// torsion, no warping.
+    /// Returns true for theories of five fields: no torsion, no warping.
     bool
     is_classical() const
     {
       return kind == Kind::EBBT || kind == Kind::TBT;
     }
 
-    // Queries of other rooms, none of which knows the kinds.
+    // Queries of other rooms, instead of the kind.
 
     /// Returns true for hexahedra, without a section expansion.
     bool
@@ -107,8 +102,7 @@ namespace lamella
     {
       return kind == Kind::solid;
     }
-    /// Returns true if one polynomial spans the whole section, over all plies:
-    /// the classical theories and TE.
+    /// Returns true if one polynomial spans all plies: EBBT, TBT and TE.
     bool
     is_single_layer() const
     {
@@ -120,15 +114,14 @@ namespace lamella
     {
       return kind == Kind::TE;
     }
-    /// Returns true if each section cell has functions of its own, of the
-    /// theory's order as degree.
+    /// Returns true if each section cell has functions of its own.
     bool
     is_layerwise() const
     {
       return kind == Kind::LE;
     }
-    /// Returns true if the fields are solutions on the section, chosen by what
-    /// excites them in a scene; the order numbers their waves.
+    /// Returns true if the fields are solutions on the section for loads and
+    /// contacts of a scene; the order is the number of waves.
     bool
     is_saint_venant() const
     {
@@ -140,23 +133,21 @@ namespace lamella
     {
       return is_saint_venant() && order > 0;
     }
-    /// Returns true if sections stay normal to the axis: rotations are those of
-    /// deflections, without shear strain.
+    /// Returns true if sections stay normal to the axis (no shear strain).
     bool
     keeps_sections_normal() const
     {
       return kind == Kind::EBBT;
     }
-    /// Returns true if, sections of bodies with finite rotations rotate rigidly
-    /// and deform in their own axes. Bodies of other theories are total
-    /// Lagrangian.
+    /// Returns true if sections of bodies with finite rotations rotate rigidly
+    /// and deform in their own axes. Other theories are total Lagrangian.
     bool
     has_rotating_sections() const
     {
       return is_classical() || is_saint_venant();
     }
-    /// Returns the theory for finite rotations: TBT that twists for the
-    /// classical theories (EBBT with shear factor 1), else this one.
+    /// Returns the theory for finite rotations: TBT that twists for EBBT and
+    /// TBT, else this one.
     Theory
     of_rotating() const
     {
@@ -175,8 +166,7 @@ namespace lamella
     {
       return !is_classical() || twists;
     }
-    /// Returns true if the theory's own functions describe contraction of
-    /// sections and coupling of plies: u_x and u_z are more than linear.
+    /// Returns true if u_x and u_z are more than linearover sections.
     bool
     describes_contraction() const
     {
@@ -188,12 +178,12 @@ namespace lamella
     to_saint_venant(const unsigned int waves) const;
 
     /// Returns true if the theory contains the displacements of @p other: one
-    /// family, TE including EBBT and then TBT as its least, and no lower order.
+    /// family (TE includes EBBT and TBT), and no lower order.
     bool
     holds(const Theory &other) const;
 
-    /// Return LE of degree @p order, SV of @p waves wave numbers made of LE of
-    /// degree @p degree, TE and solid of order @p order, with defaults.
+    /// Return LE of @p order, SV of @p waves wave numbers made of LE of
+    /// @p degree, TE and solid of @p order.
     static Theory
     layerwise(const unsigned int order);
     static Theory
@@ -203,14 +193,13 @@ namespace lamella
     static Theory
     solid(const unsigned int order);
 
-    /// Returns the theory of the Section with the fields: LE of the
-    /// section_order for SV-N, else this one.
+    /// Returns the theory of the Section with the fields(LE for SV-N).
     Theory
     of_section() const;
 
-    /// Returns the theory spelled in @p entry, with defaults for the rest.
-    /// Throws InputError for anything else. N is 1 to 20 for TE, 1 to 8 for LE,
-    /// 1 to 2 for solid, and 0 to 40 for SV.
+    /// Returns the theory spelled in @p entry. Throws InputError for anything
+    /// else. N is 1 to 20 for TE, 1 to 8 for LE, 1 to 2 for solid, and 0 to 40
+    /// for SV.
     static Theory
     parse(const Entry &entry);
   };
@@ -228,8 +217,7 @@ namespace lamella
                                                     "solid"}};
   };
 
-  /// Theories of pieces of the axis, from break to break, for manual
-  /// node-dependent kinematics. Empty for one theory.
+  /// Theories of pieces of the axis, from break to break; may be empty.
   struct TheoryPieces
   {
     std::vector<Theory> theories;
@@ -244,7 +232,7 @@ namespace lamella
 
     /// Returns the theory whose fields are managed automatically: the first
     /// SV-N of the largest N, else the LE of the highest degree. Its section
-    /// order is the degree of the section's space, that of all pieces.
+    /// order is that of all pieces.
     Theory
     leading() const;
   };
@@ -252,14 +240,12 @@ namespace lamella
   /// Theory entries of a body's `subsection Kinematics`.
   struct TheoryParameters
   {
-    /// Declares Theory (empty: the scene's), Theories with Theory breaks,
-    /// Section order, Poisson correction, Shear factor.
+    /// Declares the entries in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the theory, by default that of the scene's entry
-    /// @p scene_theory. Throws InputError, for any theory also if the shear
-    /// factor is not above 0 and at most 1.
+    /// Returns the theory, by default @p scene_theory. Throws InputError, also
+    /// if the shear factor is not above 0 and at most 1.
     static Theory
     parse(const Entries &in, const Entry &scene_theory);
 
@@ -267,14 +253,13 @@ namespace lamella
     /// not given. Throws InputError for theories other than LE and SV, a number
     /// of theories that is not that of pieces, SV-N of different N, a section
     /// order below the highest LE degree, and breaks that do not ascend. All
-    /// theories returned have one section order, and are hierarchical if an LE
-    /// is of a lower degree.
+    /// have one section order, and are hierarchical if an LE is of a lower
+    /// degree.
     static TheoryPieces
     parse_pieces(const Entries &in, const double length);
   };
 
-  /// Compares kind, orders, hierarchy, Poisson correction, shear factor and
-  /// twist, as a key of theories that share section fields and matrices.
+  /// Compares all members, as a key of theories that share section fields.
   bool
   operator<(const Theory &a, const Theory &b);
 } // namespace lamella

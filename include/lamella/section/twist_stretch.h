@@ -9,18 +9,15 @@
 
 namespace lamella
 {
-  /// Returns the stretch of a fiber at @p point tilted by twist, r^2 = |X -
-  /// X_c|^2 times a unit stretch of the axis, completed by the theory
-  /// [length^2].
+  /// Returns the stretch of a fiber at @p point tilted by twist, |X - X_c|^2
+  /// times a unit stretch of the axis, completed by the theory [length^2].
   Voigt
   stretch_of_fiber(const Section &section, const SectionPoint &point);
 
   /**
    * The stretch by a twist k [rad / length]: fibers off the axis are tilted by
    * k r, and longer by half its square (Wagner 1929),
-   *
    *   epsilon_2 = k^2 / 2 (r^2 e_yy + D_s v),
-   *
    * where r is the distance from the centroid and v the free contraction of the
    * section, S_00 v = -int D_s^T C e_yy r^2 dA. It stiffens a twisted strip, by
    * E (I_4 - I_p^2 / A) k^2 / 2 on G J, and reduces the torsional stiffness of
@@ -38,7 +35,7 @@ namespace lamella
     strain(const SectionPoint &point) const;
 
     /// Returns the work on derivatives of each field, int D_y^T C epsilon_2 dA
-    /// [force length^2]. That on values is zero by v.
+    /// [force length^2]. The work on values is zero by v.
     const std::vector<double> &
     work() const
     {
@@ -53,7 +50,7 @@ namespace lamella
     }
 
     /// Returns the c of M = G J k (1 + c k^2) from this stretch about the
-    /// torsion center, including its shears, with the length of the axis free
+    /// torsion center, with the length of the axis free
     /// (stiffening_by_shape()).
     double
     stiffening() const

@@ -14,9 +14,8 @@ namespace lamella
   /// with the norm
   ///   |w|^2 = w^T (S_00 + (0.1 / H)^2 S_11) w,
   /// the energy of a field whose amplitude varies along the axis over some ten
-  /// heights H of the section. (Removing only the amplitudes of the rigid
-  /// fields would let the section rotate with warping that a support frees.)
-  /// Refers to the section, which must have a rotation about y.
+  /// heights H of the section. Refers to the section, which must have a
+  /// rotation about y.
   class Warping
   {
   public:
@@ -33,8 +32,8 @@ namespace lamella
     void
     remove_rigid(Vector &field) const;
 
-    /// Returns int Phi_alpha . w dA for each field alpha of the section, w the
-    /// field @p field [length^2]: the load vector of the traction w.
+    /// Returns int Phi_alpha . w dA for each field alpha of the section, with w
+    /// = @p field [length^2]: the load vector of the traction w.
     Vector
     traction(const Vector &field) const;
 
@@ -45,11 +44,10 @@ namespace lamella
     FieldColumns
     metric(const FieldColumns &fields) const;
 
-    /// Returns an orthonormal basis, in the product of metric(), of what the
-    /// fields @p snapshots add to the rigid fields and the columns @p known.
-    /// Each is made orthogonal to the rigid fields and the columns @p warpings
-    /// and scaled to unit norm (natural weights are wrong if stiffnesses differ
-    /// by 1000), then made orthogonal to @p known, which contain the warpings.
+    /// Returns an orthonormal basis, in the product of metric(), of what
+    /// @p snapshots add to the rigid fields and @p known. Each is made
+    /// orthogonal to the rigid fields and the columns @p warpings and scaled to
+    /// unit norm, then made orthogonal to @p known, which contain the warpings.
     /// The basis has the eigenvectors of the Gram matrix of the rest with
     /// eigenvalues above @p tolerance^2 times the largest, or times 1 if that
     /// is less (proper orthogonal decomposition). Snapshots that are warpings
@@ -61,14 +59,14 @@ namespace lamella
           const double               tolerance) const;
 
     /// Returns the norms of @p snapshots without their rigid part and the
-    /// columns @p warpings; 0 if only rounding is left.
+    /// columns @p warpings.
     std::vector<double>
     strengths(const std::vector<Vector> &snapshots,
               const FieldColumns        &warpings) const;
 
-    /// Returns a basis() of snapshots with weights of their own, not scaled,
-    /// the strongest combination first, cut below @p tolerance. They are made
-    /// orthogonal to @p warpings and then to @p known, which contain these.
+    /// Returns a basis() of snapshots that are not scaled, the strongest
+    /// combination first, cut below @p tolerance. They are made orthogonal to
+    /// @p warpings and then to @p known, which contain these.
     FieldColumns
     weighted_basis(const std::vector<Vector> &snapshots,
                    const FieldColumns        &warpings,
@@ -76,8 +74,7 @@ namespace lamella
                    const double               tolerance) const;
 
   private:
-    /// Fields without their rigid parts and the warpings, one per column, their
-    /// metric() and their norms (strengths()).
+    /// Fields without rigid parts and warpings, their metric() and their norms.
     struct WarpingFields
     {
       FieldColumns        fields, metrics;
@@ -91,15 +88,14 @@ namespace lamella
     double         smaller_extent;
     /// Matrix S_00 + (0.1 / H)^2 S_11.
     Matrix metric_matrix;
-    /// Products int R_r . Phi_alpha dA, and the inverse of those among rigid
-    /// fields.
+    /// Products int R_r . Phi_alpha dA, and the inverse among rigid fields.
     std::vector<Vector>              rigid_products;
     dealii::LAPACKFullMatrix<double> inverse;
   };
 
   /// Returns columns that span @p fields and are orthonormal in a product M,
-  /// where @p metrics are M times the fields: X U Lambda^(-1/2) with the
-  /// eigenvectors U of the Gram matrix X^T M X with eigenvalues above
+  /// where @p metrics are M times the fields: X U Lambda^(-1/2). The
+  /// eigenvectors U of the Gram matrix X^T M X have eigenvalues above
   /// @p tolerance^2 times the largest, or times 1 if that is less.
   FieldColumns
   orthonormal(const FieldColumns &fields,
