@@ -15,15 +15,13 @@
 namespace lamella
 {
   /// Mesh of the points of a contact, for pictures only: the grid cells of its
-  /// SlaveSurface whose four corners have points. Other points stand alone.
-  /// The cells are found once and drawn in each load step.
+  /// SlaveSurface with points at all four corners, and other points alone.
   class ContactSurface
   {
   public:
     using Quadrilateral = std::array<unsigned int, 4>;
 
-    /// Refers to both arguments; @p contact was made on the bodies of
-    /// @p structure.
+    /// Refers to both arguments; @p contact is on bodies of @p structure.
     ContactSurface(const ContactInterface &contact, const Structure &structure);
 
     /// Numbers of the contact's points, with the corners in cyclic order.
@@ -40,18 +38,17 @@ namespace lamella
       return alone;
     }
 
-    /// Returns the surface on the displaced first body (subtract `displacement`
-    /// for the undeformed one). It has the columns of contact_NAME.csv at its
-    /// points (`active` as `status`) and `separation`, the vector to the
-    /// displaced partner (gap times normal for a rigid obstacle). @p rows are
-    /// the contact's in a load step and @p u the displacements of the scene.
-    /// Numbers are doubles.
+    /// Returns the surface on the displaced first body. It has the columns of
+    /// contact_NAME.csv at its points (`active` as `status`) and `separation`,
+    /// the vector to the displaced partner (gap times normal for a rigid
+    /// obstacle). @p rows are the contact's in a load step and @p u the
+    /// displacements of the scene.
     VtuGrid
     grid(const BlockVector &u, const std::vector<ContactRow> &rows) const;
 
     /// Writes grid() of load step @p step as @p directory/contact_NAME_STEP.vtu
     /// for ParaView. Returns the file's name without the folder. Throws
-    /// InputError if it cannot be written. Called by one process.
+    /// InputError on failure. Called by one process.
     std::string
     write_vtu(const std::string             &directory,
               const unsigned int             step,
@@ -68,8 +65,7 @@ namespace lamella
     /// quadrilaterals() and isolated_points().
     std::vector<Quadrilateral> quads;
     std::vector<unsigned int>  alone;
-    /// Locations of the points on the first body, and on the second if it
-    /// deforms.
+    /// Locations of points on the first body, on the second if deformable.
     std::vector<Location> first_locations, second_locations;
   };
 } // namespace lamella

@@ -13,7 +13,7 @@ namespace lamella
   /// the beam axes, a line per node in the order of the axis:
   ///   body, node (from 1), s (distance from the first node, a length), x, y, z
   ///   (the node in the undeformed scene), fields.
-  /// The fields sum to Body::n_dofs(). Solids have no lines. Not collective.
+  /// The fields sum to Body::n_dofs(). Not collective.
   std::string
   fields_of_nodes(const Bodies &bodies);
 } // namespace lamella

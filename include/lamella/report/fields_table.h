@@ -14,8 +14,8 @@ namespace lamella
   std::string
   fields_header();
 
-  /// Returns a line for the columns fields_header(), without an end of line,
-  /// with 15 digits and plies counted from 1 at the bottom.
+  /// Returns a line for the columns fields_header(), without an end of line;
+  /// plies count from 1.
   std::string
   fields_line(const FieldRow &row);
 

@@ -29,8 +29,8 @@ namespace lamella
   plies_along_lines(const Results &results, const StepResults &step);
 
   /// Prints the governing ply, criterion and mode of each load step, the five
-  /// rows of the last step nearest to failure, and the load at first failure if
-  /// it was sought. Prints nothing without reserve factors.
+  /// rows of the last step nearest to failure, and the load at first failure.
+  /// No output without reserve factors.
   void
   print_reserves(std::ostream &out, const Results &results);
 } // namespace lamella

@@ -10,9 +10,8 @@
 namespace lamella
 {
   /// Prints displacements and stresses of the probes in the last load step, in
-  /// the scene's axes, and the bar in per cent after a number that is a goal
-  /// with a bar. If there are many probes, prints the first ones; without
-  /// probes nothing.
+  /// the scene's axes, with the error bars of goals in per cent. Prints only
+  /// the first of many probes.
   void
   print_probes(std::ostream &out, const Results &results);
 } // namespace lamella

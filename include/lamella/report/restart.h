@@ -11,20 +11,15 @@
 
 namespace lamella
 {
-  /// VTU files by collection (`solution`, `contact_NAME`), with their load
-  /// steps, ascending. Names are without the folder.
+  /// VTU files by collection (`solution`, `contact_NAME`), with ascending load
+  /// steps, without the folder.
   using VtuFiles =
     std::map<std::string, std::vector<std::pair<double, std::string>>>;
 
-  /**
-   * State of a run after a completed load step, stored in the file `restart`
-   * of its folder. Doubles are stored as in memory, so that a resumed run
-   * gives the results of an uninterrupted one; the file is for the same
-   * program on the same kind of machine.
-   *
-   * Tables only grow: rows beyond the stored sizes belong to incomplete steps
-   * and are cut off before a run is resumed.
-   */
+  /// State of a run after a completed load step, stored in the file `restart`
+  /// of its folder. Doubles are stored as in memory, so that a resumed run
+  /// gives the same results; the file is for the same program on the same kind
+  /// of machine. Table rows beyond the stored sizes belong to incomplete steps.
   struct Restart
   {
     /// Version of the program and resolved scene.
@@ -33,7 +28,7 @@ namespace lamella
     bool finished = false;
     /// Completed steps: numbers, load factors, iterations, changes, reserve
     /// factors of plies and warnings; for the last one also the whole state and
-    /// the data of the strategy. Checks and table rows are in the files only.
+    /// the data of the strategy. Checks and table rows are not stored.
     std::vector<StepResults> steps;
     /// Size in bytes of each table, by its name in the folder.
     std::map<std::string, std::uint64_t> sizes;
@@ -41,14 +36,14 @@ namespace lamella
     VtuFiles vtu_files;
   };
 
-  /// Stores @p restart in the folder @p directory and replaces an earlier one
-  /// atomically. Throws InputError if it cannot. Called by one process.
+  /// Stores @p restart in the folder @p directory atomically. Throws InputError
+  /// on failure. Called by one process.
   void
   write_restart(const Restart &restart, const std::string &directory);
 
   /// Returns the restart data in @p directory. Throws InputError if there is
-  /// none, the file is damaged, it belongs to another version or another scene
-  /// than @p scene (resolved), or the run is finished. Any process may call it.
+  /// none, it is damaged or of another version or @p scene (resolved), or the
+  /// run is finished. Any process may call it.
   Restart
   read_restart(const std::string &directory, const std::string &scene);
 } // namespace lamella

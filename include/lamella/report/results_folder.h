@@ -7,21 +7,17 @@
 
 namespace lamella
 {
-  /**
-   * Folder of the results of one run. It is locked for the lifetime of the
-   * object (by a system lock, released when the process ends) and holds
-   * results of one run only: earlier ones are removed before the first new one
-   * is written. The summary is removed first and written with the first
-   * completed load step, so that it always belongs to the other files.
-   *
-   * The root process locks and writes; its findings are broadcast.
-   */
+  /// Folder of the results of one run. It is locked for the lifetime of the
+  /// object by a system lock. Earlier results are removed before the first new
+  /// one is written. The summary is removed first and written with the first
+  /// completed load step, so that it always belongs to the other files. The
+  /// root process locks and writes, and broadcasts errors.
   class ResultsFolder
   {
   public:
-    /// Creates the folder @p path with its parents and locks it; its content is
-    /// not changed. Throws InputError if @p path cannot be created or written,
-    /// or is locked by another run. Collective.
+    /// Creates the folder @p path with its parents and locks it. Throws
+    /// InputError if it cannot be created or written, or is locked by another
+    /// run. Collective.
     explicit ResultsFolder(const std::string &path);
     /// Unlocks the folder; removes it if it was created here and is empty.
     ~ResultsFolder();
@@ -34,28 +30,26 @@ namespace lamella
       return folder;
     }
 
-    /// Removes the results of an earlier run at the first call, by their file
-    /// names, and folders that are empty then; other files stay. Has to be
-    /// called before anything is written. Throws InputError if the folder has
-    /// disappeared. Collective.
+    /// Removes the results of an earlier run at the first call, and folders
+    /// that are then empty; other files stay. Must be called before any output.
+    /// Throws InputError if the folder has disappeared. Collective.
     void
     make_room();
 
-    /// Keeps the results of an earlier run, to be resumed: make_room() removes
-    /// nothing.
+    /// Keeps the results of an earlier run: make_room() has no effect.
     void
     keep()
     {
       is_cleared = true;
     }
 
-    /// Returns whether the summary of an earlier run exists; false after
-    /// make_room() or keep().
+    /// Returns whether the summary of an earlier run exists(not after
+    /// make_room(), keep()).
     bool
     has_earlier_results() const;
 
   private:
-    /// Locks the folder; descriptor stays -1 if another process holds the lock.
+    /// Locks the folder; descriptor stays -1 if another process has the lock.
     void
     lock();
     /// Returns whether the folder of that name is still the locked one.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `report`: output of results. It owns the folder of a run with all
-// files in it (tables, summary, VTU, restart) and the console output, made
-// from Results. It never computes results, except the stiffness of sections, or
-// reads its files, except the restart. `lamella report` makes a page
-// from these files by a Python program that page.h starts.
+// The room `report`: output of results. It writes the folder of a run with all
+// its files (tables, summary, VTU, restart) and the console output, from
+// Results. It computes only the stiffness of sections, and reads only the
+// restart. page.h starts the Python program of `lamella report`.
 
 #ifndef lamella_report_results_writer_h
 #define lamella_report_results_writer_h
@@ -24,16 +23,11 @@
 
 namespace lamella
 {
-  /**
-   * Writer of the results of a run into its folder. At the end of each load
-   * step it writes rows of all tables, VTU files and collections, the summary
-   * and the restart data, so that completed steps survive any later failure.
-   * All functions are collective.
-   *
-   * Order within a step: VTU files, rows of tables, summary, and last the
-   * restart with the sizes of the tables. Files other than growing tables are
-   * replaced atomically.
-   */
+  /// Writer of the results of a run into its folder. Each load step writes VTU
+  /// files and collections, rows of all tables, the summary, and last the
+  /// restart data with the sizes of the tables. Completed steps survive any
+  /// later failure: files other than growing tables are replaced atomically.
+  /// All functions are collective.
   class ResultsWriter
   {
   public:
@@ -54,28 +48,27 @@ namespace lamella
       const StrengthSweep *strength = nullptr;
     };
 
-    /// Writes results into the folder @p directory, which is reserved for this
-    /// run during the lifetime of the object. Calls @p output_sources at each
-    /// step. Throws InputError (ResultsFolder).
+    /// Writes results into the folder @p directory, reserved for this run
+    /// (ResultsFolder). Calls @p output_sources at each step. Throws
+    /// InputError.
     ResultsWriter(const std::string                    &directory,
                   const std::function<OutputSources()> &output_sources);
 
     /// Returns the completed steps of the run in the folder (Restart) and cuts
-    /// the tables to them. Has to be called before any step is written. Throws
-    /// InputError (read_restart()), also if a table has become shorter.
+    /// the tables to them. Must be called before any step is written. Throws
+    /// InputError as read_restart() does, also if a table is too short.
     std::vector<StepResults>
     resume();
 
     /// Writes the last load step of @p results, which must have its rows. The
     /// first call removes earlier results and writes scene.prm, the sections,
-    /// the fields of the nodes and the table headers. Throws InputError if that
-    /// fails; earlier steps stay complete.
+    /// the fields of the nodes and the table headers. Throws InputError on
+    /// failure.
     void
     write_step(const Results &results);
 
-    /// Writes the summary of @p results after all steps, which must have the
-    /// checks of the last one, their goals and first failure; nothing if no
-    /// step was solved.
+    /// Writes the summary of @p results after all steps, with the checks of the
+    /// last one, goals and first failure; no output if no step was solved.
     void
     write_outcome(const Results &results);
 
@@ -92,8 +85,7 @@ namespace lamella
     }
 
   private:
-    /// Appends the rows of the last step to all tables; creates them in the
-    /// first step.
+    /// Appends the rows of the last step to all tables; creates them first.
     void
     write_tables(const Results &results);
     /// Makes the surfaces of all contacts in their present pairing.

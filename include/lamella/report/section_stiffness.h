@@ -13,28 +13,24 @@
 
 namespace lamella
 {
-  /// Names of the section forces in the order of SaintVenant::Force, which all
-  /// matrices below have.
+  /// Names of the section forces in the order of SaintVenant::Force.
   inline constexpr std::array<const char *, 6> section_force_names{
     {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"}};
 
   /// Section properties for beam programs: SaintVenant's 6 x 6 stiffness,
-  /// constants derived from it, and the mass. They do not depend on theories.
-  ///
-  /// Rounding is removed: couplings m_ij below 1e-10 sqrt(m_ii m_jj) and
-  /// coordinates below 1e-10 of the section's size are 0.
+  /// constants derived from it, and the mass. They are independent of theories.
+  /// Couplings m_ij below 1e-10 sqrt(m_ii m_jj) and coordinates below 1e-10 of
+  /// the section's size are 0.
   struct SectionStiffness
   {
     /// Expansion in which the states were computed: `LE-3`.
     std::string expansion;
-    /// Reason in whole sentences if there are no numbers; all other members are
-    /// invalid then. Empty otherwise.
+    /// Reason if all other members are invalid, whole sentences; else empty.
     std::string fault;
-    /// Center of area, the reference of moments and velocities, in section
-    /// coordinates (x, z) [length].
+    /// Center of area, the reference of moments and velocities (x, z) [length].
     dealii::Point<2> reference_point;
-    /// Section forces per section strain [force, force length, force length^2],
-    /// and the inverse.
+    /// Section forces per strain [force, force length, force length^2],
+    /// inverse.
     SectionTensor stiffness, compliance;
     /// Section constants; angles in (-90, 90] degrees.
     SectionConstants constants;
@@ -52,22 +48,20 @@ namespace lamella
 
   /// Returns stiffness, by SaintVenant in LE-N with N of expansion_degree(),
   /// and mass of the section @p mesh. Costs one Cholesky factorization of the
-  /// section. Shares @p mesh during the call; not collective.
-  ///
-  /// Numerical failure (cells too thin, more than 300,000 DoFs in LE-1) does
-  /// not throw, so that no run ends for it, but sets the result's `fault`.
+  /// section. Numerical failure (cells too thin, more than 300,000 DoFs in
+  /// LE-1) sets the result's `fault`. Not collective.
   SectionStiffness
   section_stiffness(std::shared_ptr<const SectionMesh> mesh);
 
   /// Returns sections/NAME.json for @p section called @p name, with labels from
-  /// @p units and a final line feed (doc/reference/section-properties.md).
+  /// @p units (doc/reference/section-properties.md).
   std::string
   section_json(const std::string      &name,
                const SectionStiffness &section,
                const Units            &units);
 
   /// Writes section_json() into sections/@p name.json of the existing folder
-  /// @p directory. Throws InputError if it cannot.
+  /// @p directory. Throws InputError on failure.
   void
   write_section_stiffness(const std::string      &directory,
                           const std::string      &name,

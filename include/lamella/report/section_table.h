@@ -10,16 +10,15 @@
 namespace lamella
 {
   /// Returns the mesh of a section for pictures, as CSV. Each cell has a line
-  /// with its number, ply (from 1), material and angle of the fibers [degrees],
-  /// then for its four sides, counter-clockwise, their boundary names (empty
-  /// inside) and points `x z;x z;...`: both ends, and seven between if the side
-  /// is curved. Lengths are the scene's, in section axes x (across) and z (up).
-  /// Only boundary sides are drawn curved.
+  /// with its number, ply (from 1), material and angle of the fibers [degrees].
+  /// Its four sides follow, counter-clockwise, with their boundary names (empty
+  /// inside) and points `x z;x z;...`: both ends, and seven between if a
+  /// boundary side is curved. Lengths are the scene's, in section axes.
   std::string
   section_table(const SectionMesh &section);
 
   /// Writes section_table() into sections/@p name.csv of the existing folder
-  /// @p directory. Throws InputError if it cannot.
+  /// @p directory. Throws InputError on failure.
   void
   write_section(const std::string &directory,
                 const std::string &name,

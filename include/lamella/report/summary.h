@@ -9,10 +9,10 @@
 
 namespace lamella
 {
-  /// Returns summary.json for @p results (doc/reference/output.md), with a
-  /// final line feed: resultants and checks of the last load step, which must
-  /// have checks, changes and jumps, and the warnings of all steps. Without
-  /// steps they are left out. Bytes that are not UTF-8 are replaced.
+  /// Returns summary.json for @p results (doc/reference/output.md): resultants
+  /// and checks of the last load step, which must have checks, changes and
+  /// jumps, and the warnings of all steps. Bytes that are not UTF-8 are
+  /// replaced.
   std::string
   summary_text(const Results &results);
 } // namespace lamella

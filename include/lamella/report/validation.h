@@ -17,23 +17,19 @@
 namespace lamella
 {
   /// Prints the data of the material @p name: elastic constants, strengths,
-  /// yield stress, core strengths, density, expansion; stresses with labels of
-  /// @p units.
+  /// density, expansion; stresses with labels of @p units.
   void
   print_material(std::ostream      &out,
                  const std::string &name,
                  const Material    &material,
                  const Units       &units);
 
-  /**
-   * Prints the ply table of the section @p name, the laminate's A, B, D, the
-   * section's EA, EI, GA, k G A and, by @p section, G J. A, B, D are those of
-   * classical lamination theory about the mid-plane, in the order yy, xx, xy
-   * with y along the beam (force / length, force, force length); EA, EI are
-   * those of the laminate free to contract and twist; k G A follows from the
-   * equilibrium of the plies. @p plies are from the bottom, at least one;
-   * @p width is the section's. Rounding errors in A, B, D are printed as zero.
-   */
+  /// Prints the ply table of the section @p name, the laminate's A, B, D, EA
+  /// and EI (free to contract and twist), GA, k G A from the equilibrium of the
+  /// plies and, by @p section, G J. A, B, D are those of classical lamination
+  /// theory about the mid-plane, in the order yy, xx, xy with y along the beam.
+  /// @p plies are from the bottom, at least one; @p width is the section's;
+  /// labels are from @p units.
   void
   print_laminate(std::ostream           &out,
                  const std::string      &name,
@@ -43,9 +39,8 @@ namespace lamella
                  const Units            &units);
 
   /// Prints the section @p name of the kind @p shape: cells, extents, area,
-  /// centroid, second moments about it, boundaries with their lengths, parts
-  /// with their materials and areas, and G J by Saint-Venant's torsion if
-  /// known; labels by @p units.
+  /// centroid, second moments, boundaries with lengths, parts with materials
+  /// and areas, and G J by Saint-Venant's torsion if known; labels by @p units.
   void
   print_section(std::ostream      &out,
                 const std::string &name,
@@ -55,8 +50,7 @@ namespace lamella
 
   /// Prints the beam properties of the section @p name: E A, principal E I, G
   /// J, k G A, tension and shear center, the 6 x 6 stiffness and, if known, the
-  /// mass; or the reason why there are none. Points are in section coordinates;
-  /// labels by @p units.
+  /// mass; or the reason for their absence. Labels are from @p units.
   void
   print_stiffness(std::ostream           &out,
                   const std::string      &name,
@@ -64,7 +58,7 @@ namespace lamella
                   const Units            &units);
 
   /// Prints a line per body (theory, DoFs), load (sum at load factor 1) and
-  /// contact (pairs that may touch, nodes without a partner).
+  /// contact (possible pairs, unpaired nodes).
   void
   print_bodies(std::ostream                        &out,
                const Structure                     &structure,

@@ -14,8 +14,7 @@
 
 namespace lamella
 {
-  /// Named numbers of a VTU file, point by point or cell by cell, with
-  /// @p n_components each.
+  /// Named numbers, @p n_components per point or cell.
   struct VtuArray
   {
     std::string  name;
@@ -33,8 +32,7 @@ namespace lamella
     /// VTK's numbers of cell types.
     static constexpr std::uint8_t vertex = 1, quadrilateral = 9,
                                   lagrange_hexahedron = 72;
-    /// Name by which readers find the array of `of_cells` with the three
-    /// degrees of each Lagrange hexahedron.
+    /// Name of the array of `of_cells` with the degrees of Lagrange hexahedra.
     static constexpr const char *degrees_name = "HigherOrderDegrees";
 
     /// Points, with three components.
@@ -58,9 +56,8 @@ namespace lamella
   };
 
   /// Writes @p grid as a .vtu: raw appended arrays, compressed in blocks by the
-  /// fastest zlib level, in parallel if the run has threads. The file has
-  /// version 2.2, in which Lagrange hexahedra are numbered as in VTK 9; cells
-  /// with individual degrees need VTK 9.0.
+  /// fastest zlib level. The file has version 2.2, in which Lagrange hexahedra
+  /// are numbered as in VTK 9.
   void
   write_vtu_file(std::ostream &out, const VtuGrid &grid);
 

@@ -8,11 +8,10 @@
 
 namespace lamella
 {
-  /// Throws InputError for entries of @p scene, whose top level is @p in, that
+  /// Throws InputError for entries of @p scene, with the top level @p in, that
   /// friction does not allow: the strategy `full`, since the matrix is not
-  /// symmetric, and runs to a tolerance, which do not refine load steps. Throws
-  /// it also for entries that need friction: Substeps, and the dissipation of a
-  /// contact.
+  /// symmetric, and runs to a tolerance. Throws it also for entries that need
+  /// friction: Substeps, and the dissipation of a contact.
   void
   check_friction(const Scene &scene, const Entries &in);
 } // namespace lamella

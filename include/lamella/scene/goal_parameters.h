@@ -49,8 +49,7 @@ namespace lamella
     /// Limits of a run to a tolerance; 0: none.
     unsigned int budget_dofs    = 0;
     double       budget_seconds = 0.;
-    /// True if the scene sets no Theory, so that a run to a tolerance may
-    /// choose the first one.
+    /// True if the scene sets no Theory, so that a run to a tolerance chooses.
     bool theory_is_default = false;
     /// Names of the bodies whose axis elements the scene leaves open.
     std::set<std::string> axes_are_default;
@@ -59,15 +58,12 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /**
-     * Returns the entries of `subsection Goals`. @p of_trade are the
-     * quantities that a trade names. Throws InputError for: a quantity not in
-     * @p names; a tolerance that is not above 0 and at most 100 per cent, or
-     * is below 1e-6 per cent, the shortest bar (error_bar.h); a tolerance in
-     * another unit than @p units gives its quantity; a tolerance that is not
-     * in per cent for quantities without a common unit; and a number of
-     * tolerances that is neither one nor that of the quantities.
-     */
+    /// Returns the entries of `subsection Goals`. @p of_trade are the
+    /// quantities that a trade names. Throws InputError for a quantity not in
+    /// @p names; a tolerance that is not above 0 and at most 100 per cent, or
+    /// is below 1e-6 per cent; a tolerance in another unit than @p units gives
+    /// its quantity; a tolerance that is not in per cent for quantities without
+    /// a common unit; and a wrong number of tolerances.
     static GoalParameters
     parse(const Entries                    &in,
           const QuantityNames              &names,

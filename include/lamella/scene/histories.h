@@ -10,13 +10,11 @@
 namespace lamella
 {
   /// Returns the subsection, as `Load push`, of the first support, load or
-  /// obstacle of @p scene, in this order, with `Factors` of its own; empty if
-  /// all follow the load factor of the scene.
+  /// obstacle of @p scene with `Factors` of its own; empty if there is none.
   std::string
   first_with_factors(const Scene &scene);
 
-  /// Returns the first contact of @p scene with friction, which makes states
-  /// depend on the load path; null if there is none.
+  /// Returns the first contact of @p scene with friction; null if none.
   const ContactPair *
   first_with_friction(const Scene &scene);
 } // namespace lamella

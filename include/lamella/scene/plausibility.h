@@ -12,8 +12,8 @@ namespace lamella
 {
   /**
    * Returns sentences, without a full stop, on numbers of @p scene whose unit
-   * is probably not that of the scene. Materials have their own check
-   * (material_warnings()). @p meshes are those of the scene's sections.
+   * is probably not that of the scene. @p meshes are those of its sections.
+   * Lengths and stresses are checked with `Units` only.
    *
    *   number                    warning if
    *   layup                     no angle exceeds 3.2, and one is pi/2, pi/3,
@@ -24,8 +24,6 @@ namespace lamella
    *   ply of stiff fibers       below 5 micrometers or above 100 mm
    *   Gravity                   9.7 to 9.9 mm/s^2, or as many km/s^2
    *   Rotation of a support     more than one turn: degrees
-   *
-   * Lengths and stresses are checked with `Units` only.
    */
   std::vector<std::string>
   magnitude_warnings(const Scene &scene, const SectionMeshes &meshes);

@@ -8,15 +8,14 @@
 namespace lamella
 {
   /**
-   * Returns @p scene with finite rotations: of its bodies
-   * (BodyDescription::turns), with contacts whose rows may slide, and without
-   * error bars unless they are set.
+   * Returns @p scene with finite rotations of its bodies, with contacts of
+   * finite sliding, and without error bars unless they are set.
    *
    * Throws InputError for entries that large rotations do not allow: theories
-   * without finite-rotation kinematics, axes that lock, solid-1,
-   * node-dependent theories, Stabilization and Isostatic support, pairs of
-   * nodes, the full strategy, error bars and tolerances, stresses by
-   * equilibrium, several processes.
+   * without finite-rotation kinematics, axes that lock, solid-1, node-dependent
+   * theories, Stabilization and Isostatic support, pairs of nodes, the full
+   * strategy, error bars and tolerances, stresses by equilibrium, several
+   * processes.
    */
   Scene
   with_finite_rotations(Scene scene);
@@ -25,21 +24,20 @@ namespace lamella
   bool
   can_rotate(const Theory &theory);
 
-  /// Returns whether `line to roller` is possible for @p contact of @p body:
-  /// contact at the line of a beam that is nearest to a roller across the beam.
+  /// Returns whether @p contact of @p body may be `line to roller`: contact at
+  /// the line of a beam that is nearest to a roller across the beam.
   bool
   allows_line_contact(const ContactPair &contact, const BodyDescription &body);
 
-  /// Returns whether @p scene has entries that need large rotations: follower
-  /// loads.
+  /// Returns whether @p scene has entries that need large rotations.
   bool
   requests_finite_rotations(const Scene &scene);
 
-  /// Applies `Rotations` to @p scene: turning() if they are large. Automatic
-  /// rotations stay undecided, but become linear, with a warning of the scene,
-  /// if turning() throws and nothing needs large ones. Throws what turning()
-  /// throws, and InputError for linear rotations with entries that need large
-  /// ones.
+  /// Applies `Rotations` to @p scene: with_finite_rotations() if they are
+  /// large. Automatic rotations stay undecided, but become linear, with a
+  /// warning of the scene, if that function throws and no entry needs large
+  /// ones. Throws what it throws, and InputError for linear rotations with
+  /// entries that need large ones.
   void
   apply_rotations(Scene &scene);
 } // namespace lamella

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `scene`: the text of a scene and its meaning. It owns the grammar,
-// the messages with line, entry, value, rule and remedy, and the descriptions
-// that the text is resolved into. Each subject defines its own entries; this
-// room assembles them. A scene is data: this room never runs it.
-//
-// Start with SceneText (the text with its lines), read_scene() (makes a Scene
-// of it) and Simulation (run/simulation.h, made of a Scene).
+// The room `scene`: the text of a scene, its grammar, its messages with line,
+// entry, value, rule and remedy, and the descriptions that the text becomes.
+// Each subject defines its own entries; this room assembles them and does not
+// run scenes. Start with SceneText (the text with its lines), read_scene()
+// (makes a Scene of it) and Simulation (run/simulation.h, made of a Scene).
 
 #ifndef lamella_scene_scene_h
 #define lamella_scene_scene_h
@@ -32,22 +30,19 @@
 
 namespace lamella
 {
-  /// References of the resultants fx, fy and fz of supports or contacts, by
-  /// name; an empty list for a name without any.
+  /// References of the resultants fx, fy and fz of supports or contacts.
   using ReferencesByName = std::map<std::string, std::vector<Reference>>;
 
   /**
    * A scene, read and checked: plain data with names resolved. It describes a
-   * boundary value problem with contact in the order in which it is built:
-   * materials, cross-sections, bodies (a section swept along an axis, with the
-   * theory that expands the displacements over it), supports, loads and
-   * contacts, solution parameters, and requested output.
+   * boundary value problem with contact: materials, cross-sections, bodies (a
+   * section swept along an axis, with the theory of its displacements),
+   * supports, loads and contacts, solution parameters, and output.
    *
-   * Lists have the order of the lists of names in the text. Bodies are
-   * referred to by their place in `bodies`, materials and sections by name.
-   * All quantities are in the scene's units and never converted later;
-   * positions are in its axes unless stated otherwise. There is no mesh yet: a
-   * scene is cheap to copy.
+   * Lists have the order of the lists of names in the text. Bodies are referred
+   * to by their index in `bodies`, materials and sections by name. All
+   * quantities are in the scene's units; positions are in its axes unless
+   * stated otherwise. There is no mesh yet: a scene is cheap to copy.
    */
   struct Scene
   {
@@ -75,7 +70,7 @@ namespace lamella
     dealii::Tensor<1, 3> gravity;
     /// Rigid bodies that contacts refer to.
     Obstacles obstacles;
-    /// Pairs of surfaces that may touch; pairs share obstacles.
+    /// Pairs of surfaces that may be in contact.
     std::vector<ContactPair> contacts;
     /// Load factors, strategy, limits.
     SolveParameters solve;
@@ -99,12 +94,10 @@ namespace lamella
     /// Parameters of `lamella trade`; unused by a run.
     TradeParameters trade;
 
-    /// Known inaccuracies of the choices made, a sentence each
-    /// (notes_on_choices()).
+    /// Known inaccuracies of choices, a sentence each (notes_on_choices()).
     std::vector<std::string> warnings;
 
-    /// Text of all entries with their values as run, from which read_scene()
-    /// makes the same scene. Paths of mesh files are absolute.
+    /// Text of all entries with their values as run, for read_scene().
     std::string resolved;
 
     /// Returns how often the cells of @p section are divided; 0 by default.
@@ -116,29 +109,25 @@ namespace lamella
     }
   };
 
-  /// Returns the scene of @p text. Names are read first (the lists at its top
-  /// level define the subsections), then all entries. Each subject parses its
-  /// own subsections; checked here are names, surfaces that two contacts pair,
-  /// and sizes that exceed any memory. No mesh is made and no file is read
-  /// (paths of mesh files are checked): Simulation finds out whether a point is
-  /// in its body. Throws InputError with the place in the text.
+  /// Returns the scene of @p text. Each subject parses its own subsections.
+  /// Names, surfaces that two contacts pair, and sizes that exceed any memory
+  /// are checked here. No mesh is made and no file is read (paths of mesh files
+  /// are checked). Throws InputError with the place in the text.
   Scene
   read_scene(const SceneText &text);
 
   /// Throws InputError for entries and subsections of @p text that no scene
-  /// has. Values, except the lists of names, are not checked.
+  /// has.
   void
   check_entries(const SceneText &text);
 
   /// Returns all entries with documentation and default, as the text of a scene
-  /// with one subsection NAME of each kind (--print-parameters without a
-  /// scene).
+  /// with one subsection NAME of each kind (--print-parameters).
   std::string
   parameter_documentation();
 
-  /// Returns the meshes of all sections of @p scene by name, used or not;
-  /// bodies share them. Throws InputError for shapes that cannot be meshed,
-  /// mesh files that cannot be used, and distorted cells.
+  /// Returns the meshes of all sections of @p scene by name. Throws InputError
+  /// for shapes or mesh files that cannot be meshed, and distorted cells.
   SectionMeshes
   build_section_meshes(const Scene &scene);
 } // namespace lamella

@@ -18,7 +18,7 @@ namespace lamella
   line_prefix(const std::string &file, const unsigned int line);
 
   /// Returns @p text without a UTF-8 byte order mark. Throws InputError, with
-  /// @p file first, for bytes that are invalid in a scene.
+  /// @p file, for invalid bytes.
   std::string
   checked_bytes(const std::string &text, const std::string &file);
 } // namespace lamella

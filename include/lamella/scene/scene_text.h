@@ -15,10 +15,8 @@ namespace lamella
 {
   /**
    * The text of a scene with its lines, checked before ParameterHandler parses
-   * it: repeated entries are refused, and messages have line numbers and
-   * suggest the nearest known entry for an unknown one.
-   *
-   * The grammar, by lines:
+   * it. Messages have line numbers and suggest the nearest known entry for an
+   * unknown one. The grammar, by lines:
    *   subsection NAME      opens a subsection; they nest
    *   end                  closes it
    *   set ENTRY = VALUE    sets an entry of the open subsection
@@ -42,29 +40,28 @@ namespace lamella
 
     /// Parses @p text of the file named @p file and applies @p overrides, each
     /// PATH=VALUE as of --set; of equal ones the last counts, and new entries
-    /// are added with their subsections (check_declared() finds unknown ones).
-    /// Throws InputError for lines other than `subsection`, `set` and `end`,
-    /// open subsections, repeated entries and subsections, values hidden by a
-    /// comment, bytes that are not UTF-8, and a text without entries.
+    /// are added. Throws InputError for lines other than `subsection`, `set`
+    /// and `end`, open subsections, repeated entries and subsections, values
+    /// hidden by a comment, bytes that are not UTF-8, and a text without
+    /// entries.
     SceneText(const std::string              &text,
               const std::string              &file,
               const std::vector<std::string> &overrides);
 
     /// Reads the file named @p file. Throws InputError if it cannot be read or
-    /// exceeds 16 MB, and what the constructor throws.
+    /// exceeds 16 MB, and as the constructor does.
     static SceneText
     read(const std::string &file, const std::vector<std::string> &overrides);
 
-    /// Sets the entries of @p prm to the values of the scene with overrides;
-    /// with @p top_level_only without those in subsections. All must be
-    /// declared. Throws InputError for a value that does not match the pattern
-    /// of its entry.
+    /// Sets the entries of @p prm to the values of the scene; with
+    /// @p top_level_only without those in subsections. All must be declared.
+    /// Throws InputError for a value that does not match its pattern.
     void
     fill(dealii::ParameterHandler &prm,
          const bool                top_level_only = false) const;
 
-    /// Returns all entries of @p prm, in the order of declaration, as the text
-    /// of a scene, with '#' in values as '\\#'.
+    /// Returns all entries of @p prmas the text of a scene, in the order of
+    /// declaration.
     static std::string
     printed(const dealii::ParameterHandler &prm);
 
@@ -77,28 +74,24 @@ namespace lamella
                    const std::string &value);
 
     /// Removes the subsections `KIND NAME` with names not among @p names if
-    /// --set gave the list @p list: names left out there are meant to be
-    /// removed.
+    /// --set gave the list @p list.
     void
     drop_unlisted(const std::string              &list,
                   const std::string              &kind,
                   const std::vector<std::string> &names);
 
-    /// Throws InputError, at the line of the list @p list, if one of its
-    /// @p names has no subsection `KIND NAME` while a subsection of this kind
-    /// is not among them: one of the two is misspelled.
+    /// Throws InputError, at the line of @p list, if one of its @p names has no
+    /// subsection `KIND NAME` while another of this kind is not among them.
     void
     check_listed(const std::string              &list,
                  const std::string              &kind,
                  const std::vector<std::string> &names) const;
 
-    /// Returns the folder of the file, which paths in the scene are relative
-    /// to; empty for the current folder.
+    /// Returns the folder of the file; empty for the current folder.
     std::string
     folder() const;
 
-    /// Returns the value of the entry @p path in the text or an override, if
-    /// any.
+    /// Returns the value of the entry @p path in the text or an override.
     std::optional<std::string>
     says(const std::string &path) const;
 
@@ -115,7 +108,7 @@ namespace lamella
     erase(const std::string &path);
 
     /// Replaces the subsection @p path by copies of it with the paths
-    /// @p copies. Items keep their lines.
+    /// @p copies.
     void
     copy_subsection(const std::string              &path,
                     const std::vector<std::string> &copies);
@@ -125,22 +118,20 @@ namespace lamella
     has_subsection(const std::string &path) const;
 
     /// Throws InputError for the first entry or subsection that @p prm does not
-    /// declare, with the nearest declared one: of the same subsection, or for a
-    /// subsection of the same kind. With @p top_level_only subsections are
-    /// skipped.
+    /// declare, with the nearest declared one. Subsections are skipped with
+    /// @p top_level_only.
     void
     check_declared(const dealii::ParameterHandler &prm,
                    const bool top_level_only = false) const;
 
     /// Returns @p error with the place of its entry or subsection, `FILE:LINE:
-    /// ` (`FILE: ` if the text has no part of its path), unless it has a place
-    /// or no entry.
+    /// ` or `FILE: `, unless it has a place or no entry.
     InputError
     placed(const InputError &error) const;
 
   private:
-    /// Parses @p text into entries and subsections in their order; messages
-    /// begin with @p file. Throws InputError for lines outside the grammar.
+    /// Parses @p text into entries and subsections in their order. Throws
+    /// InputError for lines outside the grammar, with @p file.
     static void
     scan(const std::string &text,
          const std::string &file,
@@ -151,8 +142,8 @@ namespace lamella
     std::string
     place(const Item &entry) const;
 
-    /// Returns `FILE:LINE: ` of the entry or subsection @p path, or of its
-    /// nearest parent in the text, or `FILE: `.
+    /// Returns `FILE:LINE: ` of the entry or subsection @p pathor its nearest
+    /// parent, or `FILE: `.
     std::string
     place_of(std::string path) const;
 

@@ -9,18 +9,15 @@ namespace lamella
 {
   /**
    * Expands the stacks of @p text: bodies with `Copies = N`, N > 1. The body
-   * `leaf` becomes leaf-1 to leaf-N, at its place in Bodies and with all
-   * entries of its subsection, except
+   * `leaf` becomes leaf-1 to leaf-N, with all entries of its subsection, except
    *   Origin = Origin + (k - 1) Origin step,
    *   Length = Length + (k - 1) Length step.
-   * References to `leaf` are expanded: - a region `leaf: top` of a support or
-   * a load becomes that of each copy; - a contact with `leaf` on both sides
-   * (as `leaf: bottom` and `leaf: top`)
-   *   becomes NAME-1 to NAME-(N-1), NAME-k between the copies k (the side in
-   *   the text) and k + 1;
-   * - a contact with `leaf` on one side becomes NAME-1 to NAME-N. Points
-   * (probes, lines, cuts) have to name a copy. The result is an ordinary
-   * scene, written by a run as scene.prm.
+   * References to `leaf` are expanded; points (probes, lines, cuts) must name a
+   * copy:
+   * - a region `leaf: top` of a support or a load becomes that of each copy;
+   * - a contact with `leaf` on both sides becomes NAME-1 to NAME-(N-1), NAME-k
+   *   between the copies k (the side in the text) and k + 1;
+   * - a contact with `leaf` on one side becomes NAME-1 to NAME-N.
    *
    * Throws InputError for steps without copies, a number of copies not in 1 to
    * 1000, lengths that are not positive, and generated names that exist.

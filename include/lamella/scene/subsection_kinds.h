@@ -15,8 +15,7 @@ namespace lamella
   /// Names in each list at the top of a scene, by list.
   using NameLists = std::map<std::string, std::vector<std::string>>;
 
-  /// Sources from which subsections are read, and the scene that they are added
-  /// to.
+  /// Sources of subsections, and the scene to which they are added.
   struct SceneReading
   {
     dealii::ParameterHandler &prm;
@@ -29,15 +28,13 @@ namespace lamella
   };
 
   /// A kind of subsections, `subsection Body NAME` for each NAME of the list
-  /// `Bodies`: its declaration and its effect on the scene. A new kind is a new
-  /// row of subsection_kinds().
+  /// `Bodies`: its declaration and its effect on the scene.
   struct SubsectionKind
   {
     std::string list, kind;
     /// Declares the entries; the handler is in the subsection.
     void (*declare)(dealii::ParameterHandler &prm);
-    /// Adds the subsection NAME with the entries `in` to the scene. Throws
-    /// InputError.
+    /// Adds the subsection NAME with the entries `in`. Throws InputError.
     void (*resolve)(SceneReading      &reading,
                     const std::string &name,
                     const Entries     &in);

@@ -12,8 +12,8 @@ namespace lamella
 {
   /**
    * Returns sentences, without a full stop, on known errors of the choices of
-   * @p scene, from its entries alone: - shear locking of axis elements below
-   * B4 with full shear strains, and
+   * @p scene, from its entries alone:
+   * - shear locking of axis elements below B4 with full shear strains, and
    *   Poisson locking of LE-1, whose cells cannot contract linearly;
    * - hexahedra of degree 1 on sections that are neither laminates nor thin
    *   walls: incompatible modes help rectangles only;
@@ -24,19 +24,19 @@ namespace lamella
   notes_on_choices(const Scene &scene);
 
   /**
-   * Returns sentences on bodies of @p scene whose theory or axis is
-   * unsuitable, from constants of their sections (section/theory_limits.h):
-   * EBBT, TBT and TE-N for laminates and sandwiches in shear at their length,
-   * TE-N for other sections in torsion, long elements at clamped ends.
-   * @p meshes are those of the scene's sections.
+   * Returns sentences on bodies of @p scene with unsuitable theory or axis,
+   * from constants of their sections (section/theory_limits.h) with the
+   * @p meshes:
    *
-   * Shear: with phi = 12 E I / (k G A L^2) from the true shear stiffness of
-   * the plies and phi_N of the theory (zero for EBBT), bending is too stiff by
-   * (1 + phi) / (1 + phi_N); reported from 2 % on. Torsion: G J of the theory
-   * over that of LE-2 on this mesh, which costs a solution on the section;
-   * reported from 5 % on. Clamps: the disturbance decays within about a width
-   * of the section, but a long element spreads it over its own length;
-   * measured constants (doc/theory/theories.md).
+   * - Shear of laminates and sandwiches: bending by EBBT, TBT and TE-N is too
+   *   stiff by (1 + phi) / (1 + phi_N), phi = 12 E I / (k G A L^2) from the
+   *   true shear stiffness and phi_N of the theory (zero for EBBT); reported
+   *   from 2 % on.
+   * - Torsion of other sections: G J of TE-N over that of LE-2 on this mesh;
+   *   reported from 5 % on.
+   * - Long elements at clamped ends: the disturbance decays within about a
+   *   width of the section, but a long element spreads it over its own length
+   *   (doc/theory/theories.md).
    */
   std::vector<std::string>
   notes_on_theories(const Scene &scene, const SectionMeshes &meshes);

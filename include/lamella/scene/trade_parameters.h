@@ -16,21 +16,19 @@
 namespace lamella
 {
   /// Variant of a trade: a theory and refinement factors on the meshes of the
-  /// scene, or a run to a tolerance, which chooses both.
+  /// scene, or a run to a tolerance.
   struct TradeVariant
   {
     /// Name in the scene: `LE-2, axis 2`.
     std::string name;
-    /// Theory as known to Theory::parse(), as `LE-2`; `tolerance 1` for a run
-    /// to a tolerance.
+    /// Theory for Theory::parse(); `tolerance 1` for a run to a tolerance.
     std::string theory;
     /// Factors on the numbers of axis elements and of section cells per
-    /// direction, 0.05 to 20; 1 for a run to a tolerance.
+    /// direction, 0.05 to 20.
     double axis = 1., section = 1.;
     /// Overrides PATH=VALUE, as in --set; not yet checked against the scene.
     std::vector<std::string> overrides;
-    /// Tolerance of a run to one, as a fraction (per cent in the scene): above
-    /// 0, at most 1.
+    /// Tolerance of a run to one, as a fraction: above 0, at most 1.
     std::optional<double> tolerance = {};
   };
 
@@ -50,21 +48,18 @@ namespace lamella
     std::vector<TradeVariant> variants;
     /// Quantities named; by default those of Goals, or those with References.
     std::vector<NamedQuantity> quantities;
-    /// Probes in empty Quantities, without columns: the largest displacement
-    /// and stress are taken there. None with the reference `given`, which has
-    /// no numbers for them.
+    /// Probes in empty Quantities: the largest displacement and stress are
+    /// taken there. None with the reference `given`.
     std::vector<std::string> probes_as_goals;
     /// Names of the bodies that the variants change; all by default.
     std::vector<std::string> bodies;
     /// Reference of the errors: `finest`, the last variant that succeeds;
-    /// `solid`, the last hexahedra that do; `given`, the scene's References; or
-    /// the name of a variant.
+    /// `solid`, the last hexahedra; `given`, the scene's References; or the
+    /// name of a variant.
     std::string reference = "finest";
-    /// Relative errors for the closing sentences, as fractions (per cent in the
-    /// scene).
+    /// Relative errors for the closing sentences, as fractions.
     std::vector<double> tolerances;
-    /// True if each variant makes error bars of its own values; runs to a
-    /// tolerance always do.
+    /// True if each variant has error bars; runs to a tolerance always have.
     bool error_bars = false;
     /// Largest processor seconds of a variant; 0: no limit.
     double time_limit = 0.;
@@ -72,10 +67,10 @@ namespace lamella
     /// Declares the entries of `subsection Trade`, which must be entered.
     static void
     declare(dealii::ParameterHandler &prm);
-    /// Returns the entries of `subsection Trade`. Throws InputError for
-    /// variants that do not parse, also factors of a run to a tolerance, for
-    /// quantities that no probe, support or contact of @p names gives, and for
-    /// references that are missing or zero if `given` needs them.
+    /// Returns the entries of `subsection Trade`. Throws InputError for invalid
+    /// variants, for quantities that no probe, support or contact of @p names
+    /// gives, and for references that are missing or zero if `given` needs
+    /// them.
     static TradeParameters
     parse(const Entries &in, const TradeNames &names);
   };

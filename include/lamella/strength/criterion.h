@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `strength`: when a material fails. It owns the failure criteria,
-// their constants from a material's strengths, and what stresses may be
-// multiplied with until one is met. It never knows where a stress comes from:
-// no bodies, no meshes, no load steps.
+// The room `strength`: failure criteria of materials, their constants from a
+// material's strengths, and reserve factors of stresses. It is independent of
+// bodies, meshes and load steps.
 
 #ifndef lamella_strength_criterion_h
 #define lamella_strength_criterion_h
@@ -61,13 +60,12 @@ namespace lamella
   criterion_names();
 
   /// Returns the missing entry of @p material that @p criterion needs, as
-  /// `Strengths`; empty if there is none. Face wrinkling needs no strengths of
-  /// the face, and the moduli of the core only.
+  /// `Strengths`; empty if there is none. Face wrinkling needs only the moduli
+  /// of the core.
   std::string
   missing_entry(const Criterion criterion, const Material &material);
 
-  /// Magnitudes of the compressive stresses along 1 and 2 at which a face
-  /// wrinkles [force/length^2].
+  /// Magnitudes of the compressive wrinkling stresses of a face along 1, 2.
   struct WrinklingStresses
   {
     double along_1 = 0., along_2 = 0.;
@@ -77,11 +75,10 @@ namespace lamella
    * Returns Hoff's wrinkling stresses of a face on a thick core (Hoff and
    * Mautner, J. Aeronaut. Sci. 12 (1945) 285-297),
    *   sigma = 1/2 (E_f E_c G_c)^(1/3),
-   * along d = 1, 2 of the face, with its Young's modulus E_f along d, E_c of
-   * the core along 3, and the core's shear modulus G_c in the plane of d and 3:
-   * G13 cos^2 + G23 sin^2 of the angle from the core's axis 1 to d. That is
+   * along d = 1, 2 of the face. E_f is its Young's modulus along d, E_c that of
+   * the core along 3. The core's shear modulus G_c in the plane of d and 3 is
+   * G13 cos^2 + G23 sin^2 of the angle from the core's axis 1 to d:
    * @p face_angle - @p core_angle in degrees (ply_axes()), plus 90 for d = 2.
-   * Nothing is checked.
    */
   WrinklingStresses
   wrinkling_stresses(const EngineeringConstants &face,
@@ -95,8 +92,7 @@ namespace lamella
     /// The criterion's value f, the largest of its modes: 1 at failure.
     double index = 0.;
     /// Reserve factor, the smallest R >= 0 with f(R sigma_mech + sigma_res) =
-    /// 1; none if there is none up to 1e6, 0 if the residual stress alone
-    /// fails.
+    /// 1; empty beyond 1e6, 0 if the residual stress alone fails.
     std::optional<double> reserve;
     /// Failure mode at R, or without R that of largest f: `tension 1`.
     std::string_view mode;
@@ -113,26 +109,24 @@ namespace lamella
    * sigma_22, sigma_33 and sigma_22 + sigma_33, with a form per mode:
    *   f = sum s_i sigma_i^2 + p_12 sigma_11 sigma_22 + p_13 sigma_11 sigma_33
    *     + p_23 sigma_22 sigma_33 + sum l_i sigma_i.
-   * Along R sigma_mech + sigma_res each piece is a parabola in R, and the
+   * Each piece is a parabola in R along R sigma_mech + sigma_res, and the
    * reserve factor is the first root of any mode. If a criterion jumps past 1
-   * at a sign change (Tsai-Hill, Hashin's fiber mode), R is that point.
-   *
-   * Puck's inter-fiber exposure is homogeneous of degree 1, so R = 1/f without
+   * at a sign change (Tsai-Hill, Hashin's fiber mode), R is that point. Puck's
+   * inter-fiber exposure is homogeneous of degree 1, so R = 1/f without
    * residual stress; with one the first root is bracketed and bisected.
-   *
-   * assess() allocates nothing.
+   * assess() allocates no memory.
    */
   class FailureSurface
   {
   public:
-    /// Requires an empty missing_entry(). @p wrinkling is used by face
-    /// wrinkling only.
+    /// Requires an empty missing_entry(). Only face wrinkling uses
+    /// @p wrinkling.
     FailureSurface(const Criterion          criterion,
                    const Material          &material,
                    const WrinklingStresses &wrinkling = {});
 
-    /// Assesses the sum of @p mechanical, proportional to the loads, and the
-    /// constant @p residual (as of cure).
+    /// Assesses the sum of @p mechanical stress, proportional to the loads, and
+    /// constant @p residual stress (as of cure).
     Assessment
     assess(const Voigt &mechanical, const Voigt &residual = Voigt()) const;
 
@@ -149,8 +143,7 @@ namespace lamella
       /// Coefficients of 11 22, 11 33 and 22 33.
       std::array<double, 3> products{};
 
-      /// Returns the symmetric bilinear form of the quadratic part: bilinear(s,
-      /// s) is that part of f(s).
+      /// Returns the symmetric bilinear form of the quadratic part of f.
       double
       bilinear(const Voigt &s, const Voigt &t) const;
       double
@@ -160,8 +153,7 @@ namespace lamella
       }
     };
 
-    /// Bits that select a piece: sigma_11 < 0, sigma_22 < 0, sigma_33 < 0,
-    /// sigma_22 + sigma_33 < 0.
+    /// Bits of a piece: sigma_11 < 0, sigma_22, sigma_33, sigma_22 + sigma_33.
     using Signs                    = unsigned int;
     static constexpr Signs n_signs = 16;
     static Signs
@@ -175,15 +167,14 @@ namespace lamella
              const Signs              signs) const;
 
     /// Returns the first R in (@p from, @p to] at which a mode of the piece
-    /// @p signs reaches 1 (`from` if one has), and that mode.
+    /// @p signs has f = 1 (@p from if f is larger there), and that mode.
     std::optional<std::pair<double, const Form *>>
     first_root(const Signs  signs,
                const Voigt &mechanical,
                const Voigt &residual,
                const double from,
                const double to) const;
-    /// Returns the largest f(@p stress) of the modes of its piece, and that
-    /// mode.
+    /// Returns the largest f(@p stress) of the modes, and that mode.
     std::pair<double, std::string_view>
     largest_form(const Voigt &stress) const;
     /// Assesses without Puck's inter-fiber fracture.
@@ -191,7 +182,7 @@ namespace lamella
     assess_forms(const Voigt &mechanical, const Voigt &residual) const;
 
     /// Returns Puck's stress exposure for inter-fiber fracture on the plane
-    /// whose normal is at @p angle [rad] from axis 2 towards 3.
+    /// with its normal at @p angle [rad] from axis 2 to 3.
     double
     exposure(const Voigt &stress, const double angle) const;
     /// Returns the largest exposure over all planes, and its angle.
@@ -203,8 +194,8 @@ namespace lamella
 
     std::array<std::vector<Form>, n_signs> forms;
 
-    /// Data of Puck: strength in tension across the fiber, shear along it, and
-    /// resistance of the action plane to shear across it; inclinations.
+    /// Data of Puck: strength in tension across the fiber, shear along it,
+    /// shear resistance of the action plane; inclinations.
     bool             has_planes = false;
     double           Rt = 0., Rl = 0., Ra = 0.;
     PuckInclinations p;

@@ -13,8 +13,8 @@ namespace lamella
   /// Costs and values of the variants of a trade, and their reference.
   struct TradeFindings
   {
-    /// Variants in the order of the hierarchy. Those without a failure have a
-    /// value for each quantity.
+    /// Variants in the order of the hierarchy. Successful variants have a value
+    /// for each quantity.
     std::vector<VariantResult> variants;
     /// Compared quantities, with given numbers if the reference is `given`.
     std::vector<NamedQuantity> quantities;
@@ -26,15 +26,11 @@ namespace lamella
     std::string title, remark = {};
   };
 
-  /**
-   * Writes @p findings to trade.json in @p directory and runs
-   * scripts/trade.py there. The script prints tables and sentences, and
-   * writes trade.csv and the pictures (doc/guides/convergence-study.md). Its
-   * output goes to that of this process.
-   *
-   * Throws NumericsError if the variant of the reference, or every variant,
-   * failed; InputError if there is no python3 or a file cannot be written.
-   */
+  /// Writes @p findings to trade.json in @p directory and runs scripts/trade.py
+  /// there, which prints tables and sentences, and writes trade.csv and the
+  /// pictures (doc/guides/convergence-study.md). Throws NumericsError if the
+  /// variant of the reference, or every variant, failed; InputError if there is
+  /// no python3 or a file cannot be written.
   void
   present_trade(const TradeFindings &findings, const std::string &directory);
 } // namespace lamella

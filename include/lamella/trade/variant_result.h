@@ -15,13 +15,12 @@
 
 namespace lamella
 {
-  /// Error bar of a value by the run itself, in the unit of the value:
-  /// GoalResult without reasons.
+  /// Error bar of a value, in its unit: GoalResult without reasons.
   struct RunErrorBar
   {
     /// Estimated error, to be added to the value, and its bound.
     double estimate = 0., bar = 0.;
-    /// True if the bar can be relied on; there is none otherwise.
+    /// True if the error bar is reliable.
     bool trusted = false;
   };
 
@@ -33,13 +32,11 @@ namespace lamella
     /// Reason why there is no result; empty if there is one.
     std::string failure;
     /// Wall seconds of the whole process, without error bars that the run does
-    /// not need (a run to a tolerance needs them).
+    /// not need.
     double seconds = 0.;
-    /// Wall seconds by phase, and `total` without the start of the process; for
-    /// a run to a tolerance those of its last pass.
+    /// Wall seconds by phase, and `total`; may be those of a last pass.
     std::map<std::string, double> phases;
-    /// DoFs of all bodies, for a run to a tolerance in the last pass; 0 if
-    /// failed.
+    /// DoFs of all bodies in the last pass; 0 if failed.
     unsigned int dofs = 0;
     /// Peak memory of the process [MB].
     double memory = 0.;
@@ -50,8 +47,7 @@ namespace lamella
     bool   overridden = false;
     /// Tolerance of the TradeVariant.
     std::optional<double> tolerance = {};
-    /// Bar of each quantity, if the variant makes one; empty if it makes none
-    /// at all.
+    /// Error bar of each quantity; empty if the variant makes none.
     std::vector<std::optional<RunErrorBar>> bars = {};
     /// Worst values of NonlinearityEstimate of all load steps.
     double                stiffening      = 0.;
@@ -59,36 +55,33 @@ namespace lamella
   };
 
   /// Numbers and costs of a variant, as sent by its process and stored in its
-  /// record. All numbers are kept, so that another trade may use them for other
-  /// quantities without a new run.
+  /// record. Another trade may use them for other quantities.
   class VariantValues : public ResultNumbers
   {
   public:
     /// Creates the numbers of a failed variant: none.
     VariantValues() = default;
 
-    /// Takes the numbers of @p results with the bars of their goals. Throws
-    /// InputError if no step was solved.
+    /// Takes the numbers and error bars of @p results. Throws InputError if no
+    /// step was solved.
     explicit VariantValues(const Results &results);
 
-    /// Reads @p json written by to_json(). Throws nlohmann::json::exception for
-    /// anything else.
+    /// Reads @p json written by to_json(). Throws nlohmann::json::exception.
     explicit VariantValues(const nlohmann::json &json);
 
     /// Returns an object from which doubles are restored exactly.
     nlohmann::json
     to_json() const;
 
-    /// Writes DoFs, seconds by phase, memory and the effects of large
-    /// deflections into @p result.
+    /// Writes DoFs, seconds, memory and nonlinear effects into @p result.
     void
     tell(VariantResult &result) const;
 
-    /// Returns the bar of @p quantity; none if it was no goal of the run.
+    /// Returns the error bar of @p quantity; none if it was no goal.
     std::optional<RunErrorBar>
     bar(const NamedQuantity &quantity) const;
 
-    /// Returns whether the run made any bars.
+    /// Returns whether the run made any error bars.
     bool
     has_bars() const
     {
@@ -96,13 +89,13 @@ namespace lamella
     }
 
   private:
-    /// Bars by the label of the goal.
+    /// Error bars by the label of the goal.
     std::map<std::string, RunErrorBar> bars;
     unsigned int                       dofs = 0;
     /// Peak memory [MB], and wall seconds by phase.
     double                        memory = 0.;
     std::map<std::string, double> seconds;
-    /// Stiffening and buckling factor, see VariantResult.
+    /// Stiffening and buckling factor(VariantResult).
     double                stiffening = 0.;
     std::optional<double> buckling_factor;
   };

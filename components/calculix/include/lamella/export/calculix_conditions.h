@@ -17,28 +17,22 @@ namespace lamella
   /// Forces by number of the node, in scene components, at load factor 1.
   using NodalForces = std::map<unsigned int, dealii::Tensor<1, 3>>;
 
-  /**
-   * Supports and loads of a scene on the nodes of a deck.
-   *
-   * Loads become consistent nodal forces, f_i = int N_i f dA, of opposite sign
-   * at the corners of faces of 20-node elements. They are integrated with
-   * Lamella's points and weights and may be anywhere. Supports are not
-   * condensed as in Lamella (RowReduction) but prescribe nodes, in components
-   * along the scene's axes. A node of two supports belongs to the first, so
-   * that their reactions add up. Refers to the scene, not to the mesh.
-   */
+  /// Supports and loads of a scene on the nodes of a deck. Loads become
+  /// consistent nodal forces, f_i = int N_i f dA, of opposite sign at the
+  /// corners of faces of 20-node elements. Supports prescribe nodes, in
+  /// components along the scene's axes. A node of two supports belongs to the
+  /// first, so that their reactions add up. Refers to the scene.
   class CalculixConditions
   {
   public:
     /// Throws InputError for supports that nodes cannot express: lines and
     /// points off the nodes, normals oblique to the scene's axes, contradictory
-    /// ones. Throws it also for bodies that only contact holds, with
-    /// stabilizing springs or without: the system of CalculiX would be
-    /// singular.
+    /// ones. Throws it also for bodies that only contact constrains: the system
+    /// of CalculiX would be singular.
     CalculixConditions(const Scene &scene, const CalculixMesh &mesh);
 
-    /// Returns the nodes whose component @p c (0 to 2) support @p s, from 0,
-    /// prescribes. CalculiX' reaction of the support is the sum over them.
+    /// Returns the nodes at which support @p s, from 0, prescribes the
+    /// component @p c (0 to 2). The support's reaction is the sum over them.
     const std::set<unsigned int> &
     nodes(const unsigned int s, const unsigned int c) const
     {
@@ -46,8 +40,7 @@ namespace lamella
     }
 
     /// Returns the sum of the loads on nodes(s, c) in direction @p c at load
-    /// factor 1, a force. CalculiX adds it to the reactions; readers subtract
-    /// it.
+    /// factor 1. CalculiX adds it to the reactions; readers subtract it.
     double
     load_vector_on(const unsigned int s, const unsigned int c) const;
 
@@ -55,13 +48,11 @@ namespace lamella
     static std::string
     set_name(const unsigned int s, const unsigned int c);
 
-    /// Writes the node sets for the reactions of the supports, one per
-    /// component.
+    /// Writes the node sets for the reactions, one per support and component.
     void
     write_sets(std::ostream &deck) const;
 
-    /// Writes the prescribed displacements and nodal forces of the load step,
-    /// multiplied by @p factor.
+    /// Writes prescribed displacements and nodal forces times @p factor.
     void
     write_step(std::ostream &deck, const double factor) const;
 
@@ -71,8 +62,7 @@ namespace lamella
     void
     add_support(const unsigned int s, const CalculixMesh &mesh);
     /// Prescribes @p value (a length) for a component of @p node, as part of
-    /// support @p s unless another one has it. Throws InputError if another one
-    /// prescribes another value.
+    /// support @p s. Throws InputError if another one prescribes another value.
     void
     hold(const unsigned int  node,
          const unsigned int  component,

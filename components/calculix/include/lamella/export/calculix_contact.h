@@ -32,14 +32,12 @@ namespace lamella
 
   /**
    * Contacts of a scene as surface-to-surface contact with friction and the
-   * pressure p = K times the penetration, whatever the scene's enforcement.
+   * pressure p = K times the penetration, for any enforcement of the scene.
    *
    * K is @p stiffness, or 100 E_n / h of the softer side (normal modulus over
-   * the depth of the shallowest hexahedron at the surface), so that the
-   * penetration is a hundredth of that hexahedron's compression. For a slender
-   * body, with a smallest extent d below a tenth of its largest one L, it is
-   * 10 d / L times that: such a body is far more compliant in bending, and
-   * CalculiX' contact iterations may end in wrong states if the contact is
+   * the depth of the shallowest hexahedron at the surface). K of a slender
+   * body, with a smallest extent d below a tenth of its largest one L, is 10 d
+   * / L times that: CalculiX' contact iterations may fail if the contact is
    * much stiffer than the body (doc/verification/calculix.md). K is a penalty
    * per area, eps_N of Eq. 20 [force / length^3].
    *
@@ -53,7 +51,7 @@ namespace lamella
   public:
     /// Replaces the automatic K of all contacts by @p stiffness, if given.
     /// Throws InputError for Overclosure = adjust, for surfaces that bodies do
-    /// not have, and for surfaces farther than the search distance from an
+    /// not have, and for surfaces farther than the search radius from an
     /// obstacle.
     CalculixContacts(const Scene                 &scene,
                      const CalculixMesh          &mesh,
@@ -66,23 +64,20 @@ namespace lamella
       return list;
     }
 
-    /// Returns the name of a surface of contact @p k, from 0: CONTACT1_SLAVE,
-    /// CONTACT1_MASTER, ...
+    /// Returns the surface name of contact @p k, from 0: CONTACT1_SLAVE.
     static std::string
     surface_name(const unsigned int k, const bool slave);
 
-    /// Writes layers of obstacles, surfaces, laws and pairs, before the first
-    /// step.
+    /// Writes layers of obstacles, surfaces, laws and pairs.
     void
     write_model(std::ostream &deck) const;
 
     /// Writes the motion of the obstacles in a load step: @p factor times the
-    /// displacement, for all nodes of their layers.
+    /// displacement.
     void
     write_step(std::ostream &deck, const double factor) const;
 
-    /// Writes the request for resultants and pressures of the contacts:
-    /// CalculiX may end in states with tensile pressure.
+    /// Writes the request for resultants and pressures of the contacts.
     void
     write_output(std::ostream &deck) const;
 
@@ -93,8 +88,7 @@ namespace lamella
     /// Makes @p layer the master of @p contact, with the next free numbers.
     void
     add_layer(ObstacleLayer layer, CalculixContact &contact);
-    /// Writes nodes, elements and a material, which has no effect, of the
-    /// obstacle of contact @p k: the sets OBSTACLE1, ...
+    /// Writes nodes, elements and a materialof the obstacle of contact @p k.
     void
     write_layer(std::ostream &deck, const unsigned int k) const;
 

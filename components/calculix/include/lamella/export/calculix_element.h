@@ -10,20 +10,15 @@
 
 namespace lamella
 {
-  /**
-   * A hexahedron of CalculiX: the 20-node serendipity element with reduced
-   * integration (C3D20R), or the trilinear one with incompatible modes (C3D8I)
-   * or reduced integration (C3D8R). Points are those of the unit cube [0,
-   * 1]^3, faces and nodes in CalculiX' order (manual, "Eight-node brick
-   * element" and "Twenty-node brick element"): the corners around the bottom
-   * z = 0, counter-clockwise, and around the top, then the midpoints of the
-   * bottom, top and upright edges.
-   */
+  /// A hexahedron of CalculiX: the 20-node serendipity element with reduced
+  /// integration (C3D20R), or the trilinear one with incompatible modes (C3D8I)
+  /// or reduced integration (C3D8R). Points are those of the unit cube [0,
+  /// 1]^3, faces and nodes in CalculiX' order (manual, "Eight-node brick
+  /// element" and "Twenty-node brick element").
   class CalculixElement
   {
   public:
-    /// Throws InputError, with the nearest name, if @p name is none of the
-    /// three.
+    /// Throws InputError, with the nearest name, if @p name is not known.
     explicit CalculixElement(const std::string &name);
 
     /// Returns the name in a deck.
@@ -47,19 +42,18 @@ namespace lamella
       return unit_nodes.size();
     }
 
-    /// Returns the place of node @p i, from 0, in the unit cube.
+    /// Returns the position of node @p i, from 0, in the unit cube.
     const dealii::Point<3> &
     unit_node(const unsigned int i) const
     {
       return unit_nodes[i];
     }
 
-    /// Returns the shape functions N_i at @p unit, one per node, with the sum
-    /// 1. With r = 2 x - 1 in [-1, 1] and the node at r_i they are: trilinear
-    ///   N_i = prod_d (1 + r_id r_d) / 2;
+    /// Returns the shape functions N_i at @p unit, with r = 2 x - 1 in [-1, 1]
+    /// and the node at r_i. The trilinear ones are
+    ///   N_i = prod_d (1 + r_id r_d) / 2,
     /// serendipity at corners (prod_d (1 + r_id r_d) / 2) (sum_d r_id r_d - 2),
     /// and at midpoints of edges with 1 - r_d^2 in the direction of the edge.
-    /// Incompatible modes are not included.
     std::vector<double>
     shape_values(const dealii::Point<3> &unit) const;
 

@@ -16,32 +16,25 @@ namespace lamella
 {
   class Solid;
 
-  /// Faces of elements: number of the element, and deal.II's number of its
-  /// face.
+  /// Faces of elements: number of the element, deal.II's number of the face.
   using CalculixFaces = std::vector<std::pair<unsigned int, unsigned int>>;
 
-  /**
-   * Bodies of a scene as hexahedra of CalculiX, whatever their theories: the
-   * solids of `Theory = solid-2` (or solid-1), without nodes that the element
-   * lacks. Nodes and elements are numbered from 1, body by body; positions are
-   * in the scene's axes.
-   *
-   * A section cell times an axis element is a hexahedron within one ply; plies
-   * are element sets with an orientation each. Regions and probes are located
-   * by Lamella's own solids of the scene, which this object owns. Refers to
-   * the scene.
-   */
+  /// Bodies of a scene as hexahedra of CalculiX for any theories: the solids of
+  /// `Theory = solid-2` (or solid-1), without nodes that the element lacks. A
+  /// section cell times an axis element is a hexahedron within one ply; plies
+  /// are element sets with an orientation each. Nodes and elements are numbered
+  /// from 1, body by body; positions are in the scene's axes. Refers to the
+  /// scene.
   class CalculixMesh
   {
   public:
     /// Makes the solids of @p scene, of the degree of @p element, and numbers
     /// their nodes and cells. Throws InputError for hanging nodes (Refine
-    /// near), which a deck does not allow, and for C3D20R if a body is a single
-    /// row of cells.
+    /// near), and for C3D20R if a body is a single row of cells.
     CalculixMesh(const Scene &scene, const CalculixElement &element);
 
-    /// Returns the solids in the order of the scene, for regions, locations and
-    /// surfaces. Their cells are elements (element_of()).
+    /// Returns the solids in the order of the scene, with their cells as
+    /// elements (element_of()).
     const Bodies &
     bodies() const
     {
@@ -62,8 +55,7 @@ namespace lamella
       return nodes[number - 1];
     }
 
-    /// Returns the number of nodes of all bodies; those of obstacles follow
-    /// (CalculixContacts).
+    /// Returns the number of nodes of all bodies.
     unsigned int
     n_nodes() const
     {
@@ -77,8 +69,8 @@ namespace lamella
       return elements.size();
     }
 
-    /// Returns the first node and the first element of @p body (0, 1, ...); for
-    /// the number of bodies one past the last.
+    /// Returns the first node and the first element of @p body, from 0; one
+    /// past the last for the number of bodies.
     const std::pair<unsigned int, unsigned int> &
     first_of(const unsigned int body) const
     {
@@ -104,35 +96,32 @@ namespace lamella
     faces(const unsigned int body, const std::string &surface) const;
 
     /// Returns the node of @p body at @p location, within 1e-6 in each unit
-    /// coordinate, or 0 if there is none.
+    /// coordinate, or 0.
     unsigned int
     node_at(const unsigned int body, const Location &location) const;
 
     /// Returns the nodes of @p region, for a support. Throws InputError, of the
-    /// subsection @p path, if a point is not a node, a line does not follow
-    /// edges, or there is no such place or surface.
+    /// subsection @p path, if a point is not a node or a line does not follow
+    /// edges.
     std::set<unsigned int>
     region_nodes(const Region &region, const std::string &path) const;
 
     /// Writes the cards of nodes, elements, materials, ply axes and sections,
     /// with the sets BODY1 (nodes) and BODY1_PLY1 (elements), counted from 1.
     /// Isotropic materials have E and nu, others nine engineering constants in
-    /// the ply's axes, which an orientation rotates to the scene's.
+    /// the ply's axes.
     void
     write(std::ostream &deck) const;
 
   private:
-    /// Adds nodes and elements of @p body. Nodes without an element of CalculiX
-    /// get no number.
+    /// Adds nodes and elements of @p body, without unused nodes.
     void
     number(const unsigned int body);
     /// Throws InputError if @p body, the last one numbered, is one hexahedron
-    /// wide in two directions: single rows of C3D20R have unconstrained
-    /// hourglass modes. (Two cells in one of the directions suppress them.)
+    /// wide in two directions: C3D20R then has unconstrained hourglass modes.
     void
     refuse_single_row(const unsigned int body) const;
-    /// Returns region_nodes() of a line, checked where it enters elements and
-    /// half way between, hence for straight edges.
+    /// Returns region_nodes() of a straight line.
     std::set<unsigned int>
     line_nodes(const Region &region, const std::string &path) const;
     /// Writes MATERIAL1, ..., in ascending order of names.
@@ -154,13 +143,12 @@ namespace lamella
     std::vector<unsigned int> plies;
   };
 
-  /// Returns @p value as CalculiX reads it, in up to 20 characters: 13 digits
-  /// with an exponent.
+  /// Returns @p value with 13 digits and an exponent, in up to 20 characters.
   std::string
   calculix_number(const double value);
 
   /// Writes the line of a node or an element: its number, then coordinates or
-  /// nodes (twenty in two lines: CalculiX allows sixteen entries per line).
+  /// nodes (CalculiX allows sixteen entries per line).
   void
   write_node(std::ostream           &deck,
              const unsigned int      number,
@@ -170,8 +158,7 @@ namespace lamella
                 const unsigned int               number,
                 const std::vector<unsigned int> &nodes);
 
-  /// Writes the card @p keyword and the numbers of @p set, up to sixteen per
-  /// line.
+  /// Writes the card @p keyword and the numbers of @p set.
   void
   write_set(std::ostream                 &deck,
             const std::string            &keyword,

@@ -12,9 +12,8 @@
 
 namespace lamella
 {
-  /// A layer of 20-node hexahedra along a part of an obstacle's surface, which
-  /// is face 2 (CalculiX') of each: a rigid surface, since contact in CalculiX
-  /// needs elements. Nodes are numbered from 0.
+  /// A layer of 20-node hexahedra along a part of an obstacle's surface, face 2
+  /// (CalculiX') of each: a rigid surface. Nodes are numbered from 0.
   struct ObstacleLayer
   {
     /// Positions in the scene's axes.
@@ -25,17 +24,12 @@ namespace lamella
     dealii::Tensor<1, 3> displacement;
   };
 
-  /**
-   * Returns the layer at the places @p facing, not empty, of the surface of
-   * @p obstacle, with a margin on all sides: a twentieth of its extent, plus
-   * the obstacle's motion along itself.
-   *
-   * On a plane there are 8 x 8 elements, a tenth of the larger extent deep. On
-   * a cylinder each element spans at most 2 degrees, is about ten times as
-   * long as wide and a tenth of the radius deep; the parabola through its
-   * three nodes deviates from the circle by less than 1e-8 radii. Only the
-   * extent of @p facing is used.
-   */
+  /// Returns the layer at the positions @p facing, not empty, of the surface of
+  /// @p obstacle, with a margin on all sides: a twentieth of its extent, plus
+  /// the obstacle's motion along itself. A plane has 8 x 8 elements, a tenth of
+  /// the larger extent deep. Elements of a cylinder span at most 2 degrees, are
+  /// about ten times as long as wide and a tenth of the radius deep; their
+  /// parabola deviates from the circle by less than 1e-8 radii.
   ObstacleLayer
   make_layer(const Obstacle                      &obstacle,
              const std::vector<dealii::Point<3>> &facing);
