@@ -48,8 +48,8 @@ namespace lamella
    *
    * ProcessEnd::result contains the result of @p work. The copy ends by
    * _exit(), without destructors of this process's objects. Throws InputError
-   * if no process can be created. Later children of this process must be waited
-   * for, even if it was started with SIGCHLD ignored.
+   * if no process can be created. This process no longer ignores SIGCHLD
+   * afterwards.
    */
   ProcessEnd
   run_forked(const std::function<std::string()> &work,

@@ -19,7 +19,8 @@ namespace lamella
     /// Largest number of functions, for arrays of fixed size.
     static constexpr unsigned int max_size = 64;
 
-    /// Constructs @p degree + 1 functions; 1 <= degree < max_size.
+    /// Constructs @p degree + 1 functions; 1 <= degree < max_size. Throws
+    /// ExcNotImplemented for more.
     explicit GaussLobattoBasis(const unsigned int degree);
 
     /// Returns the cached basis of @p degree. Not thread-safe.

@@ -8,8 +8,9 @@
 namespace lamella
 {
   /// Installs a handler that prints @p words (at most 1000 characters) to the
-  /// error output if the user ends the program (Ctrl-C, kill). Exit status 130
-  /// or 143. Must be called by one thread, and by one process of several.
+  /// error output if the user ends the program (Ctrl-C, kill). The exit status
+  /// is then 130 or 143. Must be called by one thread, and by one process of
+  /// several.
   void
   set_interruption_message(const std::string &words);
 

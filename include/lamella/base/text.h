@@ -10,7 +10,7 @@
 
 namespace lamella
 {
-  /// Returns @p text without blanks, tabs and line ends (\r, \n) at its ends.
+  /// Returns @p text without blanks, tabs and line ends at its ends.
   std::string
   trimmed(const std::string &text);
 

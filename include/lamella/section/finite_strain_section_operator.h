@@ -44,8 +44,8 @@ namespace lamella
     SectionForces
     forces(const FieldParts &q) const;
 
-    /// Returns the largest values at the points and stations, for coefficients
-    /// @p q; for means, those over the section.
+    /// Returns the largest values over the points, or of means over the
+    /// section, and over the stations of @p q.
     Stretch
     largest(const FieldParts &q) const;
 

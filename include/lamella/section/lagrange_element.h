@@ -19,18 +19,19 @@ namespace lamella
    * The Lagrange expansion LE-p (Eq. 3): deal.II's FE_Q<2>(p) on the section
    * mesh, L4, L9 and L16 for p = 1, 2, 3 (nodes are Gauss-Lobatto points). The
    * geometry is isoparametric, so x and z are in the span of the nodal
-   * functions, and each basis below spans exactly LE. With cells in each ply
-   * this is the layer-wise (LW) expansion: u is continuous, transverse strains
+   * functions, and each basis below spans exactly LE. It is the layer-wise (LW)
+   * expansion if each ply has its cells: u is continuous, transverse strains
    * may jump at interfaces.
    *
-   * In general 1, (x - x_c)/h, (z - z_c)/h replace the nodal functions of three
-   * nodes not on a line; the other nodal functions are warping.
+   * The nodal basis is as follows: 1, (x - x_c)/h, (z - z_c)/h replace the
+   * nodal functions of three nodes not on a line; the other nodal functions are
+   * warping.
    *
    * A rectangular grid much wider than high loses digits across the width as
-   * along a slender axis, so its basis is built in columns. With G_i(x) the sum
-   * of the nodal functions of the column at x_i, the functions G_i and G_i (z -
-   * z_c) / h_z replace two nodes of each column, and 1, x, z three of these. (x
-   * and z are exchanged if the grid is much higher than wide.)
+   * along a slender axis, so its basis is built in columns. G_i(x) is the sum
+   * of the nodal functions of the column at x_i. G_i and G_i (z - z_c) / h_z
+   * replace two nodes of each column, and 1, x, z three of these. (x and z are
+   * exchanged if the grid is much higher than wide.)
    *
    * If nodes of one beam have LE-1, LE-2, ... the basis is *hierarchical* by
    * degree, as deal.II's FE_Q_Hierarchical: the bilinear functions of the

@@ -38,7 +38,7 @@ namespace lamella
    * Cholesky factorization serves all six.
    *
    * The resultants g = S_10 a + S_11 b at the rigid fields form the columns of
-   * F. With the energies Q_ij of pairs of states they give
+   * F. F and the energies Q_ij of pairs of states give
    *   compliance  F^-T Q F^-1   and its inverse, the stiffness
    * in Timoshenko's sense, in the space of the section's own theory: use LE,
    * whose error falls with its degree.
@@ -138,9 +138,9 @@ namespace lamella
   };
 
   /// Returns the six Saint-Venant warpings as columns: the states' values
-  /// without their rigid parts (Warping), orthonormal in S_00. With the rigid
-  /// fields they are the fields of the theory SV. There are fewer than six if
-  /// states do not warp, or warp alike.
+  /// without their rigid parts (Warping), orthonormal in S_00. The theory SV
+  /// has these and the rigid fields. There are fewer than six if states do not
+  /// warp, or warp alike.
   FieldColumns
   saint_venant_warpings(const SaintVenant &states, const Warping &warping);
 

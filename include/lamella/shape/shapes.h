@@ -205,7 +205,7 @@ namespace lamella
   ShapeKind
   kind_of(const SectionShape &shape);
 
-  /// Returns the name of its kind in a scene: `laminate`, `half disc`, ...
+  /// Returns the name of its kind in a scene: `half disc`.
   inline std::string
   name_of(const SectionShape &shape)
   {

@@ -14,7 +14,8 @@ namespace lamella
   /// integration (C3D20R), or the trilinear one with incompatible modes (C3D8I)
   /// or reduced integration (C3D8R). Points are those of the unit cube [0,
   /// 1]^3, faces and nodes in CalculiX' order (manual, "Eight-node brick
-  /// element" and "Twenty-node brick element").
+  /// element" and "Twenty-node brick element"): corners around the bottom z =
+  /// 0, then the top, then midpoints of bottom, top and upright edges.
   class CalculixElement
   {
   public:
@@ -68,7 +69,7 @@ namespace lamella
     std::vector<dealii::Point<3>> unit_nodes;
   };
 
-  /// Returns CalculiX' number, 1 to 6 as in S1 ... S6, of deal.II's face
+  /// Returns CalculiX' number, 1 to 6 as in S1 to S6, of deal.II's face
   /// @p face, 0 to 5.
   unsigned int
   calculix_face(const unsigned int face);
