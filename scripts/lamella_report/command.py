@@ -16,10 +16,10 @@ def check_target(target):
     """Throws InputError unless a page may be put there."""
     if os.path.isdir(target):
         raise InputError(f"--output {target}: that is a folder. Name a file, as in "
-                         f"{target}/report.html.")
+                         f"{target}/report.html. [report.target-is-folder]")
     if os.path.splitext(target)[1] not in (".html", ".htm"):
         raise InputError(f"--output {target}: a report is a page of HTML. Give its name the "
-                         "ending .html.")
+                         "ending .html. [report.target-not-html]")
 
 
 @contextlib.contextmanager
@@ -34,7 +34,8 @@ def output_file(target):
         os.replace(beside, target)
     except OSError:
         raise InputError(f"--output {target}: the report cannot be written there. Name a file in "
-                         "a folder that can be written, by --output FILE.html.") from None
+                         "a folder that can be written, by --output FILE.html. "
+                         "[report.cannot-write]") from None
     finally:
         with contextlib.suppress(OSError):
             os.remove(beside)

@@ -25,7 +25,7 @@ FORM = {
     "free_corrections": list, "contact_corrections": list,
 }
 
-CHANGED = "The file was cut off or changed; run the scene again."
+CHANGED = "The file was cut off or changed; run the scene again. [report.damaged-file]"
 DAMAGED = f"it is not what a run writes there. {CHANGED}"
 
 
@@ -131,16 +131,17 @@ class RunFolder:
         place = f"report {self.path}: "
         if not os.path.exists(self.path):
             raise InputError(place + "there is no such folder. Name the one that a run has "
-                             "left its results in, as in results/cantilever.")
+                             "left its results in, as in results/cantilever. [report.no-folder]")
         if not os.path.isdir(self.path):
             raise InputError(place + "that is not a folder. Name the one that a run has left "
-                             "its results in: a scene is run first, by lamella SCENE.prm.")
+                             "its results in: a scene is run first, by lamella SCENE.prm. "
+                             "[report.not-a-folder]")
         for name in ("summary.json", "scene.prm"):
             if not os.path.isfile(self.file(name)):
                 raise InputError(
                     f"{place}the folder holds no results of a run: there is no {name} in it. A "
                     "run that failed in its first load step leaves none; the variants of a trade "
-                    "have theirs in variants/NN_NAME/run.")
+                    "have theirs in variants/NN_NAME/run. [report.no-results]")
 
     def table(self, name):
         return Table.read(self.file(f"{name}.csv"))
