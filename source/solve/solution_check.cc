@@ -186,10 +186,10 @@ namespace lamella
                          const bool                is_large,
                          std::vector<std::string> &warnings)
     {
-      const std::string what = ": contact " + contact.name + ": ";
+      const std::string what = "contact " + contact.name + ": ";
       if (kkt.max_penetration > large_penetration * displacement)
         warnings.push_back(
-          "solve.penetration" + what + "bodies penetrate by " +
+          "solve.penetration: " + what + "bodies penetrate by " +
           to_text(kkt.max_penetration, 3) + ", " +
           to_text(100. * kkt.max_penetration / displacement, 2) +
           " % of the displacements. Raise the penalty, or use Enforcement = "
@@ -199,7 +199,7 @@ namespace lamella
         return;
       if (kkt.unresolved_curvature > large_averaging * displacement)
         warnings.push_back(
-          "solve.curvature-unresolved" + what +
+          "solve.curvature-unresolved: " + what +
           "gaps averaged over elements are up to " +
           to_text(kkt.unresolved_curvature, 3) +
           " wider than those at their points, " +
@@ -211,7 +211,7 @@ namespace lamella
       for (const GapConstraint &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);
       if (smallest < 0.)
-        warnings.push_back("contact.initial-overlap" + what +
+        warnings.push_back("contact.initial-overlap: " + what +
                            "the bodies overlap at the start by up to " +
                            to_text(-smallest, 3) + " and are pushed apart");
     }

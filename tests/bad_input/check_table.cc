@@ -118,7 +118,7 @@ namespace
         notes.push_back(doubt);
     const auto simulation = make_simulation(scene, text, nowhere);
     for (const std::string &note : simulation->results().notes)
-      if (note.find("supports hold all") != std::string::npos)
+      if (note.find("solve.load-on-supports") != std::string::npos)
         notes.push_back(note);
     // Each is among the notes of the run, once.
     const auto              &all = simulation->results().notes;
