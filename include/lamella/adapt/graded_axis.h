@@ -83,14 +83,13 @@ namespace lamella
 
   /**
    * Makes the axes of `Axis elements = auto` among @p bodies
-   * (AxisMesh::fineness, 0 afterwards): graded to loads, supports and
-   * contacts, with fineness times as many elements. Contacts are
-   * searched on equal elements, then on the graded ones. For bodies
-   * apart, the place is that of the smallest gap, by a parabola through
-   * three rows. Supports of ends count as clamps. Bodies whose nodes a
-   * contact pairs along one line share their grading. Loads on sides and
-   * on lines along the axis, weight across it under @p gravity, and heat
-   * that is not linear along it limit elements all along
+   * (AxisMesh::fineness, 0 afterwards): graded to loads, supports and contacts,
+   * with fineness times as many elements. Contacts are searched on equal
+   * elements, then on the graded ones. For bodies apart, the place is that of
+   * the smallest gap, by a parabola through three rows. Supports of ends count
+   * as clamps. Bodies whose nodes a contact pairs along one line share their
+   * grading. Loads on sides and on lines along the axis, weight across it under
+   * @p gravity, and heat that is not linear along it limit elements all along
    * (GradingRules::elements_per_span).
    *
    * Throws what conditions and contacts throw. Collective where Beam is.

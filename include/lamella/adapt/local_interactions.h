@@ -13,14 +13,12 @@
 
 namespace lamella
 {
-  /**
-   * A load, a support or a side of a contact on a beam, as seen by the section.
-   * It acts through rows over the DoFs,
-   *   r(u) = sum_i sum_alpha w_i f_alpha u_(i,alpha),
-   * with axis weights w and section load vectors f, the only loads that the
-   * section has to respond to. A beam with all section fields at all nodes
-   * provides them.
-   */
+  /// A load, a support or a side of a contact on a beam, as seen by the
+  /// section. It acts through rows over the DoFs,
+  ///   r(u) = sum_i sum_alpha w_i f_alpha u_(i,alpha),
+  /// with axis weights w and section load vectors f, the only loads that the
+  /// section has to respond to. A beam with all section fields at all nodes
+  /// provides them.
   struct LocalInteraction
   {
     /// Name, as in "contact nose".

@@ -407,8 +407,7 @@ namespace lamella
 
     /// Returns the strain energy of @p u and the largest rotation; here the
     /// work of the internal forces, and curl u of an interpolation on a grid of
-    /// output_degrees() in each element. Collective, the same on all
-    /// processes.
+    /// output_degrees() in each element. Collective, the same on all processes.
     virtual Deformation
     deformation(const Vector &u) const;
 

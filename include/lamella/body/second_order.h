@@ -62,13 +62,11 @@ namespace lamella
     largest_short_wave_ratio() const = 0;
   };
 
-  /**
-   * Returns the largest -s_ii / G over the axes i, where G is the lower of the
-   * two shear moduli of C with that axis. Its inverse is the buckling factor of
-   * plane shear waves along i in the material (Rosen's microbuckling of fibers,
-   * -s = G). No mode of a homogeneous body has a lower one. Zero without
-   * compression.
-   */
+  /// Returns the largest -s_ii / G over the axes i, where G is the lower of the
+  /// two shear moduli of C with that axis. Its inverse is the buckling factor
+  /// of plane shear waves along i in the material (Rosen's microbuckling of
+  /// fibers, -s = G). No mode of a homogeneous body has a lower one. Zero
+  /// without compression.
   double
   short_wave_ratio(const Voigt &stress, const ElasticTensor &C);
 } // namespace lamella

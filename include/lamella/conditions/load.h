@@ -49,14 +49,12 @@ namespace lamella
     unsigned int history = 0;
   };
 
-  /**
-   * Forces at points of a body equivalent to a load t on one of its regions:
-   * they do the same work on all its displacements there. On a surface they are
-   * integral phi_k t dA at the trace nodes X_k of each facet, with trace
-   * functions phi_k; for constant t on a plane facet, at Gauss points.
-   * `checked`, `size` and `error` describe the integration of varying
-   * expressions. Constant ones are exact except on curved facets.
-   */
+  /// Forces at points of a body equivalent to a load t on one of its regions:
+  /// they do the same work on all its displacements there. On a surface they
+  /// are integral phi_k t dA at the trace nodes X_k of each facet, with trace
+  /// functions phi_k; for constant t on a plane facet, at Gauss points.
+  /// `checked`, `size` and `error` describe the integration of varying
+  /// expressions. Constant ones are exact except on curved facets.
   struct PointForces
   {
     /// Locations of the forces, in their order.

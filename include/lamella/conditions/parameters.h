@@ -21,13 +21,12 @@ namespace lamella
   std::pair<unsigned int, std::string>
   parse_on_body(const Entry &entry, const std::vector<std::string> &bodies);
 
-  /**
-   * Returns the regions of @p on, `BODY: point | line | body | SURFACE` between
-   * semicolons (one at the end is allowed), with the positions @p at of points
-   * and lines. All points of @p at are one region; a line has two different
-   * ends. Throws InputError for no or repeated regions, and for too few, too
-   * many or unused positions. Surfaces are checked later, by check_surface().
-   */
+  /// Returns the regions of @p on, `BODY: point | line | body | SURFACE`
+  /// between semicolons (one at the end is allowed), with the positions @p at
+  /// of points and lines. All points of @p at are one region; a line has two
+  /// different ends. Throws InputError for no or repeated regions, and for too
+  /// few, too many or unused positions. Surfaces are checked later, by
+  /// check_surface().
   std::vector<Region>
   parse_regions(const Entry                    &on,
                 const Entry                    &at,

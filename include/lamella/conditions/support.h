@@ -138,14 +138,12 @@ namespace lamella
   dealii::Tensor<1, 3>
   scene_axis(const unsigned int c);
 
-  /**
-   * Returns the rows of @p supports by support, region and point: up to three
-   * per point for u, one for a normal displacement, one per motion of a hold.
-   * They may be dependent (see RowReduction). Weights below 1e-13 of a row's
-   * largest are dropped, so that rounding errors do not couple rows. Throws
-   * InputError for regions outside of their body, and for a normal displacement
-   * on a surface with corners.
-   */
+  /// Returns the rows of @p supports by support, region and point: up to three
+  /// per point for u, one for a normal displacement, one per motion of a hold.
+  /// They may be dependent (see RowReduction). Weights below 1e-13 of a row's
+  /// largest are dropped, so that rounding errors do not couple rows. Throws
+  /// InputError for regions outside of their body, and for a normal
+  /// displacement on a surface with corners.
   std::vector<PrescribedFunctional>
   prescribed_functionals(const std::vector<Support> &supports,
                          const Bodies               &bodies);

@@ -46,13 +46,11 @@ namespace lamella
     dealii::Point<3> position;
   };
 
-  /**
-   * Returns the largest sliding relative to the spacing of the rows @p active
-   * of @p interface (its own row numbers) for the displacements @p u at load
-   * factor @p factor. An obstacle is displaced by @p factor times its
-   * displacement. Throws InputError if a point of the interface is not in its
-   * body (locate_all()).
-   */
+  /// Returns the largest sliding relative to the spacing of the rows @p active
+  /// of @p interface (its own row numbers) for the displacements @p u at load
+  /// factor @p factor. An obstacle is displaced by @p factor times its
+  /// displacement. Throws InputError if a point of the interface is not in its
+  /// body (locate_all()).
   Sliding
   largest_sliding(const ContactInterface          &interface,
                   const Bodies                    &bodies,

@@ -35,14 +35,12 @@ namespace lamella
     std::vector<Weights> weights;
   };
 
-  /**
-   * Returns the rows of @p side as functionals of the DoFs of body number
-   * @p index,
-   *   B = W R,  row r: sum_k sum_c w_rk,c R_kc,
-   * with the three displacement rows R_k of each place in @p at, from
-   * Body::rows() of the body that the contact was made from or another
-   * discretization of it. As many as side.weights.
-   */
+  /// Returns the rows of @p side as functionals of the DoFs of body number @p
+  /// index,
+  ///   B = W R,  row r: sum_k sum_c w_rk,c R_kc,
+  /// with the three displacement rows R_k of each place in @p at, from
+  /// Body::rows() of the body that the contact was made from or another
+  /// discretization of it. As many as side.weights.
   std::vector<BodyFunctional>
   body_rows(const unsigned int                                index,
             const DofIndex                                    n_dofs,

@@ -151,24 +151,20 @@ namespace lamella
                   const std::vector<dealii::Tensor<1, 2>> &shear,
                   BlockVector                             &f) const;
 
-    /**
-     * Returns the two slip rows of each row at the state of the last move(),
-     *   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
-     *   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
-     * along the tangents tangents_of() its normal: the mortar integrals of the
-     * gap with the tangential projection in place of n. Each is a list of
-     * parts, as GapConstraint::parts.
-     */
+    /// Returns the two slip rows of each row at the state of the last move(),
+    ///   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
+    ///   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
+    /// along the tangents tangents_of() its normal: the mortar integrals of the
+    /// gap with the tangential projection in place of n. Each is a list of
+    /// parts, as GapConstraint::parts.
     std::vector<std::array<std::vector<BodyFunctional>, 2>>
     slip_constraints();
 
-    /**
-     * Checks the pairing in the state @p u at @p factor and returns the
-     * changes: surfaces are searched again, and rows that touch there must
-     * exist here at the same places. A row touches if its gap is below zero by
-     * more than 1e-9 of the displacements, or if it is in @p active, the
-     * ascending numbers of rows with a force. Costs as much as pair().
-     */
+    /// Checks the pairing in the state @p u at @p factor and returns the
+    /// changes: surfaces are searched again, and rows that touch there must
+    /// exist here at the same places. A row touches if its gap is below zero by
+    /// more than 1e-9 of the displacements, or if it is in @p active, the
+    /// ascending numbers of rows with a force. Costs as much as pair().
     PairingChange
     pairing_is_valid(const BlockVector               &u,
                      const LoadFactor                &factor,

@@ -81,14 +81,12 @@ namespace lamella
                                                 {SlaveSide::second, "second"}};
   };
 
-  /**
-   * Definition of a contact between two surfaces, with friction, as read by
-   * ContactParameters::parse() and converted to gap rows by make_interface().
-   * Lengths in scene units; surfaces are given by name.
-   *
-   * First and Second determine signs only: n of Eq. 16 is the outward normal of
-   * First.
-   */
+  /// Definition of a contact between two surfaces, with friction, as read by
+  /// ContactParameters::parse() and converted to gap rows by make_interface().
+  /// Lengths in scene units; surfaces are given by name.
+  ///
+  /// First and Second determine signs only: n of Eq. 16 is the outward normal
+  /// of First.
   struct ContactPair
   {
     /// Name in `subsection Contact NAME`, used in messages, tables and files.

@@ -67,14 +67,12 @@ namespace lamella
     double
     width() const;
 
-    /**
-     * Returns the mean pressure over the loaded area,
-     *   sum w_i lambda_i / sum w_i v_i A_i    [force / length^2],
-     * with the share w_i of the row in the strip (ContactTraction::shares()),
-     * and the share v_i of the interval of the point, halfway to its neighbors
-     * on the line along the axis of width(), that lies in a run. 0 without
-     * load.
-     */
+    /// Returns the mean pressure over the loaded area,
+    ///   sum w_i lambda_i / sum w_i v_i A_i    [force / length^2],
+    /// with the share w_i of the row in the strip (ContactTraction::shares()),
+    /// and the share v_i of the interval of the point, halfway to its neighbors
+    /// on the line along the axis of width(), that lies in a run. 0 without
+    /// load.
     double
     pressure() const;
 

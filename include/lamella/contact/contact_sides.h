@@ -14,13 +14,11 @@
 
 namespace lamella
 {
-  /**
-   * The two surfaces of a contact in a state: undeformed, or displaced by u and
-   * the load factor of an obstacle. Provides the geometry for pairing and gap
-   * rows, each part on first use.
-   *
-   * Refers to the bodies, which must outlive it. Scene axes.
-   */
+  /// The two surfaces of a contact in a state: undeformed, or displaced by u
+  /// and the load factor of an obstacle. Provides the geometry for pairing and
+  /// gap rows, each part on first use.
+  ///
+  /// Refers to the bodies, which must outlive it. Scene axes.
   class ContactSides
   {
   public:

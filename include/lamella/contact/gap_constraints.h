@@ -59,13 +59,11 @@ namespace lamella
     }
   };
 
-  /**
-   * Slip of a pair of points along a tangent t at load factor f,
-   *   s(u, f) = t . (u_2(X_2) - u_1(X_1)) + s_init + f s_rate,
-   * with the weights of its gap: from the undeformed bodies, or for moving rows
-   * (Contact) from the beginning of the step. Its force lambda_t loads the
-   * second side along t.
-   */
+  /// Slip of a pair of points along a tangent t at load factor f,
+  ///   s(u, f) = t . (u_2(X_2) - u_1(X_1)) + s_init + f s_rate,
+  /// with the weights of its gap: from the undeformed bodies, or for moving
+  /// rows (Contact) from the beginning of the step. Its force lambda_t loads
+  /// the second side along t.
   struct SlipConstraint : ContactConstraint
   {
     /// Tangent t, a unit vector of the scene.

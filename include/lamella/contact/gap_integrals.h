@@ -15,13 +15,11 @@
 
 namespace lamella
 {
-  /**
-   * Averages of a row over its points (GapPoint) with the weights a_q
-   * phi_i(X_q) / A_i: the mortar integrals of a weighted gap.
-   *
-   * Node numbers are those of the trace nodes of either surface, psi_k their
-   * functions. n is outward from the slave side.
-   */
+  /// Averages of a row over its points (GapPoint) with the weights a_q
+  /// phi_i(X_q) / A_i: the mortar integrals of a weighted gap.
+  ///
+  /// Node numbers are those of the trace nodes of either surface, psi_k their
+  /// functions. n is outward from the slave side.
   struct GapIntegrals
   {
     /// A_i = sum a_q phi_i over points with a projection [length^2]; zero if
@@ -57,9 +55,8 @@ namespace lamella
    * k.
    *
    * MasterPoints::projected replaces the opposite places in @p points by
-   * projections within
-   * @p search_radius [length], and omits points without one. The gap is g = n_2
-   * . (x_1
+   * projections within @p search_radius [length], and omits points without one.
+   * The gap is g = n_2 . (x_1
    * - x_2) with the exact gradient n . (delta x_2 - delta x_1), n = -n_2; its
    * average is the gradient of the averaged gap, since the weights are
    * constant.

@@ -18,19 +18,18 @@ namespace lamella
   };
 
   /**
-   * Returns the main normals of those rows of @p interface, made of
-   * @p contact, whose gaps are less than @p depth above the smallest one.
-   * One main normal stands for all rows whose own normal is within 60
-   * degrees of that of the closest row; the remaining rows are treated
-   * likewise. A roller on a flat face has one, across the face; a groove has
-   * one for each side. The contact does not restrain motions along other
-   * normals.
+   * Returns the main normals of those rows of @p interface, made of @p contact,
+   * whose gaps are less than @p depth above the smallest one. One main normal
+   * stands for all rows whose own normal is within 60 degrees of that of the
+   * closest row; the remaining rows are treated likewise. A roller on a flat
+   * face has one, across the face; a groove has one for each side. The contact
+   * does not restrain motions along other normals.
    *
-   * A main normal is common to both surfaces where they touch: the normal of
-   * a flat surface, or the normal across the generators of two curved ones
-   * (sides of bodies and cylinders are ruled surfaces). It does not depend
-   * on the mesh. For two flat surfaces at an angle, an edge on a face, it is
-   * that of the closest row.
+   * A main normal is common to both surfaces where they touch: the normal of a
+   * flat surface, or the normal across the generators of two curved ones (sides
+   * of bodies and cylinders are ruled surfaces). It does not depend on the
+   * mesh. For two flat surfaces at an angle, an edge on a face, it is that of
+   * the closest row.
    */
   std::vector<MainNormal>
   main_normals(const ContactPair      &contact,

@@ -183,14 +183,12 @@ namespace lamella
     place_of(const Location             &location,
              const dealii::Tensor<1, 3> &normal) const;
 
-    /**
-     * Returns the intersection of the line x + t d with one @p facet, with d
-     * against its outward normal. Newton's method on the two components of X(s,
-     * t) - x normal to d, from the center of the facet; an affine facet takes
-     * one step. Empty if the line misses the bounding ball, if the iteration
-     * leaves the facet far behind, or if d does not enter by both the facet
-     * normal and the smooth normal.
-     */
+    /// Returns the intersection of the line x + t d with one @p facet, with d
+    /// against its outward normal. Newton's method on the two components of
+    /// X(s, t) - x normal to d, from the center of the facet; an affine facet
+    /// takes one step. Empty if the line misses the bounding ball, if the
+    /// iteration leaves the facet far behind, or if d does not enter by both
+    /// the facet normal and the smooth normal.
     std::optional<SurfaceHit>
     intersect_facet(const unsigned int          facet,
                     const dealii::Point<3>     &x,

@@ -13,13 +13,11 @@
 
 namespace lamella
 {
-  /**
-   * Hat functions on the grid of the slave nodes, and their integrals for
-   * weighted_gaps(). Grid cells lie between Gauss-Lobatto points, each within a
-   * facet; phi_i is bilinear in (s, t) on each.
-   *
-   * Process one cell at a time: add() for each of its points, then close().
-   */
+  /// Hat functions on the grid of the slave nodes, and their integrals for
+  /// weighted_gaps(). Grid cells lie between Gauss-Lobatto points, each within
+  /// a facet; phi_i is bilinear in (s, t) on each.
+  ///
+  /// Process one cell at a time: add() for each of its points, then close().
   class MultiplierBasis
   {
   public:

@@ -14,13 +14,12 @@
 
 namespace lamella
 {
-  /**
-   * A rigid obstacle: a floor (the half space behind a plane) or a roller (a
-   * circular cylinder without ends), without DoFs and with prescribed motion.
-   *
-   * It is the second side of a contact, without points and weights; a row
-   * against it has only the part of the body. Contacts share it with the scene.
-   */
+  /// A rigid obstacle: a floor (the half space behind a plane) or a roller (a
+  /// circular cylinder without ends), without DoFs and with prescribed motion.
+  ///
+  /// It is the second side of a contact, without points and weights; a row
+  /// against it has only the part of the body. Contacts share it with the
+  /// scene.
   struct Obstacle
   {
     /// Shape; `undefined` fails an assertion in meet().

@@ -60,14 +60,12 @@ namespace lamella
     const double                     tolerance,
     const double search_radius = std::numeric_limits<double>::infinity());
 
-  /**
-   * Geometry of a gap row,
-   *   g(u) = sum_k v_k . u_2(X_k) - sum_j w_j . u_1(X_j) + gap,
-   * with the slave side 1. For a pair of points v = w = n; for a weighted gap
-   * both sum to the mean normal. Common to all discretizations;
-   * make_interface() converts it to a GapConstraint with the signs of First and
-   * Second.
-   */
+  /// Geometry of a gap row,
+  ///   g(u) = sum_k v_k . u_2(X_k) - sum_j w_j . u_1(X_j) + gap,
+  /// with the slave side 1. For a pair of points v = w = n; for a weighted gap
+  /// both sum to the mean normal. Common to all discretizations;
+  /// make_interface() converts it to a GapConstraint with the signs of First
+  /// and Second.
   struct WeightedGap
   {
     /// Point of the row, and the place opposite.
@@ -169,13 +167,11 @@ namespace lamella
                      const SurfaceHit         &hit,
                      const double              depth);
 
-  /**
-   * Returns node-to-surface gaps: the slave points @p points against the places
-   * that they face, each with its tributary area. A single-pass method: master
-   * nodes may penetrate the slave side, and a uniform pressure is not
-   * transmitted exactly (doc/theory/contact.md). v = w = n at one place per
-   * side; rows are in the order of @p points.
-   */
+  /// Returns node-to-surface gaps: the slave points @p points against the
+  /// places that they face, each with its tributary area. A single-pass method:
+  /// master nodes may penetrate the slave side, and a uniform pressure is not
+  /// transmitted exactly (doc/theory/contact.md). v = w = n at one place per
+  /// side; rows are in the order of @p points.
   Gaps
   pair_node_to_surface(const ContactSurfacePair        &sides,
                        const std::vector<SurfacePoint> &points);

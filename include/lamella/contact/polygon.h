@@ -38,12 +38,11 @@ namespace lamella
   part_above(const Polygon                                         &polygon,
              const std::function<double(const dealii::Point<2> &)> &height);
 
-  /**
-   * Returns a quadrature rule on the triangle (0, 0), (1, 0), (0, 1), exact for
-   * polynomials of @p degree, with positive weights that sum to 1/2. Witherden
-   * and Vincent up to degree 13, above it Gauss points of the square collapsed
-   * onto the triangle. Rules are cached; the cache is not thread-safe.
-   */
+  /// Returns a quadrature rule on the triangle (0, 0), (1, 0), (0, 1), exact
+  /// for polynomials of @p degree, with positive weights that sum to 1/2.
+  /// Witherden and Vincent up to degree 13, above it Gauss points of the square
+  /// collapsed onto the triangle. Rules are cached; the cache is not
+  /// thread-safe.
   const dealii::Quadrature<2> &
   triangle_rule(const unsigned int degree);
 } // namespace lamella

@@ -49,14 +49,12 @@ namespace lamella
     double       area = 0.;
   };
 
-  /**
-   * Returns the segments of the piece @p plane with the facets of @p other
-   * within @p search_radius, projected along @p direction (the averaged normal
-   * at the center of the piece), by ascending facets. Omits segments below
-   * 1e-11 of the area of the piece, and facets seen from the side (normal
-   * within a cosine of 0.1 of perpendicular to @p direction) or from behind.
-   * Segments of facets behind each other overlap.
-   */
+  /// Returns the segments of the piece @p plane with the facets of @p other
+  /// within @p search_radius, projected along @p direction (the averaged normal
+  /// at the center of the piece), by ascending facets. Omits segments below
+  /// 1e-11 of the area of the piece, and facets seen from the side (normal
+  /// within a cosine of 0.1 of perpendicular to @p direction) or from behind.
+  /// Segments of facets behind each other overlap.
   std::vector<Segment>
   cut(const ChordPlane           &plane,
       const dealii::Tensor<1, 3> &direction,

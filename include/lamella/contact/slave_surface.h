@@ -83,13 +83,11 @@ namespace lamella
       return whole;
     }
 
-    /**
-     * Returns the integrals() over the part in @p strip.
-     *
-     * Exact to rounding on plane parallelograms. On curved facets a strip ends
-     * on straight lines in (s, t) between points of its boundary on a 4 x 4
-     * grid; adjacent strips have no gap or overlap.
-     */
+    /// Returns the integrals() over the part in @p strip.
+    ///
+    /// Exact to rounding on plane parallelograms. On curved facets a strip ends
+    /// on straight lines in (s, t) between points of its boundary on a 4 x 4
+    /// grid; adjacent strips have no gap or overlap.
     std::vector<Integrals>
     integrals(const ContactStrip &strip) const;
 
@@ -188,13 +186,11 @@ namespace lamella
                            const std::vector<SlaveNode> &nodes,
                            const bool                    whole);
 
-  /**
-   * Returns the intersection (s, t) of the line x + t d with @p map, up to 1e-7
-   * outside the unit square; @p d is a unit vector. Newton's method, from the
-   * center, on the two components of X(s, t) - x normal to d; an affine map
-   * takes one step. Empty if the line misses or the iteration leaves the facet
-   * far behind.
-   */
+  /// Returns the intersection (s, t) of the line x + t d with @p map, up to
+  /// 1e-7 outside the unit square; @p d is a unit vector. Newton's method, from
+  /// the center, on the two components of X(s, t) - x normal to d; an affine
+  /// map takes one step. Empty if the line misses or the iteration leaves the
+  /// facet far behind.
   std::optional<dealii::Point<2>>
   line_intersection(const FacetMap             &map,
                     const dealii::Point<3>     &x,

@@ -31,16 +31,14 @@ namespace lamella
   /**
    * Returns @p scene with elements merged that contribute little to the error
    * of any of @p goals. A merged pair of neighbors with lengths h_1, h_2 and
-   * degree p along the axis is expected to have the error of a smooth
-   * solution,
+   * degree p along the axis is expected to have the error of a smooth solution,
    *   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
    * where e is multiplied by 2^(-2 p) if only errors of pairs are known
    * (LocalErrors::of_pairs). Pairs, also of merged elements, are merged in
-   * order of increasing error while the sum is below @p left of each
-   * tolerance. Element ends at @p kept (one list per body) stay. Nothing is
-   * merged if a contact pairs nodes, if a goal has no LocalErrors, or if their
-   * parts without an element (contact, remainder) exceed @p left of the
-   * tolerance.
+   * order of increasing error while the sum is below @p left of each tolerance.
+   * Element ends at @p kept (one list per body) stay. Nothing is merged if a
+   * contact pairs nodes, if a goal has no LocalErrors, or if their parts
+   * without an element (contact, remainder) exceed @p left of the tolerance.
    */
   Scene
   merged(Scene                                   scene,

@@ -70,14 +70,13 @@ namespace lamella
    * models:
    *   estimate  eta = v_2 - v_0
    *   bar       max(2 |eta|, 1/2 sum |shares|, rounding, 1e-8 scale).
-   * If each refinement multiplies the error by q, then v_2 - v_1 = q
-   * (v_1 - v_0), and eta misses q^2 of the error. The bar is trusted if
-   * q <= 2/3, or if all three values agree to 1e-2 of the scale (the bar is at
-   * least twice their spread then). Agreement to 1e-8 is rounding, for
-   * instance in slender cantilevers in bending with condition numbers of 1e10
-   * and more. A value that changes as much again in the same direction is
-   * reported to grow without limit. (Becker and Rannacher, Acta Numerica 10
-   * (2001) 1-102.)
+   * If each refinement multiplies the error by q, then v_2 - v_1 = q (v_1 -
+   * v_0), and eta misses q^2 of the error. The bar is trusted if q <= 2/3, or
+   * if all three values agree to 1e-2 of the scale (the bar is at least twice
+   * their spread then). Agreement to 1e-8 is rounding, for instance in slender
+   * cantilevers in bending with condition numbers of 1e10 and more. A value
+   * that changes as much again in the same direction is reported to grow
+   * without limit. (Becker and Rannacher, Acta Numerica 10 (2001) 1-102.)
    */
   ErrorBar
   error_bar(const Refinements &values, const BarRules &rules = {});

@@ -38,14 +38,12 @@ namespace lamella
             const std::vector<Cut>   &cuts,
             const bool                in_scene_axes = false);
 
-    /**
-     * Appends the probes, lines, cuts and jumps for the displacements @p u (one
-     * block per body) to @p results, which must not have any. A probe has a row
-     * per ply (a box one, or two: box_points()), a line rows along its pieces
-     * and an InterfaceJump, a cut the grids of its cells; stresses by
-     * equilibrium add closure errors for the @p tractions on faces. Recoveries
-     * are made anew for each state.
-     */
+    /// Appends the probes, lines, cuts and jumps for the displacements @p u
+    /// (one block per body) to @p results, which must not have any. A probe has
+    /// a row per ply (a box one, or two: box_points()), a line rows along its
+    /// pieces and an InterfaceJump, a cut the grids of its cells; stresses by
+    /// equilibrium add closure errors for the @p tractions on faces. Recoveries
+    /// are made anew for each state.
     void
     sample(const BlockVector   &u,
            StepResults         &results,

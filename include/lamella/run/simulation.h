@@ -65,10 +65,9 @@ namespace lamella
      * Where a stiffness has lost its digits before the first step, bodies with
      * fields of their own get all fields of their sections, once. If contact
      * points miss a penetrating body, an automatic axis gets shorter elements
-     * there, and all steps are repeated.
-     * With an @p observer the state and the tables of a step are dropped when
-     * the next one is there: what it has not taken is gone. Without one all
-     * steps stay whole. Collective.
+     * there, and all steps are repeated. With an @p observer the state and the
+     * tables of a step are dropped when the next one is there: what it has not
+     * taken is gone. Without one all steps stay whole. Collective.
      */
     const Results &
     solve(const Observer &observer = {});
@@ -202,9 +201,8 @@ namespace lamella
     /// The next load step, and one more element of the results' steps.
     void
     do_step(const Observer &observer);
-    /// The load at which the smallest reserve factor is 1
-    /// (FirstFailureSearch). Says in an endnote where nothing fails or states
-    /// end.
+    /// The load at which the smallest reserve factor is 1 (FirstFailureSearch).
+    /// Says in an endnote where nothing fails or states end.
     void
     find_first_failure();
 

@@ -11,13 +11,11 @@
 
 namespace lamella
 {
-  /**
-   * Checks of a load step: equilibrium, energy, the contact law and the range
-   * of linear kinematics. All are evaluated at the state with internal forces
-   * from strains, not from the matrix of the solution. The forces of a body are
-   * skipped if its strain energy is within the rounding of its displacements,
-   * such as when its supports move it as a whole.
-   */
+  /// Checks of a load step: equilibrium, energy, the contact law and the range
+  /// of linear kinematics. All are evaluated at the state with internal forces
+  /// from strains, not from the matrix of the solution. The forces of a body
+  /// are skipped if its strain energy is within the rounding of its
+  /// displacements, such as when its supports move it as a whole.
   struct Checks
   {
     /// Reactions of the supports on the bodies, in the order of the scene.

@@ -25,14 +25,12 @@ namespace lamella
   double
   law_compliance(const GapConstraint &row);
 
-  /**
-   * A contact problem in increments about a state whose displacements u and
-   * contact forces lambda_state are in equilibrium,
-   *   K u = t f + B^T lambda_state,
-   * such as the linear solution without contact or a refined state. Vectors
-   * have one entry per contact constraint of the scene, in the numbering of
-   * GapConstraints.
-   */
+  /// A contact problem in increments about a state whose displacements u and
+  /// contact forces lambda_state are in equilibrium,
+  ///   K u = t f + B^T lambda_state,
+  /// such as the linear solution without contact or a refined state. Vectors
+  /// have one entry per contact constraint of the scene, in the numbering of
+  /// GapConstraints.
   struct ContactProblem
   {
     /// Gap g_state [length], negative for penetration, and force lambda_state
@@ -72,12 +70,10 @@ namespace lamella
     bool is_unstable = false;
   };
 
-  /**
-   * The constraint equations of a linear system with contact: each gap or slip
-   * listed by number (GapConstraints) has an equation for its zero velocity and
-   * a force lambda. In a slipping constraint the force acts along B_n^T + sum_a
-   * c_a B_t,a^T,   c = mu e, with the direction e of its shear force.
-   */
+  /// The constraint equations of a linear system with contact: each gap or slip
+  /// listed by number (GapConstraints) has an equation for its zero velocity
+  /// and a force lambda. In a slipping constraint the force acts along B_n^T +
+  /// sum_a c_a B_t,a^T,   c = mu e, with the direction e of its shear force.
   struct ActiveConstraints
   {
     ActiveConstraints() = default;
@@ -123,13 +119,11 @@ namespace lamella
   /// as that of an iteration limit.
   using Monitor = std::function<void(const Round &)>;
 
-  /**
-   * The numerical compliance d >= a of a constraint (length over force), the
-   * proximal term of the method of multipliers:
-   *   lambda = max(0, ((d - a) lambda_bar - g) / d).
-   * It makes the force a function of the gap even for a = 0, and reduces to the
-   * contact law for lambda_bar = lambda.
-   */
+  /// The numerical compliance d >= a of a constraint (length over force), the
+  /// proximal term of the method of multipliers:
+  ///   lambda = max(0, ((d - a) lambda_bar - g) / d).
+  /// It makes the force a function of the gap even for a = 0, and reduces to
+  /// the contact law for lambda_bar = lambda.
   class NumericalCompliance
   {
   public:

@@ -279,13 +279,11 @@ namespace lamella
                              const State      &settled,
                              const LoadFactor &factor);
 
-    /**
-     * Corrects the active set of the refined @p state where constraints barely
-     * touch, so that rounding of the compliance repeats a wrong set. Tensile
-     * constraints leave, penetrating ones join, and the state is refined, in at
-     * most max_set_corrections rounds. Returns false, without effect, on
-     * failure.
-     */
+    /// Corrects the active set of the refined @p state where constraints barely
+    /// touch, so that rounding of the compliance repeats a wrong set. Tensile
+    /// constraints leave, penetrating ones join, and the state is refined, in
+    /// at most max_set_corrections rounds. Returns false, without effect, on
+    /// failure.
     bool
     correct_active_set(State &state, const LoadFactor &factor);
 

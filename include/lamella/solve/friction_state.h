@@ -34,13 +34,11 @@ namespace lamella
     std::vector<double> length, dissipated;
     /// g + a lambda_n [length].
     std::vector<double> contact_gap;
-    /**
-     * Accumulated defect of the contact work over all rows [energy]: per step
-     *   - mean lambda . (change of (g, s) + a lambda) - dissipated,
-     * with the mean of the forces at both ends. For linear bodies, the external
-     * work is the sum of strain energy, penalty energy a |lambda|^2 / 2,
-     * dissipation and this defect, which vanishes as steps get shorter.
-     */
+    /// Accumulated defect of the contact work over all rows [energy]: per step
+    ///   - mean lambda . (change of (g, s) + a lambda) - dissipated,
+    /// with the mean of the forces at both ends. For linear bodies, the
+    /// external work is the sum of strain energy, penalty energy a |lambda|^2 /
+    /// 2, dissipation and this defect, which vanishes as steps get shorter.
     double path_gap = 0.;
 
     bool

@@ -13,14 +13,12 @@
 
 namespace lamella
 {
-  /**
-   * Kuhn-Tucker conditions (Eq. 18) and resultants of one contact at the end of
-   * a load step,
-   *   g >= 0,  lambda >= 0,  g lambda = 0   (for penalty with g + lambda / eps
-   *                                          in the place of g),
-   * row by row. The force lambda of a row is positive in compression, where p_N
-   * of Eq. 18 is negative. Units and axes of the scene.
-   */
+  /// Kuhn-Tucker conditions (Eq. 18) and resultants of one contact at the end
+  /// of a load step,
+  ///   g >= 0,  lambda >= 0,  g lambda = 0   (for penalty with g + lambda / eps
+  ///                                          in the place of g),
+  /// row by row. The force lambda of a row is positive in compression, where
+  /// p_N of Eq. 18 is negative. Units and axes of the scene.
   struct KktResidual
   {
     /// Number of rows with a force.

@@ -73,13 +73,11 @@ namespace lamella
     std::vector<EndInContact> ends;
   };
 
-  /**
-   * Contacts with finite motion: gap rows move with the surfaces, and surfaces
-   * are paired anew when they come to face each other. With friction, slips are
-   * measured from the beginning of the step, and shear forces rotate with the
-   * frames of their rows. Refers to the lists of the scene and modifies them
-   * (Contact).
-   */
+  /// Contacts with finite motion: gap rows move with the surfaces, and surfaces
+  /// are paired anew when they come to face each other. With friction, slips
+  /// are measured from the beginning of the step, and shear forces rotate with
+  /// the frames of their rows. Refers to the lists of the scene and modifies
+  /// them (Contact).
   class MovingContacts
   {
   public:

@@ -284,8 +284,7 @@ namespace lamella
                          State             &state) const;
 
     /// Adds the forces S w of the stabilizing springs, scaled by @p
-    /// regularization_factor, to
-    /// @p f.
+    /// regularization_factor, to @p f.
     void
     add_spring_forces(const double       regularization_factor,
                       const BlockVector &w,

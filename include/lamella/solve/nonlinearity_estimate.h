@@ -48,14 +48,12 @@ namespace lamella
     double amplification = 0.;
   };
 
-  /**
-   * Returns the estimates for @p state, whose bodies have the strain energies
-   * @p energies, thermal strain included. @p solver has solved the state. It
-   * solves again with the active constraints: once for the membrane stress, and
-   * once for each Lanczos step with K^-1 K_G in the inner product of K, usually
-   * 5 to 8 and at most 30. Modes held by stabilizing springs only are excluded.
-   * Collective.
-   */
+  /// Returns the estimates for @p state, whose bodies have the strain energies
+  /// @p energies, thermal strain included. @p solver has solved the state. It
+  /// solves again with the active constraints: once for the membrane stress,
+  /// and once for each Lanczos step with K^-1 K_G in the inner product of K,
+  /// usually 5 to 8 and at most 30. Modes held by stabilizing springs only are
+  /// excluded. Collective.
   NonlinearityEstimate
   beyond_linear(const Structure           &structure,
                 ContactSolver             &solver,

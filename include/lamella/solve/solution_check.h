@@ -25,24 +25,20 @@ namespace lamella
                  const Checks &checks,
                  const double  rotation_limit);
 
-  /**
-   * Throws NumericsError if a support of rotating sections misses its
-   * prescribed position at load factor @p at in the state of @p here, because
-   * other supports hold the same points and agree with it to first order only.
-   * (With warping, dependent rows deviate to second order: ten times the effect
-   * of rotated warping on the displacements is accepted.)
-   */
+  /// Throws NumericsError if a support of rotating sections misses its
+  /// prescribed position at load factor @p at in the state of @p here, because
+  /// other supports hold the same points and agree with it to first order only.
+  /// (With warping, dependent rows deviate to second order: ten times the
+  /// effect of rotated warping on the displacements is accepted.)
   void
   check_followed(const TangentOperator &here, const LoadFactor &at);
 
-  /**
-   * Returns warnings about a reliable state, one sentence each without a full
-   * stop: penetrations above 1e-3 of the displacements; gap averages that miss
-   * more than 1e-2 of them; initial overlaps; rotations beyond 0.1 rad;
-   * stabilizing springs with more than 1e-3 of the energy; balances worse than
-   * 1e-7; and digits lost by the assembled matrix (a first correction above
-   * 1e-7). @p contacts are those of check_state().
-   */
+  /// Returns warnings about a reliable state, one sentence each without a full
+  /// stop: penetrations above 1e-3 of the displacements; gap averages that miss
+  /// more than 1e-2 of them; initial overlaps; rotations beyond 0.1 rad;
+  /// stabilizing springs with more than 1e-3 of the energy; balances worse than
+  /// 1e-7; and digits lost by the assembled matrix (a first correction above
+  /// 1e-7). @p contacts are those of check_state().
   std::vector<std::string>
   warnings_of(const State                         &state,
               const Checks                        &checks,

@@ -43,9 +43,8 @@ namespace lamella
     /// Creates the tangent at @p u with solvers of the kind @p requested for
     /// the condensed stiffness of each body, after the @p correction that led
     /// to u, if any (Body::make_tangent_solver()). Follower loads at load
-    /// factor
-    /// @p factor and additional @p springs of each body contribute to the
-    /// solvers only. Throws IllConditioned if a stiffness is not positive
+    /// factor @p factor and additional @p springs of each body contribute to
+    /// the solvers only. Throws IllConditioned if a stiffness is not positive
     /// definite in doubles, InputError as Body::solver_kind() does, and what @p
     /// monitor throws.
     TangentOperator(const Structure   &structure,
