@@ -20,10 +20,9 @@ namespace lamella
   ///   q_alpha = sum_i N_i u_(i,alpha),   q_alpha' = sum_i N_i' u_(i,alpha),
   /// give section forces W, which act on the element's nodes as
   ///   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy.
-  /// An element has the fields that any of its nodes carries; those that a node
-  /// does not carry are zero there. Each process has the elements
-  /// Axis::own_cells(). Refers to the space, the axis and the DoF map of a
-  /// beam.
+  /// An element has the fields that any of its nodes carries, zero at the
+  /// others. Each process has the elements Axis::own_cells(). Refers to the
+  /// space, the axis and the DoF map.
   class AxisLoop
   {
   public:
@@ -35,7 +34,7 @@ namespace lamella
       , dof_map(dof_map)
     {}
 
-    /// Returns the number of integration points per axis element.
+    /// Returns this process's integration points, first and one past the last.
     unsigned int
     n_stations() const
     {
@@ -48,8 +47,7 @@ namespace lamella
     own_points() const;
 
     /// Calls @p use with each own axis element and the section's operator for
-    /// its fields. Consecutive elements with the same fields share one
-    /// operator, valid for these calls.
+    /// its fields, which consecutive elements with the same fields share.
     using ElementCallback =
       std::function<void(const unsigned int, const SectionOperator &)>;
     void
@@ -77,8 +75,7 @@ namespace lamella
     void
     add_forces(const ForcesOfElement &forces_of, Vector &f) const;
 
-    /// Returns the integral of the energy of @p forces over the element @p cell
-    /// [force length].
+    /// Returns the energy of @p forces over the element @p cell [force length].
     double
     energy(const unsigned int cell, const SectionForces &forces) const;
 
@@ -86,8 +83,7 @@ namespace lamella
     std::vector<unsigned int>
     fields_of_element(const unsigned int cell) const;
 
-    /// Adds the forces of @p work to the DoFs of the nodes of @p cell: the
-    /// integrated transpose of on_element().
+    /// Adds @p work to the DoFs of @p cell: the integrated on_element()^T.
     void
     add_on_nodes(const unsigned int               cell,
                  const std::vector<unsigned int> &fields,

@@ -18,19 +18,18 @@ namespace lamella
    * (and, for assumed transverse shear strains, (A_shear - A_NN) (x) S_shear).
    * EBBT is TBT with Kirchhoff's constraint on each element.
    *
-   * N_i is the shape function of axis node i (class Axis), Phi_alpha a vector
-   * field of the section, made of the paper's F_tau (class Section), and d the
-   * derivative along y. With D = D_s + D_y d/dy of Eq. 5 the strain is
+   * N_i is the shape function of axis node i (Axis), Phi_alpha a vector field
+   * of the section, made of the paper's F_tau (Section). With D = D_s + D_y
+   * d/dy of Eq. 5 the strain is
    *   epsilon = sum (N_i D_s Phi_alpha + N_i' D_y Phi_alpha) u_(i,alpha),
-   * so that K needs only integrals A_pq over the axis and S_pq over the
-   * section. The 3 x 3 blocks of K are the paper's fundamental nuclei k^(ij tau
-   * s), but for linear fields, some of which combine two functions.
+   * so K needs only integrals A_pq over the axis and S_pq over the section. The
+   * 3 x 3 blocks of K are the paper's nuclei k^(ij tau s), except for linear
+   * fields, some of which combine two functions.
    *
-   * The beam shares ownership of its section and axis. Processes share the rows
-   * of K by axis nodes (Axis::own_nodes()), and volume integrals by axis
-   * elements (Axis::own_cells()). A "cell" in Location is axis element *
-   * (number of section cells) + section cell; its unit coordinates are (xi,
-   * place along the axis element, eta).
+   * Processes share the rows of K by axis nodes (Axis::own_nodes()), and volume
+   * integrals by axis elements (Axis::own_cells()). A "cell" of Location is
+   * axis element * (number of section cells) + section cell, with unit
+   * coordinates (xi, place along the axis element, eta).
    */
   class Beam : public Body
   {
@@ -42,9 +41,9 @@ namespace lamella
          std::shared_ptr<const Axis>    axis,
          const Placement               &placement);
 
-    /// Constructs a beam of node-dependent kinematics, @p fields_of_node as in
-    /// BeamDofMap; a node's other fields are zero. EBBT needs B4 and all fields
-    /// at all nodes. Throws InputError for more processes than axis nodes.
+    /// Constructs a beam of node-dependent kinematics with the lists of
+    /// BeamDofMap. EBBT needs B4 and all fields at all nodes. Throws InputError
+    /// if there are more processes than axis nodes.
     Beam(const std::string                            &name,
          std::shared_ptr<const Section>                section,
          std::shared_ptr<const Axis>                   axis,
@@ -78,8 +77,8 @@ namespace lamella
         sum += dof_map.fields(node).size();
       return sum;
     }
-    /// Returns the non-zeros of A times those of S, exact if all nodes carry
-    /// all fields. Does not communicate.
+    /// Returns the non-zeros of A times those of S, exact with all fields
+    /// everywhere.
     double
     stiffness_entries() const override;
     dealii::IndexSet
@@ -117,15 +116,14 @@ namespace lamella
     /// Adds the section forces of @p u, integrated over the axis (AxisLoop).
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
-    /// Returns dense blocks, one per axis node, factorized for `automatic` on
-    /// one process if all nodes carry dense lists (SectionSpace).
+    /// Returns dense blocks per axis node, factorized for `automatic` on one
+    /// process if all nodes carry dense lists (SectionSpace).
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      requested,
               const SolverMonitor  &monitor) const override;
-    /// Returns the energy, and the largest rotation at points of the section
-    /// (SectionOperator::largest_rotation()).
+    /// Returns energy and the largest rotation (SectionOperator's) at points.
     Deformation
     deformation(const Vector &u) const override;
     std::unique_ptr<SecondOrder>
@@ -172,8 +170,8 @@ namespace lamella
     /// Returns cells with the degrees of axis elements and section functions.
     Cells
     cells() const override;
-    /// Returns the degree of the axis elements, one less for EBBT with its
-    /// rotation -w', and across it that of LE-N, else zero.
+    /// Returns the degree of the axis elements (for EBBT, whose rotation is
+    /// -w', one less), and across it that of LE-N, else zero.
     std::array<unsigned int, 3>
     recovery_degrees() const override;
     /// Returns across the axis the least LE degree of the element's nodes.
@@ -183,10 +181,10 @@ namespace lamella
     std::vector<std::string>
     surfaces() const override;
     /// Returns on a lateral surface a point per axis node and edge point of the
-    /// section (CrossSectionElement::edge_points()), its area int N_i dy times
-    /// the edge point's length, and on an end the section's grid. LE-q nodes in
-    /// a space of higher degree have the points of LE-q, as rows must not
-    /// outnumber DoFs. `ends` and `all` repeat shared places, with each normal.
+    /// section (CrossSectionElement::edge_points()), with the area int N_i dy
+    /// times that point's length, and on an end the section's grid. LE-q nodes
+    /// have the points of LE-q, as rows must not outnumber DoFs. `ends` and
+    /// `all` repeat shared places.
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
     /// Returns on an end as few points as it needs: three for EBBT and TBT.
@@ -194,8 +192,8 @@ namespace lamella
     constraint_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
-    /// Returns facets of ends, one per section cell, then lateral ones, one per
-    /// boundary side of a cell and axis element.
+    /// Returns facets of ends by section cells, then lateral ones by axis
+    /// elements.
     std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const override;
     /// Returns the topology with node numbers (section node) * (axis nodes) +
@@ -278,15 +276,14 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const;
 
-    /// Returns sample_at() for all of @p points at each of @p places in turn,
-    /// which are on one element of the axis.
+    /// Returns sample_at() for all @p points at each of @p places in turn, all
+    /// on one element.
     virtual std::vector<FieldSample>
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
                const Vector                    &u) const;
 
-    /// Returns the law of section cell @p cell at its point @p at, with the
-    /// initial strain of heat at @p x, the same point in the scene.
+    /// Returns the law of section cell @p cell at @p at, heated as at @p x.
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<2> &at,
@@ -297,8 +294,8 @@ namespace lamella
     std::vector<SectionForces>
     thermal_forces(const std::vector<std::vector<double>> &stations) const;
 
-    /// Calls @p use for each section point with the constrained strain of one
-    /// kelvin, and its stress times the integration weight.
+    /// Calls @p use for section points with the strain that opposes one kelvin,
+    /// and its stress times the integration weight.
     void
     for_each_thermal_point(
       const std::function<void(const SectionPoint &point,
@@ -316,8 +313,8 @@ namespace lamella
     friend class BeamSecondOrder;
     friend class BeamGeometricStiffness;
 
-    /// Returns 1e-6 of the section's smaller extent, at least 1e-10 of the
-    /// length: positions, rounded input, lie on lines of the mesh within it.
+    /// Returns 1e-6 of the smaller section extent, at least 1e-10 of the
+    /// length.
     double
     position_tolerance() const;
 
@@ -333,16 +330,16 @@ namespace lamella
     void
     constrain_to_kirchhoff();
 
-    /// Displacements u_tau(y) of Eq. 1 by FieldPart, for all section fields,
-    /// modes included, at places of one axis element: entry alpha * y.size() +
-    /// j is field alpha at place j.
+    /// Displacements u_tau(y) of Eq. 1 by FieldPart, for all fields and modes:
+    /// entry alpha * y.size() + j is field alpha at place j of one axis
+    /// element.
     struct AxisStates
     {
       std::vector<double> y, value, shear_value, derivative;
     };
 
-    /// Returns coefficients of @p u in section fields, modes included, at the
-    /// first node of axis element @p cell, and differences of the others.
+    /// Returns coefficients of @p u at the first node of @p cell, and
+    /// differences of the others to it.
     std::vector<std::vector<double>>
     coefficients_of_element(const unsigned int cell, const Vector &u) const;
 
@@ -411,8 +408,8 @@ namespace lamella
     OutputCell
     empty_output_cell(const unsigned int section_cell) const;
 
-    /// Returns one output cell per section cell, with (n + 1) x (n + 1) samples
-    /// at the place @p eta in [0, 1] of @p axis_cell.
+    /// Returns an output cell per section cell, (n + 1)^2 samples at @p eta in
+    /// [0, 1].
     std::vector<OutputCell>
     cut_axis_cell(const unsigned int axis_cell,
                   const double       eta,
@@ -427,8 +424,8 @@ namespace lamella
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
-    /// Returns the location at @p eta of @p axis_cell, @p unit of
-    /// @p section_cell, with its scene position @p position.
+    /// Returns the location at @p eta of @p axis_cell, @p unit of @p
+    /// section_cell.
     Location
     location(const dealii::Point<3> &position,
              const unsigned int      axis_cell,
@@ -436,16 +433,15 @@ namespace lamella
              const unsigned int      section_cell,
              const dealii::Point<2> &unit) const;
 
-    /// Returns the surface point over @p edge at @p eta of @p axis_cell, with
-    /// area edge weight (a length) times @p weight (a length along the axis).
+    /// Returns the surface point over @p edge at @p eta of @p axis_cell, its
+    /// area edge weight times @p weight (both lengths).
     SurfacePoint
     lateral_point(const EdgePoint   &edge,
                   const double       weight,
                   const unsigned int axis_cell,
                   const double       eta) const;
 
-    /// Returns the surface point of an end at @p point of the section: area is
-    /// its weight, depth the length of the axis element.
+    /// Returns the surface point of an end; depth is the axis element's length.
     SurfacePoint
     end_point(const EdgePoint &point, const bool at_start) const;
 
@@ -453,8 +449,7 @@ namespace lamella
     unsigned int
     degree_at(const unsigned int node) const;
 
-    /// Returns few of @p points that determine the fields @p list: for each
-    /// displacement component those whose values span the others'.
+    /// Returns few of @p points whose values span those of the fields @p list.
     std::vector<EdgePoint>
     select_constraint_points(std::vector<EdgePoint>           points,
                              const std::vector<unsigned int> &list) const;

@@ -10,20 +10,18 @@
 namespace lamella
 {
   /// The global DoFs of a beam, pairs of axis node i and section field alpha.
-  /// Each axis node has its own list of fields (node-dependent kinematics), and
-  /// contiguous DoFs:
+  /// Each node has its own list of fields (node-dependent kinematics) and
+  /// contiguous DoFs,
   ///   DoF of (i, alpha) = first(i) + place(i, alpha),
-  ///   first(i) = sum over j < i of the number of fields(j).
-  /// Numbering by nodes keeps the stiffness banded along the axis and gives
-  /// contiguous DoFs to processes, which own contiguous nodes. alpha combines
-  /// the component and the expansion function tau of the paper's DoF u_(tau i).
-  /// Nodes with the same list share one copy of it: a few bytes per node.
+  ///   first(i) = sum over j < i of the number of fields(j),
+  /// so that the stiffness is banded along the axis. alpha combines the
+  /// component and the function tau of the paper's DoF u_(tau i). Equal lists
+  /// are shared.
   class BeamDofMap
   {
   public:
     /// Constructs the map from the fields of each axis node, ascending and
-    /// below @p n_fields, the number of the section's fields. Fields that a
-    /// node does not carry are zero there.
+    /// below @p n_fields. Fields that a node does not carry are zero there.
     BeamDofMap(const std::vector<std::vector<unsigned int>> &fields_of_node,
                const unsigned int                            n_fields);
 
@@ -48,16 +46,14 @@ namespace lamella
       return lists[kinds[node]];
     }
 
-    /// Returns the first DoF of @p node; those of its other fields follow in
-    /// the order of fields().
+    /// Returns the first DoF of @p node; the others follow as fields() do.
     DofIndex
     first(const unsigned int node) const
     {
       return offsets[node];
     }
 
-    /// Returns the place of the field @p alpha in fields(node), or -1 if not
-    /// carried, from a table.
+    /// Returns the place of @p alpha in fields(node), or -1 if not carried.
     int
     place(const unsigned int node, const unsigned int alpha) const
     {
@@ -73,8 +69,7 @@ namespace lamella
     field_of(const DofIndex dof) const;
 
   private:
-    /// Distinct lists of fields, and for each the place of every field in it,
-    /// or -1.
+    /// Distinct lists of fields, and the place of every field in each, or -1.
     std::vector<std::vector<unsigned int>> lists;
     std::vector<std::vector<int>>          places;
     /// Number of each node's list; first(node), followed by n_dofs().

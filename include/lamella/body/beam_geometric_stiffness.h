@@ -15,7 +15,6 @@ namespace lamella
   /**
    * The geometric stiffness K_G of a beam's stress field s, in the beam's axes,
    *   v . K_G w = int s_ij v_k,i w_k,j dV.
-   *
    * Stresses and displacement gradients are sampled at a tensor product of
    * Gauss points: degree() along each axis element (the stations) and, in each
    * cell of the section, one per direction fewer than its stiffness has. At
@@ -23,17 +22,15 @@ namespace lamella
    * u_,j the transpose of the map from coefficients to gradients,
    *   u_,x = sum_a q_a Phi_a,x,  u_,y = sum_a q_a' Phi_a,
    *   u_,z = sum_a q_a Phi_a,z,
-   * one component of u at a time, since most fields have only one.
-   *
-   * Refers to the beam. Each process has the stations of its own elements.
+   * one component of u at a time, since most fields have only one. Refers to
+   * the beam. Each process has the stations of its own elements.
    */
   class BeamGeometricStiffness
   {
   public:
     explicit BeamGeometricStiffness(const Beam &beam);
 
-    /// Coefficients of each FieldPart: one row per station, one column per
-    /// field of the section.
+    /// Coefficients of each FieldPart: a row per station, a column per field.
     using Coefficients =
       std::array<dealii::LAPACKFullMatrix<double>, FieldPart::n>;
 
@@ -68,9 +65,9 @@ namespace lamella
     }
 
   private:
-    /// Fields of a section cell that have one component of u, with their values
-    /// and derivatives: one row per point (derivatives along z below those
-    /// along x), one column per field.
+    /// Fields of a section cell with one component of u: values and
+    /// derivatives, a row per point (those along z below those along x), a
+    /// column per field.
     struct Component
     {
       std::vector<unsigned int>        fields;
@@ -96,15 +93,14 @@ namespace lamella
                   const unsigned int    p,
                   const FunctionValues &f,
                   Cell                 &cell) const;
-    /// Sets the stress at @p point of the section at all stations, times its
-    /// integration weight (a volume); @p area is its weight in the section.
+    /// Sets the stress at @p point of the section at all stations, times the
+    /// integration weight there (@p area in the section).
     void
     find_stress(const Coefficients &q,
                 const SectionPoint &point,
                 const double        area,
                 Voigt              *at_point);
-    /// Adds to @p work the forces of the stress @p of_cell on the fields of
-    /// @p component.
+    /// Adds to @p work the forces of @p of_cell on the fields of @p component.
     void
     add_work(const Component    &component,
              const Voigt        *of_cell,
@@ -122,8 +118,7 @@ namespace lamella
     std::vector<AxisPoint> along;
     std::vector<double>    lengths;
     std::vector<Cell>      cells;
-    /// Stress at all stations, times the integration weight, for each point of
-    /// the section, cell by cell.
+    /// Stress at all stations, times the weight, for each point of the section.
     std::vector<Voigt> stress;
     /// Value of largest_short_wave_ratio() on this process.
     double largest_wave = 0.;

@@ -10,8 +10,8 @@
 
 namespace lamella
 {
-  /// A part of an axis with polynomials of one degree, one or several elements,
-  /// from @p begin to @p end [length].
+  /// Elements of an axis with polynomials of one degree, @p begin to @p end
+  /// [length].
   struct AxisSpan
   {
     double       begin = 0., end = 0.;
@@ -45,14 +45,14 @@ namespace lamella
     Vector
     in_section(const Vector &u, const unsigned int q) const;
 
-    /// Returns (1 - M) u for interpolation in @p spans, consecutive from the
-    /// start of the axis to its end and divided at ends of elements.
+    /// Returns (1 - M) u; @p spans divide the axis consecutively at element
+    /// ends.
     Vector
     along_axis(const Vector &u, const std::vector<AxisSpan> &spans) const;
 
   private:
-    /// Subtracts the interpolation of @p u in @p span from @p result at the
-    /// nodes inside of it.
+    /// Subtracts the interpolation of @p u at nodes inside @p span from @p
+    /// result.
     void
     subtract_interpolation(const AxisSpan &span,
                            const Vector   &u,

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `body`: the interface Body of all bodies, its two kinds, beam (an
-// axis times a section) and solid (hexahedra on the same section mesh), their
-// placement in the scene, and the fields at their points. A body never knows
-// its supports or its contacts.
+// The room `body`: the interface Body, its two kinds, beam (an axis times a
+// section) and solid (hexahedra on the same section mesh), their placement and
+// the fields at their points. A body knows neither supports nor contacts.
 //
 // Start with Body, Location and LinearFunctional (base/linear_functional.h).
 // Body::locate() finds the elements that contain a point, and Body::rows()
-// returns the displacement there as a linear functional of the DoFs of the
-// body. Point forces, supports and gaps are made of these two.
+// returns the displacement there as a linear functional of the DoFs. Point
+// forces, supports and gaps are made of these two.
 
 #ifndef lamella_body_body_h
 #define lamella_body_body_h
@@ -51,21 +50,19 @@ namespace lamella
   };
 
   /// A point of a body in one of its plies, with the elements that contain it.
-  /// If several elements of the ply share the point, a field there is their
-  /// mean (strains and stresses of finite elements differ). Elements of
-  /// different plies are never averaged, since sigma_xx, sigma_yy and sigma_xy
-  /// of a laminate jump at interfaces: a point there has one location per ply
-  /// (Body::locate()). A location refers to no body and stays valid, since
-  /// meshes do not change.
+  /// A field there is the mean of these elements. Elements of different plies
+  /// are never averaged, since sigma_xx, sigma_yy and sigma_xy of a laminate
+  /// jump at interfaces: a point there has one location per ply
+  /// (Body::locate()). A location refers to no body and stays valid.
   struct Location
   {
     struct Place
     {
-      /// Element number: of a beam (axis element, section cell) as in class
-      /// Beam, of a solid the hexahedron.
+      /// Element: of a beam (axis element, section cell) as in Beam, of a solid
+      /// the hexahedron.
       unsigned int cell;
-      /// Position on the unit cube, (xi, place along the axis, eta) in [0,
-      /// 1]^3, with xi and eta of the section's cell, for beams and solids.
+      /// Position (xi, along the axis, eta) in [0, 1]^3; xi, eta as the
+      /// section's.
       dealii::Point<3> unit;
     };
     /// The requested point, scene axes; places may differ beyond a curved edge.
@@ -77,8 +74,7 @@ namespace lamella
   };
 
   /// Fields at a location, the means over its places, from displacements by the
-  /// law of the ply, sigma = C (epsilon - epsilon_0), without smoothing (that
-  /// is recover/recovery.h).
+  /// ply's law, without smoothing (see recover/recovery.h).
   struct FieldSample
   {
     /// Displacement in scene axes [length].
@@ -88,46 +84,44 @@ namespace lamella
     Voigt strain, stress;
     /// Stress in ply axes, {11, 22, 33, 12, 13, 23}, for strength criteria.
     Voigt ply_stress;
-    /// Rotation R of the material. For finite rotations `stress` is R^T sigma R
-    /// of Cauchy's sigma, in scene axes.
+    /// Rotation R of the material; with finite rotations `stress` is R^T sigma
+    /// R.
     Triad rotation = dealii::unit_symmetric_tensor<3>();
-    /// Largest difference of stress between two places over the largest stress,
-    /// Euclidean norms: a measure of the discretization error.
+    /// Largest stress difference between places over the largest stress
+    /// (norms).
     double jump = 0.;
   };
 
-  /// A point of a body's surface with the data of collocation: the normal n_1
-  /// of the gap function (Eqs. 14 to 17), the area that a nodal force is spread
-  /// over, and the stiffness below. It is a node in surface_points(), and any
-  /// place of a facet in surface_point().
+  /// A point of a body's surface for collocation: the normal n_1 of the gap
+  /// (Eqs. 14 to 17), the area of a nodal force, and the stiffness below. It is
+  /// a node in surface_points(), and any place of a facet in surface_point().
   struct SurfacePoint
   {
     /// Position in the undeformed scene.
     dealii::Point<3> position;
-    /// Outward unit normal, scene axes; at a node of several sides their mean,
-    /// weighted by area. (A beam has a point for each named surface there.)
+    /// Outward unit normal, scene axes; at a node of several sides their mean
+    /// by area (a beam has a point for each side).
     dealii::Tensor<1, 3> normal;
     /// Tributary area of a node (length^2), or at a place of a facet the area
     /// per unit of its square, |dX/ds x dX/dt|, without quadrature weight.
     double area = 0.;
-    /// Flag of a node where sides meet whose normals differ by some 20 degrees
-    /// or more: a normal displacement or a gap has no direction there.
+    /// Flag of a node whose sides differ by 20 degrees or more: a normal
+    /// displacement or a gap has no direction there.
     bool corner = false;
     /// The point for rows() and sample(): one place, in the cell below.
     Location location;
-    /// Data of the automatic penalty E_n A / d (contact/enforcement.h): the
-    /// modulus of confined compression along n in the ply, E_n = (n n) : C : (n
-    /// n) (force / length^2), and the depth d of the cell along n (length).
+    /// Data of the automatic penalty E_n A / d (contact/enforcement.h): modulus
+    /// E_n = (n n) : C : (n n) [force / length^2] and cell depth d along n
+    /// [length].
     double normal_modulus = 0., depth = 0.;
   };
 
   /// A side of one cell of a body: the image of the unit square under a
   /// polynomial map. The point (s, t) is origin + s along_s + t along_t in the
-  /// cell's unit cube. On a lateral surface s runs along the edge of the
-  /// section and t along the axis; on the ends both are coordinates of the
-  /// section. (along_s) x (along_t) may point outward or inward: take the
-  /// normal from Body::surface_point() or FacetMap::outward(). Surface
-  /// integrals are sums over facets. A facet refers to no body.
+  /// cell's unit cube. On a lateral surface s runs along the section's edge and
+  /// t along the axis; on ends both are coordinates of the section. (along_s) x
+  /// (along_t) may point either way: take the normal from Body::surface_point()
+  /// or FacetMap::outward(). A facet refers to no body.
   struct SurfaceFacet
   {
     /// Element number as in Location::Place::cell.
@@ -139,8 +133,8 @@ namespace lamella
     std::array<dealii::Point<3>, 4> corners;
     /// Degrees of the expansion in s and in t: those of a grid of nodes.
     unsigned int degree_s = 0, degree_t = 0;
-    /// Polynomial degrees of positions and displacements in s and in t, higher
-    /// for a Taylor expansion on a curved side.
+    /// Degrees of positions and displacements, higher for Taylor on curved
+    /// sides.
     unsigned int trace_degree_s = 0, trace_degree_t = 0;
   };
 
@@ -153,8 +147,7 @@ namespace lamella
   /// Numbers of intervals of a grid along the axes of Location::Place::unit.
   using GridIntervals = std::array<unsigned int, 3>;
 
-  /// The elements of a body by number. Body::position(), Body::ply_at() and
-  /// Body::sample() evaluate them.
+  /// The elements of a body by number, for Body::position() and the like.
   struct Cells
   {
     /// Number of elements on all processes together.
@@ -166,8 +159,7 @@ namespace lamella
     GridIntervals degrees{{1, 1, 1}};
   };
 
-  /// The ply at a place, a number in Body::plies(), and its axes there in body
-  /// axes, one per row (Ply::axes()).
+  /// The ply at a place, a number in Body::plies(), and its axes in body axes.
   struct PlyAndAxes
   {
     unsigned int ply = 0;
@@ -175,13 +167,11 @@ namespace lamella
   };
 
   /// An element for output: fields on a regular grid of its unit cube, or of a
-  /// cut through it. The coordinate xi of the section runs fastest, then that
-  /// of the axis, then eta of the section. Elements do not share points, so
-  /// that jumps of stress stay visible.
+  /// cut through it; xi runs fastest, then the axis, then eta. Elements do not
+  /// share points, so that jumps of stress stay visible.
   struct OutputCell
   {
-    /// Ply, directions of its fibers and of its normal (unit length, scene
-    /// axes), in a curved wall those in the middle of the element.
+    /// Ply, directions of its fibers and its normal (unit vectors, scene axes).
     unsigned int         ply = 0;
     dealii::Tensor<1, 3> fiber, ply_normal;
     /// Undeformed positions, scene axes, one per sample.
@@ -189,32 +179,29 @@ namespace lamella
     std::vector<FieldSample>      samples;
   };
 
-  /// Integral quantities of a displacement field: the energy, and measures of
-  /// the validity of geometrical linearity.
+  /// Integrals of a displacement field, and measures of geometrical linearity.
   struct Deformation
   {
-    /// Energy integral epsilon . C epsilon / 2 dV (force times length): the
-    /// strain energy of an unheated body, and half the work of all forces on it
-    /// including those of heat (Body::add_thermal_load(), Clapeyron). For
-    /// finite rotations, integral epsilon . C epsilon_0 dV is subtracted.
+    /// Energy integral epsilon . C epsilon / 2 dV [force length]: half the work
+    /// of all forces, including those of heat (Body::add_thermal_load(),
+    /// Clapeyron). For finite rotations, integral epsilon . C epsilon_0 dV is
+    /// subtracted.
     double energy = 0.;
-    /// Largest |curl u| / 2 at the integration points [rad], for finite
-    /// rotations (Body::has_finite_rotations()) the largest angle.
-    /// solve/checks.h limits it.
+    /// Largest |curl u| / 2 at integration points [rad], for finite rotations
+    /// the largest angle; solve/checks.h limits it.
     double max_rotation = 0.;
-    /// Extremes at finite rotations: the largest principal value of Green's
-    /// strain, the largest root mean square of the axial strain over a section,
-    /// and, of total Lagrangian bodies, the largest rotation over one element
-    /// [rad].
+    /// Extremes at finite rotations: the principal Green strain, the root mean
+    /// square of the axial strain over a section, and, of total Lagrangian
+    /// bodies, the rotation over one element [rad].
     double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.;
-    /// Largest share, along the axis, of the moments and torques of rigidly
-    /// rotating sections that the change of their shape by bending and twisting
-    /// would add (stiffening_by_shape(), less what the law contains).
+    /// Largest share of the moments and torques of rigidly rotating sections
+    /// that the change of their shape would add (stiffening_by_shape() outside
+    /// the law).
     double shape_change = 0.;
   };
 
-  /// Amplitudes of a rigid motion: translations along the scene's axes (length)
-  /// and rotations about them (rad) through Body::center().
+  /// Amplitudes of a rigid motion: scene translations [length], then rotations
+  /// [rad].
   using RigidMotion = std::array<double, 6>;
 
   /**
@@ -226,19 +213,17 @@ namespace lamella
    * In the principle of virtual displacements (Eqs. 8 to 12) the body owns the
    * left-hand side,
    *   delta L_int = delta u . K u,   K = int B^T C B dV,
-   * where epsilon = B u at a point is rows(.., Quantity::strain). Others form
-   * the right-hand side from rows: a force P at X is
+   * where epsilon = B u at a point is rows(.., Quantity::strain). Rows form the
+   * right-hand side: a force P at X is
    *   f_k += sum_c P_c r_c,k   with   u_c(X) = sum_k r_c,k u_k
    * (LinearFunctional::add_to()), a prescribed displacement is r_c(u) = value,
    * a gap of two bodies the difference of their rows along a normal (Eq. 16).
    *
-   * A new kind of body implements the pure functions; the others have default
-   * implementations based on these, and may be overridden by faster ones.
-   *
-   * Several processes hold the same body and whole vectors. All processes call
-   * collective functions with the same arguments; the others do not communicate
-   * and return the same everywhere. Vectors u and f have n_dofs() entries. The
-   * product u . f is a work, force times length, whatever the units of single
+   * A new kind of body implements the pure functions; faster versions may
+   * override the others. Several processes hold the same body and whole
+   * vectors. All call collective functions with the same arguments; the others
+   * do not communicate and return the same everywhere. Vectors u and f have
+   * n_dofs() entries. The product u . f is a work, whatever the units of single
    * DoFs.
    */
   class Body
@@ -272,9 +257,8 @@ namespace lamella
     virtual DofIndex
     n_dofs() const = 0;
 
-    /// Returns an upper estimate of the non-zeros of the stiffness before
-    /// assembly, here the sum over all blocks. The type is double since
-    /// products of sizes may overflow integers. Collective.
+    /// Returns an upper estimate of the stiffness's non-zeros before assembly,
+    /// a double, as products of sizes may overflow. Collective.
     virtual double
     stiffness_entries() const;
 
@@ -297,16 +281,15 @@ namespace lamella
     /// Returns the level of @p dof in the hierarchical basis
     /// (doc/theory/stable-basis.md): 0 for rigid motions and nodal bases,
     /// higher for finer DoFs. Supports eliminate coarse DoFs first, which keeps
-    /// the digits of slender beams.
+    /// digits.
     virtual unsigned int
     dof_level(const DofIndex) const
     {
       return 0;
     }
 
-    /// Returns for each DoF the largest displacement that a unit of it causes,
-    /// up to a factor of order one; 1 for nodal bases. It makes weights of rows
-    /// comparable between DoFs of different kinds.
+    /// Returns for each DoF the largest displacement due to a unit of it, up to
+    /// a factor of order one. It makes rows comparable between kinds of DoFs.
     virtual std::vector<double>
     dof_scales() const
     {
@@ -317,25 +300,23 @@ namespace lamella
     virtual dealii::Point<3>
     dof_position(const DofIndex dof) const = 0;
 
-    /// Returns the homogeneous constraints of the theory itself, closed:
-    /// Kirchhoff's of EBBT, the hanging nodes of a solid, else none. Stiffness
-    /// and rows do not contain them; solvers apply them first
-    /// (LinearFunctional::reduced()).
+    /// Returns the closed homogeneous constraints of the theory: Kirchhoff's of
+    /// EBBT, hanging nodes of a solid, else none. Stiffness and rows do not
+    /// contain them; solvers apply them first (LinearFunctional::reduced()).
     virtual const Constraints &
     kinematic_constraints() const;
 
     /// Returns the six rigid motions, which span the null space of the
-    /// stiffness, as displacement vectors: unit translations along the scene's
-    /// axes and unit rotations about them through the center,
-    ///   u(X) = e_m,   u(X) = e_m x (X - center()),   m = x, y, z.
-    /// Of omitted_rigid_motions() the vector holds the part that the theory
-    /// contains.
+    /// stiffness: unit translations along the scene's axes and unit rotations
+    /// about them,
+    ///   u(X) = e_m,   u(X) = e_m x (X - center()),   m = x, y, z;
+    /// of omitted_rigid_motions() the part that the theory contains.
     virtual std::vector<Vector>
     rigid_motions() const = 0;
 
     /// Returns the rigid motions of the body displaced by @p u, e_m and e_m x
-    /// (X + u - center()), for moments of forces at their current positions.
-    /// Here, for small displacements, rigid_motions().
+    /// (X + u - center()), for moments in the current state; here
+    /// rigid_motions().
     virtual std::vector<Vector>
     rigid_motions_at(const Vector &) const
     {
@@ -343,8 +324,8 @@ namespace lamella
     }
 
     /// Returns true if the body admits finite rotations: internal forces are
-    /// nonlinear and act at displaced positions, strains and stresses of
-    /// samples are in axes of the rotated material, and have no rows.
+    /// nonlinear, and strains and stresses are in rotated axes and have no
+    /// rows.
     virtual bool
     has_finite_rotations() const
     {
@@ -370,38 +351,35 @@ namespace lamella
       return 0.;
     }
 
-    /// Returns the rigid motions that the theory does not contain (rotation
-    /// about the axis of EBBT and TBT): they need no support, their couples do
-    /// no work.
+    /// Returns the rigid motions that the theory lacks (rotation about the axis
+    /// of EBBT and TBT). They need no support, and their couples do no work.
     virtual std::vector<RigidMotion>
     omitted_rigid_motions() const
     {
       return {};
     }
 
-    /// Returns the center of rigid rotations and moments, scene axes: of a beam
-    /// the section's centroid at mid-length; here the center of bounding_box().
+    /// Returns the center of rotations and moments, scene axes: of a beam the
+    /// centroid at mid-length; here the center of bounding_box().
     virtual dealii::Point<3>
     center() const;
 
-    /// Returns half the largest extension, here of bounding_box(): a length
-    /// scale for tolerances and for comparing rotations with translations.
+    /// Returns half the largest extension, a length scale for tolerances.
     virtual double
     size() const;
 
-    /// Returns the box of the undeformed body along the scene's axes, of its
-    /// vertices or nodes; curved edges may leave it a little.
+    /// Returns the undeformed box in scene axes; curved edges may leave it a
+    /// little.
     virtual dealii::BoundingBox<3>
     bounding_box() const = 0;
 
     // ---- mechanics
 
-    /// Adds the internal forces, f += integral B^T sigma(B u) dV, equal to f +
-    /// K u in exact arithmetic. Strains come first: rounding of an assembled
-    /// matrix loses the bending energy of slender bodies
-    /// (doc/theory/stable-basis.md). No constraints are applied: entries of @p
-    /// f at constrained DoFs are the forces there. @p u and @p f are whole,
-    /// equal on all processes. Collective.
+    /// Adds the internal forces, f += integral B^T sigma(B u) dV, f + K u in
+    /// exact arithmetic. Strains come first: rounding of an assembled matrix
+    /// loses the bending energy of slender bodies (doc/theory/stable-basis.md).
+    /// Entries of @p f at constrained DoFs are the forces there. @p u and @p f
+    /// are whole, equal on all processes. Collective.
     virtual void
     add_internal_forces(const Vector &u, Vector &f) const = 0;
 
@@ -416,12 +394,11 @@ namespace lamella
     virtual std::unique_ptr<SecondOrder>
     second_order(const Vector &u) const = 0;
 
-    /// Sets the change of temperature @p change [K] from the stress-free state,
-    /// a function of the scene position that replaces any earlier one. Plies
-    /// have the initial strain epsilon_0 = alpha T (Ply::expansion()) in
-    /// samples and rows, independent of the load factor. Throws InputError for
-    /// a ply whose material has no expansion and for a theory that cannot be
-    /// heated.
+    /// Sets the change of temperature @p change [K] from the stress-free state
+    /// by scene position, in place of any earlier one. Plies get the initial
+    /// strain epsilon_0 = alpha T in samples and rows, whatever the load
+    /// factor. Throws InputError if a ply has no expansion or the theory cannot
+    /// be heated.
     virtual void
     heat(const ScalarField &change);
 
@@ -432,18 +409,17 @@ namespace lamella
     }
 
     /// Adds the thermal load, f += integral B^T C epsilon_0 dV, which has no
-    /// resultant. Returns the energy integral epsilon_0 . C epsilon_0 / 2 dV of
-    /// the fully constrained body, zero if unheated. Bodies use the points of
-    /// the stiffness; here rows at Gauss points, one more than
-    /// output_degrees() along each coordinate. Collective.
+    /// resultant. Returns the energy integral epsilon_0 . C epsilon_0 / 2 dV,
+    /// zero if unheated. Bodies use the points of the stiffness; here Gauss
+    /// points, one more than output_degrees() along each coordinate.
+    /// Collective.
     virtual double
     add_thermal_load(Vector &f) const;
 
-    /// Add, for finite rotations, the thermal load in the state @p u, f +=
-    /// integral (dE/du)^T C epsilon_0 dV (that of add_thermal_load() at u = 0),
-    /// and its derivative as blocks, symmetric (along geodesics of rotations).
-    /// Here the derivative is constant, as that of Green's strain, and has no
-    /// blocks.
+    /// Adds, for finite rotations, the thermal load in the state @p u, f +=
+    /// integral (dE/du)^T C epsilon_0 dV. The second function gives its
+    /// derivative as symmetric blocks, here none, as that of Green's strain is
+    /// constant.
     virtual void
     add_thermal_load_at(const Vector &u, Vector &f) const;
     virtual void
@@ -452,8 +428,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const;
 
     /// Adds the weight, f += integral of rho g . u dV, g = @p acceleration in
-    /// scene axes [length/s^2]; here by rows, as add_thermal_load(). Throws
-    /// InputError for a material without density. Collective.
+    /// scene axes [length/s^2]. Throws InputError without a density.
+    /// Collective.
     virtual void
     add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
 
@@ -473,28 +449,25 @@ namespace lamella
     // ---- points, rows and samples
 
     /// Returns for each of @p points (undeformed scene) one location per ply,
-    /// plies ascending; none outside of the body. The tolerance (of beams 1e-6
-    /// of the section's smaller extent) is far above rounding and far below any
-    /// element. Beyond a curved edge, which the mesh interpolates, it is 2 % of
-    /// the size of the cell.
+    /// ascending; none outside of the body. The tolerance (of beams 1e-6 of the
+    /// section's smaller extent) is far above rounding and far below any
+    /// element; beyond a curved edge it is 2 % of the cell's size.
     virtual std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const = 0;
 
-    /// Returns for each location the rows of @p quantity, functionals of the
-    /// DoFs (base/linear_functional.h): three for displacements, scene axes;
-    /// six for strains and stresses, order of Eq. 4, in the axes @p frame; the
-    /// means if there are several places. The rows of a stress have the
-    /// constant -C epsilon_0 of a heated ply (those of a strain the part that
-    /// the theory completes), others have none. Entries are sorted by DoF.
-    /// Weights that vanish up to rounding, as those of other nodes at a node,
-    /// are dropped.
+    /// Returns for each location the rows of @p quantity: three for
+    /// displacements, scene axes; six for strains and stresses, order of Eq. 4,
+    /// in the axes @p frame; means over several places. Rows of a stress have
+    /// the constant -C epsilon_0 of a heated ply, those of a strain the part
+    /// that the theory completes, others none. Entries are sorted by DoF,
+    /// without rounding zeros.
     virtual std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const = 0;
 
-    /// Returns the rotation R of the section at @p location in the state @p u,
-    /// scene axes, by which rows rotate. Here 1.
+    /// Returns the rotation R of the section at @p location, scene axes; here
+    /// 1.
     virtual dealii::Tensor<2, 3>
     rotation_at(const Location &location, const Vector &u) const;
 
@@ -506,9 +479,9 @@ namespace lamella
     virtual std::vector<std::vector<LinearFunctional>>
     rows_at(const std::vector<Location> &locations, const Vector &u) const;
 
-    /// Calls @p use with blocks that sum to the derivative of @p forces at
-    /// @p locations (scene axes) in the state @p u, sum over k of rows_at()^T
-    /// F_k: symmetric, along geodesics of rotations. Here none.
+    /// Calls @p use with symmetric blocks that sum to the derivative of @p
+    /// forces at @p locations in the state @p u, sum over k of rows_at()^T F_k.
+    /// Here none.
     virtual void
     for_each_block_of_forces(
       const std::vector<Location>                       &locations,
@@ -516,13 +489,13 @@ namespace lamella
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// Returns all fields of @p u at @p location, the means over its places and
-    /// their jump. Here by rows(); bodies compute the same faster.
+    /// Returns all fields of @p u at @p location, means over places and their
+    /// jump.
     virtual FieldSample
     sample(const Location &location, const Vector &u) const;
 
-    /// Returns the position of @p place, scene axes. With locate() it finds the
-    /// neighbors of an element: those with a place at one of its corners.
+    /// Returns the position of @p place, scene axes. With locate() it finds
+    /// neighbors.
     virtual dealii::Point<3>
     position(const Location::Place &place) const = 0;
 
@@ -532,22 +505,19 @@ namespace lamella
 
     // ---- surfaces
 
-    /// Returns the names of surfaces: the named boundaries of the section,
-    /// swept along the axis, then the two sections `start` and `end`, both as
-    /// `ends`, and `all`, the whole surface. An unknown name has no points:
-    /// callers check user input against these.
+    /// Returns the names of surfaces: the section's boundaries swept along the
+    /// axis, then the sections `start` and `end`, both as `ends`, and `all`. An
+    /// unknown name has no points: callers check user input against these.
     virtual std::vector<std::string>
     surfaces() const = 0;
 
     /// Returns the facets of @p surface, without gaps and overlaps, and their
-    /// shared nodes by the body's own numbers (body/surface_topology.h), as
-    /// continuous functions on the surface require.
+    /// shared nodes by the body's numbers (body/surface_topology.h).
     virtual SurfaceTopology
     surface_topology(const std::string &surface) const = 0;
 
-    /// Returns the point of @p facet, one of this body's, at (s, t) = @p st in
-    /// [0, 1]^2 with the area per unit of the square, so that
-    ///   int f dA = int_0^1 int_0^1 f area ds dt.
+    /// Returns the point of @p facet at (s, t) = @p st in [0, 1]^2 with the
+    /// area per unit of the square, int f dA = int_0^1 int_0^1 f area ds dt.
     /// FacetMap is faster for many points.
     virtual SurfacePoint
     surface_point(const SurfaceFacet     &facet,
@@ -558,22 +528,21 @@ namespace lamella
     surface_facets(const std::string &surface) const;
 
     /// Returns points that determine the trace on @p surface, with outward
-    /// normals and tributary areas int N_i F_tau dA of the nodal functions,
-    /// which sum to the area (on the ends of a beam with curved edges
-    /// approximately). Used by node-to-node contact (Sec. 3.3 of the paper) and
-    /// by supports of the normal displacement. Here the nodes of the facets'
-    /// grids; a hanging node passes half its area to each of its two neighbors.
+    /// normals and tributary areas int N_i F_tau dA, which sum to the area
+    /// (approximately on beam ends with curved edges), for node-to-node contact
+    /// (Sec. 3.3 of the paper) and normal supports. Here nodes of the facets'
+    /// grids; a hanging node passes half its area to each neighbor.
     virtual std::vector<SurfacePoint>
     surface_points(const std::string &surface) const;
 
-    /// Returns few locations that determine the displacement on @p surface, for
-    /// supports that prescribe u. Here nodes of facets' traces, none hanging.
+    /// Returns few locations that determine the displacement on @p surface;
+    /// here nodes of facets' traces, none hanging.
     virtual std::vector<Location>
     constraint_points(const std::string &surface) const;
 
-    /// Returns locations that determine the displacement of the whole body.
-    /// Here the Gauss-Lobatto grid of each element, of the degrees of cells(),
-    /// with shared points once per element.
+    /// Returns locations that determine the displacement of the whole body;
+    /// here the Gauss-Lobatto grid of each element, shared points once per
+    /// element.
     virtual std::vector<Location>
     body_points() const;
 
@@ -583,11 +552,10 @@ namespace lamella
     virtual Cells
     cells() const = 0;
 
-    /// Returns for each unit coordinate of an element the degree p of the
-    /// displacements for the recovery of strains (recover/recovery.h):
-    /// derivatives are superconvergent at p Gauss points. Zero along
-    /// coordinates with one expansion over all elements (the section of Taylor
-    /// theories), as strains are smooth there. Here those of cells().
+    /// Returns for each unit coordinate of an element the degree p for the
+    /// recovery of strains (recover/recovery.h), which are superconvergent at p
+    /// Gauss points. Zero along coordinates with one expansion over all
+    /// elements (the section of Taylor theories), as strains are smooth there.
     virtual std::array<unsigned int, 3>
     recovery_degrees() const
     {
@@ -603,66 +571,61 @@ namespace lamella
     }
 
     /// Returns the parameters in [0, 1], ascending, where the segment from @p a
-    /// to @p b (scene axes) enters and leaves elements, its ends included: in
+    /// to @p b (scene axes) enters and leaves elements, its ends included. In
     /// between, the displacement is one polynomial. Here sides of elements are
-    /// bilinear, curved edges straight; bodies may follow curved edges.
+    /// bilinear.
     virtual std::vector<double>
     line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Returns the polynomial degree of displacements along the segment from
-    /// @p a to @p b within an element, on a skew line the sum over the
-    /// coordinates, zero only if a equals b. Here from cells(), whose unit
-    /// coordinates follow the body axes.
+    /// Returns the degree of displacements along the segment from @p a to @p b
+    /// within an element, on a skew line the sum over the coordinates, zero
+    /// only if a equals b; here from cells().
     virtual unsigned int
     line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Returns ordered points of the segment from @p a to @p b (of nonzero
-    /// length) that determine the displacement there: line_degree() + 1
-    /// Gauss-Lobatto points between consecutive line_breaks(), each break once.
+    /// Returns ordered points on the segment from @p a to @p b that determine
+    /// the displacement: line_degree() + 1 Gauss-Lobatto points between
+    /// line_breaks().
     std::vector<dealii::Point<3>>
     line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Returns the section at @p position (a length from the start of the
-    /// axis), element by element, with the fields of @p u on (n + 1) x (n + 1)
-    /// points: the whole section on every process, empty outside of the body.
-    /// Between two elements fields are the means of both, with their jump. Here
-    /// the second unit coordinate of an element runs along the axis.
+    /// Returns the section at @p position (a length from the axis's start),
+    /// with the fields of @p u on (n + 1) x (n + 1) points per element: the
+    /// whole section on every process, empty outside of the body. Between two
+    /// elements fields are the means of both, with their jump.
     virtual std::vector<OutputCell>
     cut(const double position, const unsigned int n, const Vector &u) const;
 
-    /// Returns the number of intervals, at least 1, that output of an element
-    /// needs along each unit coordinate: the degree of the displacements, or of
-    /// the shape if higher. Here that of cells().
+    /// Returns the number of intervals, at least 1, of an element's output
+    /// along each unit coordinate: the larger degree of displacements and
+    /// shape.
     virtual GridIntervals
     output_degrees() const
     {
       return cells().degrees;
     }
 
-    /// A callback with the number of an element among those of this process,
-    /// and its fields, valid during the call.
+    /// A callback with an element's number in this process and its fields.
     using OutputCellCallback =
       std::function<void(const unsigned int, const OutputCell &)>;
 
     /// Calls @p use once for each element of this process, in any order, with
-    /// the fields of @p u on a grid of @p n, each at least 1. One element is in
-    /// memory at a time; nothing is averaged, and jumps are not computed.
+    /// the fields of @p u on a grid of @p n, each at least 1, not averaged.
     virtual void
     for_each_output_cell(const GridIntervals      &n,
                          const Vector             &u,
                          const OutputCellCallback &use) const;
 
-    /// Returns the elements of for_each_output_cell() by number, with (n + 1)^3
-    /// points each.
+    /// Returns the for_each_output_cell() by number, with (n + 1)^3 points
+    /// each.
     std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const;
 
     // ---- solvers
 
-    /// Returns the solver that @p requested selects for this body and number of
-    /// processes. `automatic` is `cg` for nodal bodies of more than 300000 DoFs
-    /// (whose factor would take tens of gigabytes), else CHOLMOD on one process
-    /// and MUMPS on several. (Beam::solver_of() may use dense blocks.) Throws
+    /// Returns the solver that @p requested selects. `automatic` is `cg` for
+    /// nodal bodies of more than 300000 DoFs (whose factor would take tens of
+    /// gigabytes), else CHOLMOD on one process and MUMPS on several. Throws
     /// InputError for `cholmod` on several processes and for `cg` if not nodal.
     SolverKind
     solver_kind(const SolverKind requested) const;
@@ -673,12 +636,10 @@ namespace lamella
     stiffness_terms(const std::vector<SpringTerm> &springs = {}) const;
 
     /// Returns the stiffness with @p springs, for the solver @p requested,
-    /// condensed by the homogeneous part of @p constraints, those of the
-    /// supports and the kinematic ones, closed. Constrained DoFs keep a
-    /// positive diagonal only. With u = T v + u_0, v the free DoFs and u_0 a
-    /// particular solution, it is
-    ///   T^T (K + sum k r^T r) T.
-    /// Throws InputError as solver_kind() does. Collective.
+    /// condensed by the closed homogeneous @p constraints, kinematic ones
+    /// included: with u = T v + u_0 and the free DoFs v, T^T (K + sum k r^T r)
+    /// T. Constrained DoFs keep a positive diagonal only. Throws InputError as
+    /// solver_kind() does. Collective.
     std::unique_ptr<StiffnessMatrix>
     assembled_stiffness(
       const Constraints             &constraints,
@@ -686,10 +647,9 @@ namespace lamella
       const SolverKind               requested = SolverKind::automatic) const;
 
     /// Returns a solver with the matrix of assembled_stiffness(), by
-    /// solver_of(): assembled, factorized or prepared for iterations, and
-    /// released if not needed. @p monitor is called after assembly and with the
-    /// size of a factor; its exceptions pass. Throws NumericsError with a place
-    /// in the scene if the matrix is not positive definite, InputError as
+    /// solver_of(). @p monitor is called after assembly and with the size of a
+    /// factor; its exceptions pass. Throws NumericsError with a place in the
+    /// scene if the matrix is not positive definite, InputError as
     /// solver_kind() does. Collective.
     std::unique_ptr<LinearSolver>
     make_solver(const Constraints             &constraints,
@@ -697,11 +657,10 @@ namespace lamella
                 const SolverKind     requested         = SolverKind::automatic,
                 const SolverMonitor &monitor           = {}) const;
 
-    /// Return the tangent of the internal forces at @p u: terms with
-    /// @p springs, f += K(u) w, and a solver. It is the stiffness of linear
-    /// bodies, else for_each_tangent_block(). @p correction is the last one on
-    /// the way to u, or empty: the geometric part has the stress that it
-    /// predicted (FiniteStrainSectionOperator).
+    /// Return the tangent of the internal forces at @p u: terms with @p
+    /// springs, f += K(u) w, and a solver. @p correction is the last one on the
+    /// way to u, or empty: the geometric part has the stress that it predicted
+    /// (FiniteStrainSectionOperator).
     StiffnessTerms
     tangent_terms(const Vector                  &u,
                   const Vector                  &correction,
@@ -726,9 +685,9 @@ namespace lamella
 
   protected:
     /// Calls @p use with this process's blocks of the unconstrained stiffness
-    /// (rows for a beam, element matrices for a solid), with values if
-    /// @p with_values, else the pattern alone, without integrals. The blocks of
-    /// all processes sum to K. A block is valid during the call.
+    /// (rows of a beam, element matrices of a solid), whose sum over all
+    /// processes is K; without @p with_values the pattern alone. A block is
+    /// valid during the call.
     virtual void
     for_each_stiffness_block(
       const bool                                         with_values,
@@ -773,8 +732,7 @@ namespace lamella
     void
     for_each_cell_by_points(const PointsCallback &use) const;
 
-    /// Returns true if the middle of the end side of @p before lies on the
-    /// begin side of @p cell along the axis, or the other way round.
+    /// Returns true if @p before and @p cell are neighbors along the axis.
     bool
     is_adjacent(const unsigned int before, const unsigned int cell) const;
 
@@ -797,8 +755,7 @@ namespace lamella
     ScalarField temperature_change;
   };
 
-  /// The bodies of a scene in the order of its list. The index is the number of
-  /// a body in BodyFunctional::body and in block vectors.
+  /// The bodies of a scene. Indices are BodyFunctional::body and vector blocks.
   using Bodies = std::vector<std::unique_ptr<Body>>;
 } // namespace lamella
 

@@ -12,16 +12,15 @@
 namespace lamella
 {
   /// A Gauss-Lobatto grid on an element's unit cube and the polynomials through
-  /// its nodes, products of GaussLobattoBasis:
+  /// its nodes, products of GaussLobattoBasis (static tables):
   ///   f(u) = sum_k N_k(u) f_k.
-  /// It interpolates fields on elements, with derivatives: the map and
-  /// displacements. The coordinate xi of the section runs fastest, as in an
-  /// OutputCell. Refers only to static tables.
+  /// It interpolates maps and displacements with derivatives. The coordinate xi
+  /// of the section runs fastest, as in an OutputCell.
   class CellGrid
   {
   public:
-    /// Constructs a grid of @p degrees along the unit coordinates, each at
-    /// least 1.
+    /// Constructs a grid of @p degrees, each at least 1, along unit
+    /// coordinates.
     explicit CellGrid(const GridIntervals &degrees);
 
     /// Returns the nodes on the unit cube.

@@ -16,15 +16,13 @@ namespace lamella
    * the many points of contact and loads:
    *   X(s, t) = sum_ij L_i(s) L_j(t) X_ij
    * with the Lagrange polynomials L_i of GaussLobattoBasis on [0, 1] and the
-   * positions X_ij of the facet's nodes. Degrees are those of the trace, exact
-   * up to rounding, or 1 along straight directions. Most facets are plane
-   * parallelograms, X = X_00 + s d_s + t d_t. A surface integral is
+   * facet's nodes X_ij. Degrees are those of the trace, exact up to rounding,
+   * or 1 along straight directions. Most facets are plane parallelograms, X =
+   * X_00 + s d_s + t d_t. A surface integral is
    *   int f dA = int_0^1 int_0^1 f(X(s, t)) |d_s x d_t| ds dt,
    * with d_s = dX/ds and d_t = dX/dt, which operator() returns as well.
-   *
-   * Positions are in the undeformed scene, except for moved() facets. Maps
-   * refer only to static tables and may outlive their body; they store one
-   * point per node.
+   * Positions are undeformed, except for moved() facets. Maps may outlive their
+   * body.
    */
   class FacetMap
   {
@@ -40,17 +38,15 @@ namespace lamella
     /// of the normal from its middle. Does not keep the body.
     FacetMap(const Body &body, const SurfaceFacet &facet);
 
-    /// Constructs a map from @p control_points of degrees @p degree_s and
-    /// @p degree_t, as from control_points() and degrees(); outward() is d_s x
-    /// d_t.
+    /// Constructs a map from control_points() of degrees @p degree_s and @p
+    /// degree_t; outward() is d_s x d_t.
     FacetMap(const unsigned int                   degree_s,
              const unsigned int                   degree_t,
              const std::vector<dealii::Point<3>> &control_points);
 
-    /// Returns the map of the facet whose trace nodes, the Gauss-Lobatto grid
-    /// of the trace degrees @p degree_s and @p degree_t (the first coordinate
-    /// runs fastest), have moved by @p u [length]: X(s, t) + sum_ij L_i L_j
-    /// u_ij. The outward side is kept.
+    /// Returns the map X(s, t) + sum_ij L_i L_j u_ij of the facet whose trace
+    /// nodes (the Gauss-Lobatto grid of @p degree_s and @p degree_t, the first
+    /// running fastest) have moved by @p u [length]. The outward side is kept.
     FacetMap
     moved(const unsigned int                       degree_s,
           const unsigned int                       degree_t,
@@ -71,16 +67,14 @@ namespace lamella
     curvature(const dealii::Point<2> &st) const;
 
     /// Returns true for a plane parallelogram, to 1e-12 of its size: normal and
-    /// area per unit are constant, and points have their (s, t) without
-    /// iteration.
+    /// area are constant, and points have their (s, t) without iteration.
     bool
     is_affine() const
     {
       return affine;
     }
 
-    /// Returns true if all parameter lines are straight: a bilinear facet,
-    /// plane or twisted, given by its four corners.
+    /// Returns true for straight parameter lines: four corners give the facet.
     bool
     is_straight() const
     {
@@ -96,8 +90,7 @@ namespace lamella
     }
 
     /// Returns the X_ij, the first index running fastest: 2 along a straight
-    /// direction, else trace degree + 1. Four are in the order of
-    /// SurfaceFacet::corners.
+    /// direction, else trace degree + 1.
     const std::vector<dealii::Point<3>> &
     control_points() const
     {
@@ -112,8 +105,8 @@ namespace lamella
     }
 
   private:
-    /// Stores the nodes of grid @p x of the bases @p s and @p t, two along
-    /// straight directions.
+    /// Stores the nodes of grid @p x of the bases, two along straight
+    /// directions.
     void
     keep(const GaussLobattoBasis             &s,
          const GaussLobattoBasis             &t,
@@ -122,8 +115,7 @@ namespace lamella
     /// Polynomials in s and in t, static tables.
     const GaussLobattoBasis      *along_s, *along_t;
     std::vector<dealii::Point<3>> nodes;
-    /// Corner (0, 0) and the edges from there to (1, 0) and (0, 1), which
-    /// determine an affine map.
+    /// Corner (0, 0) and edges to (1, 0) and (0, 1), which give an affine map.
     Place origin;
     bool  affine = false;
     /// Sign: 1 if d_s x d_t points out of the body, else -1.

@@ -12,26 +12,23 @@
 
 namespace lamella
 {
-  // Conversion of strains in body axes to output, shared by beam and solid so
-  // that all stresses are computed in one way.
+  // Conversion of strains in body axes to output, shared by beam and solid.
 
-  /// An affine map of a strain epsilon to another quantity, six numbers each in
-  /// the order of Eq. 4,
+  /// An affine map of a strain epsilon to another quantity, in the order of Eq.
+  /// 4,
   ///   q = matrix epsilon + constant.
   /// The constant comes from initial strains: stress is C (epsilon -
-  /// epsilon_0). Both parts go into the weights and the constant of a
-  /// LinearFunctional.
+  /// epsilon_0). Weights and constant of a LinearFunctional follow from it.
   struct StrainMap
   {
     ElasticTensor matrix;
     Voigt         constant;
   };
 
-  /// Returns the map from a strain in the axes of a body at @p placement to
-  /// @p quantity (strain or stress) in the axes of @p frame, where the ply has
-  /// the axes @p ply and the law @p law in body axes. The constant is -C
-  /// epsilon_0 in the axes of @p frame, and zero for strains. With T the strain
-  /// rotation from body axes to those of @p frame,
+  /// Returns the map from a strain in the axes of a body at @p placement to @p
+  /// quantity in the axes of @p frame, where the ply has the axes @p ply and
+  /// the law @p law in body axes. With T the strain rotation to the axes of @p
+  /// frame,
   ///   epsilon' = T epsilon,   sigma' = T^-T C (epsilon - epsilon_0),
   /// since the energy sigma . epsilon is invariant. T^-1 is the strain rotation
   /// of the inverse rotation.
@@ -42,16 +39,14 @@ namespace lamella
                   const Triad      &ply,
                   const ElasticLaw &law);
 
-  /// Rotations of samples from body axes into those of the scene and of a ply,
-  /// computed once for all points of a ply.
+  /// Rotations of samples from body axes to scene and ply axes, once per ply.
   class SampleRotations
   {
   public:
     SampleRotations(const Placement &placement, const Triad &ply);
 
-    /// Returns the sample of a displacement (a length), a strain (order of Eq.
-    /// 4, engineering shear strains) and its stress, all in body axes, with
-    /// zero jump.
+    /// Returns the sample of displacement, strain (order of Eq. 4, engineering
+    /// shear strains) and stress, all in body axes, with zero jump.
     FieldSample
     sample(const dealii::Tensor<1, 3> &displacement,
            const Voigt                &strain,
@@ -80,13 +75,12 @@ namespace lamella
                        const Triad                &ply,
                        const ElasticLaw           &law);
 
-  /// Changes the stress s of @p sample from rotated to scene axes, sigma = R s
-  /// R^T, and resets R to 1, so that a second call does nothing.
+  /// Changes the stress s of @p sample to scene axes, sigma = R s R^T, and R to
+  /// 1.
   void
   to_scene_axes(FieldSample &sample);
 
-  /// Returns over all processes the sum of the energies and the maxima of all
-  /// other members of @p share. Collective.
+  /// Returns summed energies and maxima of the rest of @p share. Collective.
   Deformation
   reduce_over_processes(Deformation share);
 
@@ -98,14 +92,13 @@ namespace lamella
   FieldSample
   mean_sample(const std::vector<FieldSample> &samples);
 
-  /// Returns the 22 names ux ... uz, exx ... gyz, sxx ... syz, s11 ... s23,
-  /// jump: the columns of CSV files, and of VTU without the jump.
+  /// Returns the names ux ... uz, exx ... gyz, sxx ... syz, s11 ... s23, jump
+  /// of CSV columns (VTU has no jump).
   const std::vector<std::string> &
   field_names();
 
-  /// Returns the values of @p sample in the order of field_names(). Strains and
-  /// stresses are in the order of Eq. 4; displacements and the first twelve of
-  /// these are in scene axes, s11 to s23 in ply axes.
+  /// Returns the values of @p sample in the order of field_names(): strains and
+  /// stresses as in Eq. 4, in scene axes; s11 to s23 in ply axes.
   std::vector<double>
   field_values(const FieldSample &sample);
 } // namespace lamella

@@ -30,8 +30,7 @@ namespace lamella
   Quaternion
   compose_rotations(const Quaternion &a, const Quaternion &b);
 
-  /// Returns dq / d theta for a spin theta after the rotation @p q, dq = (0,
-  /// theta) q / 2, one row per component of q.
+  /// Returns dq / d theta for a spin theta after @p q: dq = (0, theta) q / 2.
   std::array<dealii::Tensor<1, 3>, 4>
   spin_derivative(const Quaternion &q);
 
@@ -61,11 +60,10 @@ namespace lamella
    * With r^2 times the seventh these add the stretch of axial fibers tilted
    * against the section's normal by shear and twist,
    *   [(Gamma_x + kappa_y z)^2 + (Gamma_z - kappa_y x)^2] / 2,
-   * small for thick sections of one stiffness, but it stretches the faces of a
+   * small for thick homogeneous sections; but it stretches the faces of a
    * sandwich whose core shears, bends it under twist, and stiffens twisted
-   * strips. No digits are lost for small rotations. frame_strains() takes the
-   * rotation @p Q, and the derivatives @p dQ and @p dr along y of Q and of the
-   * center's displacement.
+   * strips. frame_strains() takes the rotation @p Q, and the derivatives @p dQ
+   * and @p dr along y of Q and of the center's displacement.
    */
   using FrameStrains = Derivatives<7, 11>;
   FrameStrains

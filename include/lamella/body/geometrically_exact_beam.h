@@ -24,20 +24,20 @@ namespace lamella
    * (SectionOperator). With Saint-Venant's fields this is Simo's beam with the
    * section's stiffness, including warping in shear and torsion, Poisson's
    * effect and couplings of a layup. TwistStretch gives the terms of kappa_y^2
-   * / 2, Wagner's stiffening of a twisted strip. Other quadratic strains of the
-   * section are neglected (flattening of bent tubes and wide strips;
-   * Deformation::shape_change measures them).
+   * / 2, Wagner's stiffening of a twisted strip. Other quadratic strains
+   * (flattening of bent tubes and wide strips) are neglected;
+   * Deformation::shape_change measures them.
    *
-   * DoFs are those of the Beam. In a state u the rigid fields of a node are its
-   * r and its rotation vector, of angle 0 to pi, scaled as for small rotations
-   * (RigidField). In changes du and in forces they are spins on top of the
-   * state, about body axes; retract() combines both. Rows of displacements
-   * depend on the state (rows_at()). At u = 0 both are those of the Beam.
+   * In a state u the rigid fields of a node are its r and its rotation vector,
+   * of angle 0 to pi, scaled as for small rotations (RigidField). In changes du
+   * and in forces they are spins on top of the state, about body axes;
+   * retract() combines both. Rows depend on the state (rows_at()), at u = 0 a
+   * Beam's.
    *
    * Quaternions of nodes are interpolated along an element. Integrals use one
    * Gauss point fewer than nodes, which does not lock at any slenderness. (One
-   * more point for the terms of a and a' alone doubles the number of elements
-   * needed if warping is constrained.)
+   * more for the terms of a and a' doubles the number of elements needed if
+   * warping is constrained.)
    *
    * Sections that stay normal to the axis (EBBT) are those of TBT with 10^4
    * times the axial stiffness against shear, which leaves a share (h / L)^2 of
@@ -47,8 +47,8 @@ namespace lamella
   {
   public:
     /// Constructs a beam whose nodes all carry all fields of @p section, that
-    /// of Theory::of_rotating(), which may stay normal to the axis if
-    /// @p keeps_normal. theory() returns @p theory, or the section's if empty.
+    /// of Theory::of_rotating(). theory() returns @p theory, or the section's
+    /// if empty.
     GeometricallyExactBeam(const std::string             &name,
                            std::shared_ptr<const Section> section,
                            std::shared_ptr<const Axis>    axis,
@@ -56,8 +56,8 @@ namespace lamella
                            const std::string             &theory       = "",
                            const bool                     keeps_normal = false);
 
-    /// Constructs a beam as Beam does. Throws InputError for lists of fields
-    /// that are not dense (SectionSpace).
+    /// Constructs a beam as Beam does. Throws InputError for lists not dense
+    /// (SectionSpace).
     GeometricallyExactBeam(
       const std::string                            &name,
       std::shared_ptr<const SectionSpace>           space,
@@ -77,8 +77,8 @@ namespace lamella
     {
       return true;
     }
-    /// Returns the state. Throws NumericsError if a section that cannot twist
-    /// would have to.
+    /// Returns the state. Throws NumericsError if an untwistable section would
+    /// twist.
     Vector
     retract(const Vector &u, const Vector &change) const override;
     double
@@ -128,8 +128,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Section law D of an element of the axis: its fields and, among them, the
-    /// m warpings, those that are no rigid motions.
+    /// Section law D of an axis element: its fields and, among them, m
+    /// warpings.
     struct Law
     {
       std::vector<unsigned int> fields, warpings;
@@ -162,8 +162,8 @@ namespace lamella
       double    weight = 0.;
     };
 
-    /// A local unknown of an element, node after node its r, its spin and its
-    /// warpings. The DoF, if any, is `factor` times it.
+    /// A local unknown of an element, node after node its r, spin and warpings.
+    /// The DoF, if any, is `factor` times it.
     struct LocalDof
     {
       DofIndex dof    = dealii::numbers::invalid_dof_index;
@@ -204,8 +204,7 @@ namespace lamella
     void
     add_twist_stretch(Law &law) const;
 
-    /// Returns the number of the section's fields, the first ones, that are no
-    /// warpings.
+    /// Returns the number of the section's first fields, which are no warpings.
     unsigned int
     n_rigid() const
     {
@@ -230,8 +229,7 @@ namespace lamella
     Voigt
     twist_strain(const SectionPoint &point) const;
 
-    /// Returns the rotation vector of @p node in a state, or its spin in a
-    /// change.
+    /// Returns the rotation vector of @p node in a state, its spin in a change.
     dealii::Tensor<1, 3>
     rotation(const unsigned int node, const Vector &u) const;
 
@@ -264,27 +262,25 @@ namespace lamella
             const AxisPoint   &point,
             const unsigned int i);
 
-    /// Adds the forces of the stresses @p s on e at @p station to the local
-    /// forces @p f.
+    /// Adds the forces of the stresses @p s on e at @p station to @p f.
     static void
     add_forces(const Station       &station,
                const Element       &element,
                const Vector        &s,
                std::vector<double> &f);
 
-    /// Returns the stresses of the frame's strains that the linearization at
-    /// @p before predicts for @p change of the local unknowns (Magisano,
-    /// Leonetti and Garcea, see green_tangent()).
+    /// Returns the frame's stresses that the linearization at @p before
+    /// predicts for @p change (Magisano, Leonetti and Garcea, see
+    /// green_tangent()).
     static OfFrame
     predicted(const Station             &station,
               const Law                 &law,
               const Element             &before,
               const std::vector<double> &change);
     /// Add to the local matrix @p K, with @p n numbers per node: the tangent of
-    /// a station with the stresses @p s of the frame's strains; their geometric
-    /// part and the second derivative @p by_measures of the energy by (Q, Q',
-    /// r'); the products of r and spins with those of node @p j; those with a
-    /// warping.
+    /// a station with the frame's stresses @p s; their geometric part and the
+    /// second derivative @p by_measures of the energy by (Q, Q', r'); the
+    /// products of r and spins with those of node @p j; those with a warping.
     static void
     add_frame_tangent(const Station                    &station,
                       const Law                        &law,
@@ -334,8 +330,7 @@ namespace lamella
     struct SectionState
     {
       Frame frame;
-      /// Strains e, and for each field of the section the values and the axial
-      /// derivatives that warpings and frame strains give it.
+      /// Strains e, and values and axial derivatives that they give each field.
       std::vector<double> e, value, derivative;
       /// Coefficients of the warping displacements.
       std::vector<double> warping;
@@ -345,8 +340,7 @@ namespace lamella
     section_state(const unsigned int cell, const Frame &frame) const;
     SectionState
     section_state(const AxisPoint &on_axis, const Vector &u) const;
-    /// Returns the section state for samples, with strains interpolated from
-    /// the stations of the element.
+    /// Returns the state for samples, strains interpolated between stations.
     SectionState
     output_state(const AxisPoint &on_axis, const Vector &u) const;
 
@@ -355,7 +349,7 @@ namespace lamella
     /// Returns X of PointFields.
     dealii::Tensor<1, 3>
     from_center(const SectionPoint &point) const;
-    /// Returns Phi a of the point @p at, in body axes.
+    /// Returns Phi a at @p at, in body axes.
     static dealii::Tensor<1, 3>
     warping(const PointFields &at, const Frame &frame);
     /// Returns the displacement of @p point, in body axes.
@@ -369,7 +363,7 @@ namespace lamella
     /// Returns R (X + Phi a) at @p at.
     static RotatedVector
     rotated_point(const PointFields &at, const Frame &frame);
-    /// Returns the displacement at @p at, in body axes, per unit of each local
+    /// Returns the displacement at @p at, in body axes, per unit of each
     /// unknown.
     static std::vector<dealii::Tensor<1, 3>>
     by_local(const PointFields &at, const Element &element);
@@ -379,8 +373,8 @@ namespace lamella
              const double                   share,
              const Vector                  &u,
              std::vector<LinearFunctional> &rows) const;
-    /// Adds to @p K the derivative of the work of @p force, in body axes, at
-    /// @p at on the local unknowns.
+    /// Adds to @p K the derivative of the work of @p force (body axes) at @p
+    /// at.
     static void
     add_force(const PointFields                &at,
               const dealii::Tensor<1, 3>       &force,
@@ -400,7 +394,8 @@ namespace lamella
     void
     add_strains(const SectionState &state, Deformation &deformation) const;
 
-    /// Returns the strain at @p point of a section in @p state.
+    /// Adds the part of add_force() of spin @p spin; @p row are its
+    /// derivatives.
     Voigt
     strain_at(const SectionPoint &point, const SectionState &state) const;
 

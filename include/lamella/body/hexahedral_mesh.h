@@ -21,8 +21,7 @@
 
 namespace lamella
 {
-  /// Refinement of a solid: numbers of divisions in eight of its cells, a
-  /// section cell times an axis element each.
+  /// Refinement of a solid: numbers of divisions in eight of its cells.
   struct SolidRefinement
   {
     /// Divisions of all cells.
@@ -41,12 +40,11 @@ namespace lamella
 
   /// The hexahedra of a solid in body axes: a section mesh extruded along the
   /// axis, on deal.II's parallel::distributed::Triangulation (p4est), with the
-  /// nodes of FE_Q<3>(degree). p4est distributes the cells, and nodes are
-  /// numbered process by process. Each process keeps all cells with their nodes
-  /// and sides, so that points, rows and surfaces agree everywhere: some 250
-  /// bytes per cell of degree 2, 24 bytes per node. The geometry is
-  /// isoparametric: nodes lie on the section's curved edges, hanging ones where
-  /// their constraints put them.
+  /// nodes of FE_Q<3>(degree), numbered process by process. Each process keeps
+  /// all cells with their nodes and sides, so that points, rows and surfaces
+  /// agree everywhere: some 250 bytes per cell of degree 2, 24 bytes per node.
+  /// The geometry is isoparametric: nodes lie on the section's curved edges,
+  /// hanging ones where their constraints put them.
   class HexahedralMesh
   {
   public:
@@ -77,9 +75,8 @@ namespace lamella
     };
 
     /// Constructs the mesh; balls are in body axes. Throws InputError,
-    /// beginning with @p what, if the section mesh has hanging nodes (p4est
-    /// needs a conforming coarse mesh), if a ball meets no hexahedron, or,
-    /// before they are made, if the hexahedra do not fit in memory.
+    /// beginning with @p what, if the section mesh has hanging nodes, if a ball
+    /// meets no hexahedron, or if the hexahedra would not fit in memory.
     HexahedralMesh(std::shared_ptr<const SectionMesh> section,
                    const AxisMesh                    &axis,
                    const unsigned int                 degree,

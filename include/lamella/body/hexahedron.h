@@ -21,8 +21,8 @@
 
 namespace lamella
 {
-  /// The stiffness C at a point of a hexahedron, in the axes of its nodes. It
-  /// varies for plies in curved walls.
+  /// The stiffness C at a point of a hexahedron, in node axes (varies if
+  /// curved).
   using StiffnessField = std::function<ElasticTensor(const dealii::Point<3> &)>;
 
   /// Shape functions of a hexahedron at one of its points.
@@ -60,9 +60,7 @@ namespace lamella
    * its strains.
    *
    * Geometry and shape functions are deal.II's on one cell, whose mapping is
-   * set to the nodes in question: all processes can thus evaluate any cell,
-   * with the same numbers. Each call changes the cell, so threads may not share
-   * a Hexahedron.
+   * set to the nodes in question. Each call changes the cell: not thread-safe.
    */
   class Hexahedron
   {
@@ -90,9 +88,8 @@ namespace lamella
       return fe.get_unit_support_points()[i];
     }
 
-    /// Returns the cell and sets mapping() to that of @p nodes, from the unit
-    /// cube to x - x_0, x_0 the first node, without loss of digits far from the
-    /// origin.
+    /// Returns the cell and sets mapping() from the unit cube to x - x_0 with
+    /// the first of @p nodes x_0, without loss of digits far from the origin.
     dealii::Triangulation<3>::active_cell_iterator
     cell(const Nodes &nodes) const;
 
@@ -112,8 +109,8 @@ namespace lamella
     IncompatibleModes
     incompatible_modes(const Nodes &nodes, const StiffnessField &C) const;
 
-    /// Returns the strains of unit DoFs at @p point, with @p modes: epsilon =
-    /// sum strains[d] u_d.
+    /// Returns the strains of unit DoFs: epsilon = sum strains[d] u_d at @p
+    /// point.
     std::vector<Voigt>
     strains(const HexahedronPoint &point, const IncompatibleModes &modes) const;
 

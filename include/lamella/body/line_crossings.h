@@ -10,15 +10,13 @@
 
 namespace lamella
 {
-  // Crossings of a line with elements, in the plane of the section (x, z):
-  // sides of cells are edges, and the line is its projection. The bodies add
-  // crossings along the axis.
+  // Crossings of a line with elements in the plane (x, z) of the section; the
+  // bodies add those along the axis.
 
-  /// Adds to @p crossings the parameters t, any real numbers, at which the line
-  /// a + t d meets an end of the straight edge from @p p to @p q or crosses it,
-  /// within @p tolerance (a length). An edge on the line adds its two ends.
-  /// @p d must not be zero, but need not have unit length. Edges that share a
-  /// crossing each add it; merge_breaks() removes duplicates.
+  /// Adds to @p crossings the parameters t at which the line a + t d meets an
+  /// end of the straight edge from @p p to @p q or crosses it, within @p
+  /// tolerance (a length). An edge on the line adds its two ends. @p d must not
+  /// be zero. Shared crossings are repeated; merge_breaks() removes duplicates.
   void
   add_edge_crossings(const dealii::Point<2>     &p,
                      const dealii::Point<2>     &q,
@@ -27,9 +25,9 @@ namespace lamella
                      const double                tolerance,
                      std::vector<double>        &crossings);
 
-  /// Adds crossings with the curved edge @p x(s), s from 0 to 1: roots, to
-  /// rounding, where the distance from the line changes its sign between five
-  /// points of the edge. A curve that touches the line in between is missed.
+  /// Adds crossings with the curved edge @p x(s), s in [0, 1]: roots of the
+  /// distance from the line between five points of the edge, where it changes
+  /// sign.
   void
   add_curve_crossings(const std::function<dealii::Point<2>(const double)> &x,
                       const dealii::Point<2>                              &a,
@@ -37,8 +35,7 @@ namespace lamella
                       const double         tolerance,
                       std::vector<double> &crossings);
 
-  /// Returns those of @p breaks in [0, 1], ascending, with 0 and 1: the pieces
-  /// of a segment. Breaks closer than 1e-9 are merged.
+  /// Returns the @p breaks in [0, 1], ascending, with 0 and 1, merged to 1e-9.
   std::vector<double>
   merge_breaks(std::vector<double> breaks);
 } // namespace lamella

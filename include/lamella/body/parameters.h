@@ -17,15 +17,13 @@
 
 namespace lamella
 {
-  /// Input of a body as plain data with checked names: placement, section, and
-  /// discretization, that is the theory (the paper's Sec. 2) and the mesh along
-  /// the axis. make_bodies() creates the body.
+  /// Input of a body as plain data: placement, section, theory (the paper's
+  /// Sec. 2) and mesh along the axis. make_bodies() creates the body.
   struct BodyDescription
   {
     /// Names of the body and of its section.
     std::string name, section;
-    /// Theory of the body or else of the scene, beam or solid; the leading one
-    /// of `Theories`.
+    /// Theory of the body or the scene, beam or solid; the first of `Theories`.
     Theory theory;
     /// Theories of pieces of the axis, if given; else empty.
     TheoryPieces pieces;
@@ -33,16 +31,14 @@ namespace lamella
     Placement placement;
     /// Length, and elements along it, of beams and extruded solids.
     AxisMesh axis;
-    /// Stiffness of springs on free rigid motions, a share of E A / L from 0
-    /// (none) to 0.01.
+    /// Stiffness of springs on free rigid motions, share of E A / L, 0 to 0.01.
     double stabilization = 0.;
-    /// Flag: unloaded rigid motions are removed, and those that contact may
-    /// constrain get springs (conditions/isostatic_support.h).
+    /// Flag: unloaded rigid motions are removed
+    /// (conditions/isostatic_support.h).
     bool is_held = false;
     /// Flag: finite rotations (TotalLagrangianBeam).
     bool has_finite_rotations = false;
-    /// Refinement of a solid's hexahedra, ignored by beams. make_bodies() sets
-    /// its memory limit.
+    /// Refinement of a solid's hexahedra; make_bodies() sets its memory limit.
     SolidRefinement refinement;
   };
 
@@ -66,12 +62,11 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Returns the body @p name from @p prm, whose current subsection, restored
-    /// at the end, is that of the body. The entry @p scene_theory, `Theory` of
-    /// the scene, is the default; @p sections are the valid names for
-    /// `Section`. Throws InputError, naming the entry, if the section is
-    /// unknown, the length missing or not positive, Axis and Up parallel or
-    /// zero, Stabilization out of its range, or an entry of Kinematics wrong.
-    /// EBBT needs B4, as Kirchhoff's constraint takes cubic deflections.
+    /// at the end, is that of the body. @p scene_theory, `Theory` of the scene,
+    /// is the default; @p sections are the valid names. Throws InputError,
+    /// naming the entry, if the section is unknown, the length not positive,
+    /// Axis and Up parallel or zero, or another entry wrong. EBBT needs B4, as
+    /// Kirchhoff's constraint takes cubic deflections.
     static BodyDescription
     parse(dealii::ParameterHandler       &prm,
           const std::string              &name,
@@ -80,17 +75,14 @@ namespace lamella
   };
 
   /**
-   * Returns the bodies of @p descriptions on their section meshes, beams or
-   * solids. Solids may take @p memory_limit bytes (0: that of the machine).
-   * Beams with the same mesh and theory share their section with its matrices
-   * S_pq; each has an axis of its own. Nodes of SV-N, and of bodies with
-   * `Theories`, carry all fields of their section: choose_fields() selects them
-   * and adds others later. Collective.
-   *
-   * @p meshes has all sections of the descriptions. Throws InputError for a
-   * body longer than 1e7 times the extent of its section, whose rigid motions
-   * cannot be distinguished in doubles (doc/theory/stable-basis.md), for a beam
-   * with fewer axis nodes than processes, and as HexahedralMesh does.
+   * Returns the bodies of @p descriptions on their section @p meshes. Solids
+   * may take @p memory_limit bytes (0: that of the machine). Beams with the
+   * same mesh and theory share their section with its matrices S_pq. Nodes of
+   * SV-N, and of bodies with `Theories`, carry all fields: choose_fields()
+   * selects them later. Throws InputError for a body longer than 1e7 times the
+   * extent of its section, whose rigid motions doubles cannot distinguish
+   * (doc/theory/stable-basis.md), for a beam with fewer axis nodes than
+   * processes, and as HexahedralMesh does. Collective.
    */
   Bodies
   make_bodies(const std::vector<BodyDescription> &descriptions,

@@ -11,16 +11,14 @@ namespace lamella
 {
   /// Placement of a body in the scene: the origin of the section at the start
   /// of the axis, and the body axes x (across), y (along), z (up) as rows of
-  /// unit vectors in the scene. With R = axes (orthogonal, det R = 1) and o the
-  /// origin,
+  /// unit vectors. With R = axes (orthogonal, det R = 1) and the origin o,
   ///   x_body = R (X - o),   X = o + R^T x_body,   v_body = R v.
   /// Beams and solids compute in their own axes, with y along the beam as in
-  /// the paper's Fig. 1; their interfaces use scene axes. The unit of length is
-  /// that of the scene.
+  /// the paper's Fig. 1; their interfaces use scene axes.
   struct Placement
   {
-    /// Scene position of the lower left corner of the section at the start of
-    /// the axis, or of the origin of its mesh file.
+    /// Scene position of the section's lower left corner (or of its mesh file's
+    /// origin) at the start of the axis.
     dealii::Point<3> origin;
     /// Body axes, by default those of the scene.
     Triad axes = unit_triad();
@@ -28,8 +26,7 @@ namespace lamella
     /// Returns the placement with y along @p axis and z as near to @p up as
     /// possible:
     ///   x = axis x up / |axis x up|,   y = axis / |axis|,   z = x x y.
-    /// The vectors have any length. Throws InputError if they are parallel (the
-    /// sine between them below 1e-6) or one is zero.
+    /// Throws InputError if they are parallel (sine below 1e-6) or one is zero.
     static Placement
     from_directions(const dealii::Point<3>     &origin,
                     const dealii::Tensor<1, 3> &axis,
@@ -70,9 +67,8 @@ namespace lamella
       return transpose(axes) * R * axes;
     }
 
-    /// Returns T with strain(scene axes) = T strain(body axes), order of Eq. 4
-    /// with engineering shear strains. Stresses use T^-T, as T is not
-    /// orthogonal.
+    /// Returns T with strain(scene) = T strain(body), order of Eq. 4 with
+    /// engineering shear strains. Stresses use T^-T, as T is not orthogonal.
     ElasticTensor
     strain_to_scene() const
     {

@@ -16,12 +16,11 @@ namespace lamella
    * The stretch of a beam is that of a deflected line, equal all over a
    * section,
    *   e_2 = (w_x'^2 + w_z'^2) / 2 along the axis,
-   * with w the mean over the section of the transverse displacements. In a
-   * solid it is Green's quadratic part of the skew part H_a of grad u,
+   * with the section means w of the transverse displacements. In a solid it is
+   * Green's quadratic part of the skew part H_a of grad u,
    *   e_2 = H_a^T H_a / 2 = (|r|^2 1 - r r^T) / 2,   r = curl u / 2.
    * It is sampled at as many Gauss points along an element as the displacements
-   * have degrees and interpolated, so that a displacement v can compensate it,
-   * as far as supports allow.
+   * have degrees and interpolated, so that a displacement v can compensate it.
    *
    * With v in equilibrium under e_2 as under an initial strain,
    *   int (B w)^T C (B v + e_2) dV = 0 for all w that supports allow,
@@ -33,10 +32,8 @@ namespace lamella
    * of the stress field with all of the body's fields, as in a total Lagrangian
    * formulation (Crisfield, Non-linear Finite Element Analysis of Solids and
    * Structures 1, 5.1). It includes columns with shear, lateral-torsional
-   * buckling under loads at any height, and wrinkling of faces and buckling of
-   * walls, if the theory has the stresses and mode shapes.
-   *
-   * Refers to the body. All functions are collective.
+   * buckling, wrinkling of faces and buckling of walls, if the theory has the
+   * stresses and mode shapes. Refers to the body. Collective.
    */
   class SecondOrder
   {
@@ -56,17 +53,15 @@ namespace lamella
     virtual void
     add_geometric_forces(const Vector &w, Vector &f) const = 0;
 
-    /// Returns the largest short_wave_ratio() of the sampled points. Call
-    /// solve() first.
+    /// Returns the largest short_wave_ratio() of sampled points, after solve().
     virtual double
     largest_short_wave_ratio() const = 0;
   };
 
-  /// Returns the largest -s_ii / G over the axes i, where G is the lower of the
-  /// two shear moduli of C with that axis. Its inverse is the buckling factor
-  /// of plane shear waves along i in the material (Rosen's microbuckling of
-  /// fibers, -s = G). No mode of a homogeneous body has a lower one. Zero
-  /// without compression.
+  /// Returns the largest -s_ii / G over the axes i, G the lower of the two
+  /// shear moduli of C with that axis. Its inverse is the buckling factor of
+  /// plane shear waves along i (Rosen's microbuckling of fibers, -s = G), the
+  /// lowest mode of a homogeneous body. Zero without compression.
   double
   short_wave_ratio(const Voigt &stress, const ElasticTensor &C);
 } // namespace lamella

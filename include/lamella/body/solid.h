@@ -22,18 +22,17 @@ namespace lamella
   class SurfaceNode;
 
   /// A body of hexahedra, the three-dimensional reference of beam theories: a
-  /// beam's section mesh and axis extruded, Q1 with incompatible modes or Q2,
-  /// full integration, hanging nodes where it is locally refined. On one mesh
-  /// the space of Q2 is that of LE-2 with B3. DoF 3 i + c is component c, in
-  /// body axes, at node i. A "cell" of Location is a hexahedron; its unit
-  /// coordinates are a beam's, (xi, place along the axis, eta). Hexahedra of
-  /// one ply with the same nodes up to a translation are of one kind, with
-  /// matrices computed once.
+  /// section mesh and axis extruded, Q1 with incompatible modes or Q2, hanging
+  /// nodes where it is locally refined. On one mesh the space of Q2 is that of
+  /// LE-2 with B3. DoF 3 i + c is component c, in body axes, at node i. A
+  /// "cell" of Location is a hexahedron with the unit coordinates of a beam.
+  /// Hexahedra of one ply with the same nodes up to a translation share their
+  /// matrices.
   class Solid : public Body
   {
   public:
-    /// Constructs a solid of @p degree 1 or 2. Balls of @p refinement are in
-    /// body axes.
+    /// Constructs a solid of @p degree 1 or 2. Refinement balls are in body
+    /// axes.
     Solid(const std::string                 &name,
           std::shared_ptr<const SectionMesh> section,
           const AxisMesh                    &axis,
@@ -167,8 +166,7 @@ namespace lamella
     /// Returns the DoFs of @p cell in the order of Hexahedron.
     std::vector<DofIndex>
     dofs_of(const unsigned int cell) const;
-    /// Return the law of @p cell and the axes of its ply at its point @p x,
-    /// both in body axes.
+    /// Return the law of @p cell and the ply's axes at @p x, both in body axes.
     ElasticLaw
     law(const unsigned int cell, const dealii::Point<3> &x) const
     {
@@ -180,14 +178,14 @@ namespace lamella
       return mesh.section().plies[mesh.cells()[cell].ply].axes({x[0], x[2]});
     }
 
-    /// Returns the displacements of @p cell less those of its first node, so
-    /// that rigid translations have exactly no strain.
+    /// Returns the displacements of @p cell less those of its first node, which
+    /// makes rigid translations exactly free of strain.
     std::vector<double>
     relative_displacements(const unsigned int cell, const Vector &u) const;
 
-    /// Returns law() with the initial strain of heat at @p unit, the point
-    /// @p x. Degree 1 uses the temperature at the middle of the cell, since a
-    /// varying one would strain its incompatible modes.
+    /// Returns law() with the strain of heat at @p unit, the point @p x. Degree
+    /// 1 takes the middle of the cell: a gradient would strain incompatible
+    /// modes.
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<3> &unit,
@@ -196,8 +194,7 @@ namespace lamella
   private:
     friend class SolidSecondOrder;
 
-    /// Hexahedra with the same matrices: a representative, and those of this
-    /// process.
+    /// Hexahedra with equal matrices: a representative, and this process's.
     struct Kind
     {
       unsigned int              cell = 0;
@@ -224,8 +221,7 @@ namespace lamella
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
-    /// Returns the cells whose boxes are within @p tolerance of @p around (body
-    /// axes).
+    /// Returns the cells whose boxes are within @p tolerance of @p around.
     std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>>
     cells_near(dealii::BoundingBox<3> around, const double tolerance) const;
 
@@ -238,8 +234,8 @@ namespace lamella
     std::pair<dealii::Point<3>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;
 
-    /// Returns the point of @p cell at @p unit, on its face @p face; the area
-    /// is per unit of the face's square.
+    /// Returns the point of @p cell at @p unit on @p face, area per unit
+    /// square.
     SurfacePoint
     face_point(const unsigned int      cell,
                const unsigned int      face,
@@ -249,8 +245,8 @@ namespace lamella
     using HangingNodes =
       std::map<unsigned int, const HexahedralMesh::HangingNode *>;
 
-    /// Adds the contributions of face @p face of @p cell to surface nodes.
-    /// Hanging nodes pass their areas on.
+    /// Adds face @p face of @p cell to surface nodes; hanging nodes pass areas
+    /// on.
     void
     add_face(const unsigned int                   cell,
              const unsigned int                   face,
@@ -258,7 +254,7 @@ namespace lamella
              std::map<unsigned int, SurfaceNode> &nodes) const;
 
     /// Adds the crossings of the line a + t d of the section's plane with the
-    /// edge of @p cell from corner @p v to @p w, which may be curved.
+    /// edge from corner @p v to @p w, which may be curved.
     void
     add_side_crossings(const unsigned int          cell,
                        const unsigned int          v,

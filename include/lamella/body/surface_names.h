@@ -7,9 +7,8 @@
 
 namespace lamella
 {
-  /// Names of surfaces that every body has: `start` and `end`, where y is 0 and
-  /// L; `ends`, both of them; `all`, the ends and all sides. All comparisons of
-  /// these names are here.
+  /// Names of surfaces that every body has: `start` (y = 0), `end` (y = L),
+  /// `ends` (both), `all` (ends and sides). They are compared only here.
   namespace surface_names
   {
     /// Returns "start" or "end".

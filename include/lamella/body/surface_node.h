@@ -8,9 +8,7 @@
 namespace lamella
 {
   /// A node of a surface during the loop over facets in Body::surface_points():
-  /// the sums over facets
-  ///   A = int N dA,   n ~ int N n dA,
-  /// and the flag of a corner.
+  /// the sums A = int N dA, n ~ int N n dA, and the flag of a corner.
   class SurfaceNode
   {
   public:
@@ -26,8 +24,7 @@ namespace lamella
       weighted += share * normal;
     }
 
-    /// Adds half of its sums to each of its two ends and removes the node,
-    /// which hangs in their middle.
+    /// Removes the node, which hangs between two ends, and adds half to each.
     void
     distribute_to_ends(SurfaceNode &one_end, SurfaceNode &other_end);
 

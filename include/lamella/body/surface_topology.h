@@ -20,25 +20,23 @@ namespace lamella
    *
    * Each facet has two Gauss-Lobatto grids, the first coordinate running
    * fastest: that of the expansion, (degree_s + 1) x (degree_t + 1), whose
-   * nodes contact uses, and that of the trace, whose values determine the
-   * displacement on the facet. Each has its own numbers of this surface, from 0
-   * without gaps, in the order of facets. Does not refer to the body.
+   * nodes contact uses, and that of the trace, which determines the
+   * displacement. Each has its own numbers, from 0 without gaps, by facets.
+   * Refers to no body.
    */
   struct SurfaceTopology
   {
     struct Facet
     {
       SurfaceFacet side;
-      /// Node numbers: grid[j * (degree_s + 1) + i] is that at the i-th
-      /// Gauss-Lobatto point of s and the j-th of t, and trace likewise in its
-      /// own degrees.
+      /// Node numbers: grid[j * (degree_s + 1) + i] is at the i-th
+      /// Gauss-Lobatto point of s and the j-th of t; trace likewise in its own
+      /// degrees.
       std::vector<unsigned int> grid, trace;
     };
 
-    /// A grid node in the middle between two neighboring nodes of another
-    /// facet's edge, as in a locally refined solid. Continuous functions have
-    /// their mean there,
-    ///   v(node) = (v(ends[0]) + v(ends[1])) / 2.
+    /// A grid node in the middle between two neighbors on another facet's edge,
+    /// as in a refined solid: v(node) = (v(ends[0]) + v(ends[1])) / 2.
     struct HangingNode
     {
       unsigned int                node = 0;
@@ -52,21 +50,19 @@ namespace lamella
     /// Hanging nodes, by numbers of grid nodes. Beams have none.
     std::vector<HangingNode> hanging;
 
-    /// Adds the facet @p side, whose nodes have the unique numbers @p grid and
-    /// @p trace in the body, in the order of Facet::grid and Facet::trace. 64
-    /// bits, for products of numbers in the section and along the axis.
+    /// Adds the facet @p side; @p grid and @p trace are unique numbers in the
+    /// body, 64 bits for products of numbers in the section and along the axis.
     void
     add(const SurfaceFacet               &side,
         const std::vector<std::uint64_t> &grid,
         const std::vector<std::uint64_t> &trace);
 
-    /// Returns the grid node of a facet at @p place, one of the body's; none if
-    /// that is on no facet.
+    /// Returns the grid node of a facet at @p place; none if it is on no facet.
     std::optional<unsigned int>
     grid_node(const Location::Place &place) const;
 
-    /// Adds a node that hangs in the middle of @p ends, by grid node numbers of
-    /// the body, after all facets; no effect if one is on no facet.
+    /// Adds a node that hangs between @p ends, body numbers, after all facets;
+    /// no effect if one is on no facet.
     void
     add_hanging(const std::uint64_t                 node,
                 const std::array<std::uint64_t, 2> &ends);

@@ -18,20 +18,16 @@ namespace lamella
    * supports and dead loads are those of the Beam.
    *
    * Samples have Green's strain E, and as stress R^T sigma R, Cauchy's in axes
-   * that rotate with the material (PolarDecomposition), as ply axes do.
-   * second_order() is that of small rotations. E_yy and the transverse shears
-   * of samples are least-squares polynomials of degree 2 through their values
-   * at the stations. Their other parts oscillate between stations without
-   * physical meaning (FiniteStrainSectionOperator).
-   *
-   * Limited to B4 and theories whose strains are those of their displacements
-   * (LE, TE-2 and up).
+   * that rotate with the material (PolarDecomposition), as ply axes do. E_yy
+   * and the transverse shears of samples are least-squares polynomials of
+   * degree 2 through their values at the stations, as other parts oscillate in
+   * between. Limited to B4 and theories whose strains are those of their
+   * displacements (LE, TE-2 and up).
    */
   class TotalLagrangianBeam : public Beam
   {
   public:
-    /// Constructs a beam as Beam does. Throws InputError for unsupported
-    /// theories and axes.
+    /// Constructs a beam as Beam does. Throws InputError if unsupported.
     TotalLagrangianBeam(const std::string             &name,
                         std::shared_ptr<const Section> section,
                         std::shared_ptr<const Axis>    axis,
@@ -70,35 +66,33 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Returns the coefficients of @p u of the fields at @p point of the
-    /// section, at the one station @p on_axis.
+    /// Returns the coefficients of @p u at @p point of the section and @p
+    /// on_axis.
     FieldParts
     parts_at(const SectionPoint &point,
              const AxisPoint    &on_axis,
              const Vector       &u) const;
 
-    /// Returns the smoothed strain of samples of @p point at @p on_axis, with
-    /// the displacement gradient @p H there.
+    /// Returns the smoothed strain at @p point and @p on_axis with gradient @p
+    /// H.
     Voigt
     strain_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
               const Gradient     &H,
               const Vector       &u) const;
 
-    /// Returns the rotation of the middle of the section between the ends of
-    /// axis element @p cell [rad].
+    /// Returns the rotation between the ends of axis element @p cell [rad].
     double
     rotation_along(const unsigned int cell, const Vector &u) const;
 
-    /// Return the blocks of axis element @p cell, one per section cell: without
-    /// values, or with zeros.
+    /// Return the blocks of @p cell, one per section cell: no values, or zeros.
     std::vector<StiffnessBlock>
     empty_blocks(const unsigned int cell) const;
     std::vector<StiffnessBlock>
     zero_blocks(const unsigned int cell) const;
 
-    /// Returns the block of axis element @p cell and the section cell with the
-    /// fields @p on_section, without values.
+    /// Returns the block of @p cell with the fields @p on_section, without
+    /// values.
     StiffnessBlock
     empty_block(const unsigned int               cell,
                 const std::vector<unsigned int> &on_section) const;
@@ -110,8 +104,7 @@ namespace lamella
                const Vector                &correction,
                std::vector<StiffnessBlock> &blocks) const;
 
-    /// Adds the section's @p tangent at station @p k of axis element @p cell to
-    /// @p block.
+    /// Adds the section's @p tangent at station @p k of @p cell to @p block.
     void
     add_station(const unsigned int                              cell,
                 const unsigned int                              k,

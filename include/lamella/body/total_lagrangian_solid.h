@@ -13,8 +13,7 @@ namespace lamella
   /// undeformed body
   ///   f_i = int grad N_i . (S (1 + H)) dV,
   /// and the tangent is the derivative. Samples have E, and R^T sigma R as
-  /// stress. Only degree 2: the incompatible modes of degree 1 are those of
-  /// small strains.
+  /// stress. Only degree 2: incompatible modes are those of small strains.
   class TotalLagrangianSolid : public Solid
   {
   public:
@@ -35,8 +34,7 @@ namespace lamella
     rigid_motions_at(const Vector &u) const override;
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
-    /// Returns Deformation, with root mean squares of the axial strain and
-    /// rotations between the axial ends of single hexahedra.
+    /// Returns Deformation, rotations between the axial ends of hexahedra.
     Deformation
     deformation(const Vector &u) const override;
     void
