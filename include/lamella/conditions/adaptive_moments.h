@@ -12,70 +12,59 @@
 
 namespace lamella
 {
-  /**
-   * Integrals over the cells of a load. In each cell a vector function f (three
-   * components) on the unit interval (dim 1, lines) or square (dim 2, facets)
-   * is integrated with products phi_k of Lagrange polynomials at Gauss-Lobatto
-   * points,
-   *   moment_k = integral f phi_k.
-   * If f is a traction and phi_k are trace functions, these are the forces of a
-   * consistent load vector.
-   */
+  /// Integrals over the cells of a load: a vector function f on the unit
+  /// interval (dim 1, lines) or square (dim 2, facets) times products phi_k of
+  /// Lagrange polynomials at Gauss-Lobatto points,
+  ///   moment_k = integral f phi_k.
+  /// For a traction f and trace functions phi_k these are consistent nodal
+  /// forces.
   template <int dim>
   struct Moments
   {
     /// A cell with its integrand. On a facet f includes the area per unit of
-    /// the square, so that integrals over the unit square are forces.
+    /// the square.
     struct Cell
     {
-      /// f, force per unit of the parameters. It is evaluated inside the cell
-      /// only, and must be finite there.
+      /// Force per unit of the parameters, evaluated inside the cell, finite
+      /// there.
       std::function<dealii::Tensor<1, 3>(const dealii::Point<dim> &)> f;
-      /// Degrees of the Lagrange polynomials along each parameter, with degree
-      /// + 1 functions each; at least 1.
+      /// Degrees, at least 1, of the polynomials along each parameter.
       std::array<unsigned int, dim> degree{};
       /// Lengths of the cell along each parameter. Only ratios matter.
       std::array<double, dim> extent{};
     };
 
-    /// Moments of_cells[c][k] of cell c, phi_0 of the first parameter running
-    /// fastest; with two parameters k = k_t (degree_s + 1) + k_s.
+    /// Moments of_cells[c][k] of cell c, the first parameter running fastest: k
+    /// = k_t (degree_s + 1) + k_s.
     std::vector<std::vector<dealii::Tensor<1, 3>>> of_cells;
-    /// sum of integral |f|, and the estimated error of the integrals, both in
-    /// the unit of f. The error is no bound: it excludes features that no point
-    /// of rule and grid has met.
+    /// Sum of integral |f|, and the estimated error of the integrals, which
+    /// excludes features that no point of rule and grid has met.
     double size = 0., error = 0.;
-    /// Sum of all f by another rule: midpoints on a separate grid of about 2e4
-    /// points in all, at least four along each parameter of a cell.
+    /// Sum of all f by midpoints on a separate grid of about 2e4 points in all.
     dealii::Tensor<1, 3> independent;
-    /// Estimated error of `independent`: the largest difference from three
-    /// finer grids. Computed if it differs from the sum of all moments by more
-    /// than 1 % of the size, else 0.
+    /// Largest difference of `independent` from three finer grids, computed if
+    /// it differs from the sum of moments by more than 1 % of the size, else 0.
     double independent_error = 0.;
-    /// Bisections of the cell bisected most, along one parameter, its number,
-    /// and the place. Zero, with the origin of the unit square, if there were
-    /// none.
+    /// Bisections of the cell bisected most along one parameter, its number,
+    /// and the place; zero if there were none.
     unsigned int       bisections = 0, cell = 0;
     dealii::Point<dim> place;
   };
 
   /**
-   * Integrates by Gauss rules of degree + 3 points per parameter, exact for
-   * polynomials. Bisects the piece of largest error first, along the parameter
-   * that gains most, until the sum of errors is below 1e-9 of the size. A finer
-   * grid of midpoints detects features between the Gauss points: pieces are
-   * bisected where the grid has values that the rule has not met, and its sum
-   * is the independent check. Stops at 1e6 evaluations with the remaining error
+   * Integrates by Gauss rules of degree + 3 points per parameter. Bisects the
+   * piece of largest error first, along the parameter that gains most, until
+   * the sum of errors is below 1e-9 of the size. Pieces are also bisected where
+   * a finer grid of midpoints has values that the rule has not met; its sum is
+   * the independent check. Stops at 1e6 evaluations with the remaining error
    * (as at edges across a surface oblique to its parameters).
    *
-   * With @p constant all f are assumed smooth: no grid, no bisection, and only
-   * the moments in the result.
+   * With @p constant all f are assumed smooth: no grid and no bisection.
    *
    * The error of a piece is estimated by Gauss rules of degree + 3 and + 4
    * points, by its halves along each parameter if they differ, and by values
    * just inside its edges. A piece is bisected at most 45 times along a
-   * parameter, the resolution of doubles. Pieces are kept in a heap by error: a
-   * step costs the logarithm of their number and the evaluations of two halves.
+   * parameter, the resolution of doubles. Pieces are in a heap by error.
    */
   template <int dim>
   Moments<dim>

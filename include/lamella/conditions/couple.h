@@ -18,12 +18,10 @@ namespace lamella
   class Couple
   {
   public:
-    /// Constructs the couple of @p load on @p region of @p body. Throws
-    /// InputError if the body has no such surface.
+    /// Constructs the couple of @p load. Throws InputError without the surface.
     Couple(const Load &load, const Region &region, const Body &body);
 
-    /// Returns points with their areas, which integrate the trace functions of
-    /// the surface times a linear function.
+    /// Returns points with areas, exact for trace functions times linear ones.
     const std::vector<SurfacePoint> &
     points() const
     {
@@ -34,8 +32,7 @@ namespace lamella
     std::vector<dealii::Tensor<1, 3>>
     forces(const std::vector<dealii::Point<3>> &x) const;
 
-    /// Returns the first-order change of these forces for displacements @p u of
-    /// the points at @p x.
+    /// Returns the first-order change of the forces for displacements @p u.
     std::vector<dealii::Tensor<1, 3>>
     change(const std::vector<dealii::Point<3>>     &x,
            const std::vector<dealii::Tensor<1, 3>> &u) const;

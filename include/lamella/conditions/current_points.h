@@ -11,8 +11,7 @@ namespace lamella
 {
   /// Points of a body in any state u: displacements, and generalized forces
   ///   f(u) = sum over k of R_k(u)^T F_k,   R_k the rows of point k at u
-  /// (Body::rows_at()). Rows that do not depend on u are cached. Keeps a
-  /// reference to the body.
+  /// (Body::rows_at(), cached if constant). Keeps a reference to the body.
   class CurrentPoints
   {
   public:
@@ -36,8 +35,7 @@ namespace lamella
     std::vector<dealii::Tensor<1, 3>>
     changes(const Vector &u, const Vector &w) const;
 
-    /// Adds @p factor sum_k dR_k^T F_k to f, the change of the generalized
-    /// forces of constant @p forces if @p u changes by @p w.
+    /// Adds @p factor sum_k dR_k^T F_k, for a change @p w of @p u, to f.
     void
     add_rotated_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
                        const double                             factor,

@@ -12,9 +12,8 @@
 
 namespace lamella
 {
-  /// A value of a load, as text: a number, a function of the scene's x, y, z in
-  /// the language of muParser, or empty. Cheap to copy; Expression parses it.
-  /// Library users write `load.force[2] = -1000.`, scenes `-1000*sin(pi*y/2)`.
+  /// A value of a load as text: a number, a function of x, y, z in the language
+  /// of muParser, or empty; `load.force[2] = -1000.` or `-1000*sin(pi*y/2)`.
   class Formula
   {
   public:
@@ -29,8 +28,7 @@ namespace lamella
       : expression(expression)
     {}
 
-    /// Converts @p value with 17 digits, from which the parser restores it
-    /// exactly.
+    /// Converts @p value with 17 digits, which the parser restores exactly.
     template <typename Number,
               typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
     Formula(const Number value)
@@ -60,25 +58,21 @@ namespace lamella
   };
 
   /// A real function of the scene's x, y, z in the language of muParser
-  /// (deal.II's FunctionParser), with the constant pi. Keeps a copy of its
-  /// entry, for messages.
+  /// (deal.II's FunctionParser), with pi. Keeps its entry for messages.
   class Expression
   {
   public:
-    /// Parses @p expression, all or part of @p entry. Throws InputError of the
-    /// entry if it does not parse, has a comma outside of functions, assigns
-    /// (`x=1` is an assignment of value 1 in muParser), or has no fixed value
-    /// (`rand()`). It is evaluated once, at the origin, since deal.II parses no
-    /// earlier; that value may be infinite.
+    /// Parses @p expression, all or part of @p entry. Throws InputError if it
+    /// does not parse, has a comma outside of functions, assigns (`x=1` is an
+    /// assignment of value 1 in muParser), or has no fixed value (`rand()`).
     Expression(const std::string &expression, const Entry &entry);
 
-    /// Returns the value at @p x, scene axes [length]. Throws InputError of the
-    /// entry if it is not finite.
+    /// Returns the value at @p x [length]. Throws InputError if it is not
+    /// finite.
     double
     operator()(const dealii::Point<3> &x) const;
 
-    /// Returns whether the text contains none of x, y, z. One value then holds
-    /// everywhere, and integrals need no adaptivity.
+    /// Returns whether the text contains none of x, y, z.
     bool
     is_constant() const
     {

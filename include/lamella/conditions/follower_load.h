@@ -11,9 +11,8 @@
 
 namespace lamella
 {
-  /// A load with state-dependent forces f(u) on a body with finite rotations
-  /// (Body::has_finite_rotations()). For small displacements it equals the dead
-  /// load of add_load().
+  /// A load with state-dependent forces f(u) on a body with finite rotations.
+  /// For small displacements it is the dead load of add_load().
   class FollowerLoad
   {
   public:
@@ -49,14 +48,12 @@ namespace lamella
 
   using FollowerLoads = std::vector<std::unique_ptr<FollowerLoad>>;
 
-  /// Returns whether @p load is a follower load: a couple or a following
-  /// pressure.
+  /// Returns whether @p load is a couple or a following pressure.
   bool
   is_follower_load(const Load &load);
 
-  /// Returns whether @p load on @p body is a FollowerLoad: a follower load on a
-  /// body with finite rotations, and any load if the body's generalized forces
-  /// depend on its state (Body::constraints_rotate()).
+  /// Returns whether @p load on @p body is a FollowerLoad: a follower load at
+  /// finite rotations, or any load if Body::constraints_rotate().
   bool
   depends_on_state(const Load &load, const Body &body);
 

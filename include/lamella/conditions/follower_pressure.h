@@ -34,8 +34,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// A Gauss point of a facet with its weight times p, and the trace
-    /// functions with their derivatives by s and t.
+    /// A Gauss point of a facet, its weight times p, and trace functions with
+    /// derivatives.
     struct GaussPoint
     {
       dealii::Point<2>    st;
@@ -59,8 +59,7 @@ namespace lamella
     /// Evaluates the trace functions of @p facet at @p point.
     static void
     evaluate(const SurfaceFacet &facet, GaussPoint &point);
-    /// Returns the forces on the nodes of @p facet, whose current map is
-    /// @p now.
+    /// Returns the forces on the nodes of @p facet, whose map is @p now.
     static std::vector<dealii::Tensor<1, 3>>
     forces_on(const Facet &facet, const FacetMap &now, const double factor);
     /// Returns the trace nodes of @p facet.

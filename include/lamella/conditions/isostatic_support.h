@@ -12,18 +12,18 @@
 namespace lamella
 {
   /**
-   * Isostatic support of a body, `Isostatic support = true`: it removes
-   * the rigid motions that supports leave free, so that displacements are
-   * relative to the body's middle.
+   * Isostatic support of a body, `Isostatic support = true`: it removes the
+   * rigid motions that supports leave free, so that displacements are relative
+   * to the body's middle.
    *
    * For each rigid motion q without resistance of a support, or of a contact
    * along its normal, there is one row
    *   r(u) = 1 / n sum_p q(X_p) . u(X_p) = 0,
    * with the n points X_p of the section half way along the axis that are
    * furthest from its centroid. The mean displacement and rotation there are
-   * zero. There are as many rows as motions, so they cause no strain. The force
-   * in a row is the imbalance of the loads, zero or an error
-   * (check_isostatic_balance()), and that of contact forces off their normal.
+   * zero, without strain. The force in a row is the imbalance of the loads,
+   * zero or an error (check_isostatic_balance()), and that of contact forces
+   * off their normal.
    */
 
   /// A place where a contact may act on a body along a normal.
@@ -38,29 +38,29 @@ namespace lamella
   std::optional<BodyFunctional>
   row_of(const PotentialContact &place, const Bodies &bodies);
 
-  /// Returns the name, among the supports, of the hold of the body @p name.
+  /// Returns the name of the isostatic support of the body @p name.
   std::string
   name_of_isostatic_support(const std::string &name);
 
-  /// Sets the motions of the holds among @p supports: those of their bodies
-  /// that neither other supports nor contacts at @p places resist.
+  /// Sets the motions of isostatic supports among @p supports: those that
+  /// neither other supports nor contacts at @p places resist.
   void
   find_isostatic_motions(std::vector<Support>                &supports,
                          const Bodies                        &bodies,
                          const std::vector<PotentialContact> &places);
 
-  /// Clears the motions of the holds among @p supports.
+  /// Clears the motions of the isostatic supports among @p supports.
   void
   clear_isostatic_motions(std::vector<Support> &supports);
 
-  /// Returns the rows of @p hold, number @p support of the supports.
+  /// Returns the rows of the isostatic support @p hold, number @p support.
   std::vector<PrescribedFunctional>
   rows_of_isostatic_support(const IsostaticSupport &hold,
                             const unsigned int      support,
                             const Bodies           &bodies);
 
-  /// Throws InputError if the load vector @p load at load factor 1 does work on
-  /// a motion that a hold removes, since nothing could balance it.
+  /// Throws InputError if @p load at load factor 1 does work on a motion that
+  /// an isostatic support removes.
   void
   check_isostatic_balance(const std::vector<Support> &supports,
                           const Bodies               &bodies,

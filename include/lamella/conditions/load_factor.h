@@ -14,8 +14,7 @@ namespace lamella
   /// displacements and motions of obstacles. The scene has a factor t_0 (`Load
   /// factors`), and each object with its own history (`Factors`) has a t_k:
   ///   f(t) = t_0 f_0 + sum_k t_k f_k.
-  /// Heat has a factor, too: 1 in every step, and less on the way of bodies
-  /// with finite rotations to the first step.
+  /// Heat has a factor, too: 1, and less on the way to a first large step.
   class LoadFactor
   {
   public:

@@ -11,17 +11,16 @@
 namespace lamella
 {
   /// The midpoint rule on a grid over a cell of a load, which detects features
-  /// between Gauss points (adaptive_moments()). All grids have about 2e4
-  /// points, equally many per cell, more along its longer side, at least four
-  /// along each parameter.
+  /// between Gauss points (adaptive_moments()): about 2e4 points in all,
+  /// equally many per cell, more along its longer side, at least four per
+  /// parameter.
   template <int dim>
   class MidpointGrid
   {
   public:
     using Cell = typename Moments<dim>::Cell;
 
-    /// Evaluates f over @p cell, one of @p n_cells, with @p finer times the
-    /// points along each parameter.
+    /// Evaluates f over @p cell, one of @p n_cells; @p finer multiplies points.
     MidpointGrid(const Cell       &cell,
                  const std::size_t n_cells,
                  const double      finer);

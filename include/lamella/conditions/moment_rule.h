@@ -38,22 +38,20 @@ namespace lamella
     void
     add(const dealii::Tensor<1, 3> &f);
 
-    /// Returns how far @p f lies outside the range widened by a quarter of its
-    /// width on each side; 0 inside.
+    /// Returns how far @p f lies outside the range widened by a quarter each
+    /// side.
     double
     beyond(const dealii::Tensor<1, 3> &f) const;
   };
 
-  /// A Gauss rule over a box of a cell for integrals of f phi_k (Moments), with
-  /// degree + 3 points or more along each parameter.
+  /// A Gauss rule over a box of a cell for integrals of f phi_k (Moments).
   template <int dim>
   class MomentRule
   {
   public:
     using Cell = typename Moments<dim>::Cell;
 
-    /// Sets up @p more additional points along each parameter. Keeps a
-    /// reference to @p cell.
+    /// Sets up degree + 3 and @p more points along each parameter of @p cell.
     MomentRule(const Cell              &cell,
                const ParameterBox<dim> &box,
                const unsigned int       more);
@@ -64,8 +62,7 @@ namespace lamella
       return points;
     }
 
-    /// Returns the integrals, in the order of Moments::of_cells. Adds the
-    /// values of f to @p range.
+    /// Returns the integrals as Moments::of_cells. Adds the values to @p range.
     std::vector<dealii::Tensor<1, 3>>
     integrate(ForceRange &range) const;
 

@@ -15,18 +15,16 @@
 
 namespace lamella
 {
-  /// Returns the number of the body, from 0 in @p bodies, and the rest of
-  /// `BODY: rest`, an entry or a part of it. Throws InputError for a text
-  /// without a colon and for an unknown name; the message suggests the nearest.
+  /// Returns the number of the body in @p bodies, and the rest of `BODY: rest`.
+  /// Throws InputError without a colon or a known name, suggesting the nearest.
   std::pair<unsigned int, std::string>
   parse_on_body(const Entry &entry, const std::vector<std::string> &bodies);
 
   /// Returns the regions of @p on, `BODY: point | line | body | SURFACE`
-  /// between semicolons (one at the end is allowed), with the positions @p at
-  /// of points and lines. All points of @p at are one region; a line has two
-  /// different ends. Throws InputError for no or repeated regions, and for too
-  /// few, too many or unused positions. Surfaces are checked later, by
-  /// check_surface().
+  /// between semicolons, with the positions @p at of points and lines. All
+  /// points of @p at are one region; a line has two different ends. Throws
+  /// InputError for no or repeated regions, and for too few, too many or unused
+  /// positions.
   std::vector<Region>
   parse_regions(const Entry                    &on,
                 const Entry                    &at,
@@ -39,44 +37,42 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Adds the history in @p in to the load factors of all @p steps and
-    /// returns its number; 0, that of the scene, if the entry is empty. Throws
-    /// InputError unless there is one number per step.
+    /// Adds the history in @p in to all @p steps and returns its number; 0 if
+    /// the entry is empty. Throws InputError unless there is one number per
+    /// step.
     static unsigned int
     parse(const Entries &in, std::vector<LoadFactor> &steps);
   };
 
-  /// The entries of a `subsection Support NAME`: `On`, `At`, `u`, `Normal
-  /// displacement`.
+  /// The entries of a `subsection Support NAME`: On, At, u, Normal
+  /// displacement.
   struct SupportParameters
   {
     /// Declares the entries in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the support @p name on bodies with the names @p bodies. An empty
-    /// u fixes all components; `free` leaves one free, but not all. A normal
-    /// displacement excludes u and is for surfaces only. Throws InputError.
+    /// Returns the support @p name on bodies @p bodies. An empty u fixes all
+    /// components; `free` leaves one free. A normal displacement excludes u and
+    /// is for surfaces only. Throws InputError.
     static Support
     parse(const Entries                  &in,
           const std::string              &name,
           const std::vector<std::string> &bodies);
   };
 
-  /// The entries of a `subsection Load NAME`: `On`, `At`, and one of `Force`,
-  /// `Total force`, `Pressure`, `Couple` and `Temperature`.
+  /// The entries of a `subsection Load NAME`: `On`, `At`, and one kind of load.
   struct LoadParameters
   {
     /// Declares the entries in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the load @p name on bodies with the names @p bodies, its
-    /// expressions not yet parsed. Throws InputError, also for overlapping
-    /// regions of one body (`all`, `ends`), where the load would act twice,
-    /// forces on whole bodies, temperatures on anything else, pressures and
-    /// couples not on a surface, couples on several surfaces (`ends`, `all`),
-    /// and totals at points or on lines beside surfaces.
+    /// Returns the load @p name on bodies @p bodies, expressions not yet
+    /// parsed. Throws InputError, also for overlapping regions of one body
+    /// (`all`, `ends`), forces on whole bodies, temperatures on anything else,
+    /// pressures and couples not on a surface, couples on several surfaces, and
+    /// totals at points or on lines beside surfaces.
     static Load
     parse(const Entries                  &in,
           const std::string              &name,

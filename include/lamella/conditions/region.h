@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `conditions`: what holds and loads bodies one by one. It owns
-// regions (surfaces, lines, points), supports, loads and their integration,
-// stabilizing springs, and the elimination of what supports prescribe, all as
-// rows of Body. It never knows that there is a second body to touch: no
-// contact.
+// The room `conditions`: supports and loads of single bodies. It owns regions
+// (surfaces, lines, points), supports, loads and their integration, stabilizing
+// springs, and the elimination of what supports prescribe, all as rows of Body.
+// It does not depend on contact.
 
 #ifndef lamella_conditions_region_h
 #define lamella_conditions_region_h
@@ -18,8 +17,7 @@
 namespace lamella
 {
   /// The part of a body that a support or a load acts on: `On = BODY: point |
-  /// line | body | SURFACE` with `At` in a scene. Surfaces are named by the
-  /// body (Body::surfaces()); check_surface() checks them.
+  /// line | body | SURFACE` with `At` in a scene (check_surface()).
   struct Region
   {
     /// Kind of region; reading `undefined` is a program error.
@@ -37,8 +35,7 @@ namespace lamella
     Kind kind = Kind::undefined;
     /// Name of a surface (bottom, top, start, ends, ...).
     std::string surface;
-    /// Positions of points, which are one region, or the two ends of a line, in
-    /// scene axes [length].
+    /// Positions of points, which are one region, or of the ends of a line.
     std::vector<dealii::Point<3>> at;
 
     /// Returns whether this is a surface that contains @p side of the body.
@@ -53,8 +50,7 @@ namespace lamella
     {
       return kind == Kind::body;
     }
-    /// Returns whether this consists of points or lines, one of which is within
-    /// @p near [length] of @p x (scene axes).
+    /// Returns whether a point or line of this is within @p near of @p x.
     bool
     has_point_at(const dealii::Point<3> &x, const double near) const;
     /// Returns whether this is a surface made of several.
@@ -82,35 +78,32 @@ namespace lamella
    *   surface  Body::constraint_points()
    *   body     Body::body_points()
    *
-   * Prescribing the displacement at all of them prescribes its trace on the
-   * region. Some rows are redundant; RowReduction removes them. Throws
-   * InputError of the entry or subsection @p path if a point or a line is not
-   * in the body (both ends are tested first, then all points) or the body has
-   * no such surface.
+   * RowReduction removes redundant rows. Throws InputError of the entry or
+   * subsection @p path if a point or a line is not in the body (both ends are
+   * tested first, then all points) or the body has no such surface.
    */
   std::vector<Location>
   region_locations(const Body        &body,
                    const Region      &region,
                    const std::string &path);
 
-  /// Returns the locations of each point, one in each ply that it touches
+  /// Returns the locations of each point, one in each ply there
   /// (Body::locate()), since stresses jump between plies. Throws InputError of
-  /// the entry or subsection @p path for a point outside of @p body; the
-  /// message gives the body's extent.
+  /// @p path, with the body's extent, for a point outside of @p body.
   std::vector<std::vector<Location>>
   locate_in_plies(const Body                          &body,
                   const std::vector<dealii::Point<3>> &points,
                   const std::string                   &path);
 
-  /// Returns the first location of each point, sufficient for displacements,
-  /// which are continuous. Throws as locate_in_plies() does.
+  /// Returns the first location of each point, sufficient for displacements.
+  /// Throws as locate_in_plies() does.
   std::vector<Location>
   locate_all(const Body                          &body,
              const std::vector<dealii::Point<3>> &points,
              const std::string                   &path);
 
-  /// Throws InputError of the entry or subsection @p path if @p body has no
-  /// @p surface. The message lists its surfaces, the nearest name first.
+  /// Throws InputError of @p path, with the nearest names, if @p body has no @p
+  /// surface.
   void
   check_surface(const Body        &body,
                 const std::string &surface,

@@ -17,8 +17,7 @@ namespace lamella
   /// The prescribed rows of a body, as RowReduction uses them.
   struct BodyConstraints
   {
-    /// Selects the @p rows that belong to @p body, number @p index. Keeps
-    /// references to @p body and @p rows.
+    /// Selects the @p rows that belong to @p body, number @p index; keeps both.
     BodyConstraints(const Body                              &body,
                     const unsigned int                       index,
                     const std::vector<PrescribedFunctional> &rows);
@@ -29,28 +28,27 @@ namespace lamella
 
     const Body                              &body;
     const std::vector<PrescribedFunctional> &prescribed;
-    /// Functionals of the rows in the DoFs that the theory leaves independent;
-    /// empty for rows of other bodies.
+    /// Functionals of the rows in independent DoFs; empty for other bodies.
     std::vector<LinearFunctional> functionals;
     /// Body::dof_scales().
     std::vector<double> sizes;
   };
 
-  /// The independent rows of a group and the DoFs that they eliminate. Groups
-  /// share no DoF and are solved separately.
+  /// The independent rows of a group, which shares no DoF with another one, and
+  /// the DoFs that they eliminate.
   struct IndependentRows
   {
     /// Numbers of the rows in the list of all.
     std::vector<unsigned int> rows;
     /// DoF that rows[k] eliminates.
     std::vector<DofIndex> pivots;
-    /// Factorized transpose of the rows in the pivots' columns, shared by
-    /// groups that are equal up to a shift.
+    /// Factorized transpose of the rows in the pivots' columns; shifts share
+    /// it.
     std::shared_ptr<const dealii::SparseDirectUMFPACK> transposed;
   };
 
-  /// A row during elimination: the remaining entries and right-hand side.
-  /// Entries belong to displacements, DoFs times their sizes.
+  /// A row during elimination: the rest of its entries, in displacements (DoFs
+  /// times sizes), and of its right-hand side.
   struct FunctionalEquation
   {
     unsigned int               number;
@@ -76,7 +74,7 @@ namespace lamella
     double
     entry(const DofIndex dof) const;
 
-    /// Subtracts @p factor times @p other, and removes @p eliminated. Returns
+    /// Subtracts @p factor times @p other, removes @p eliminated, and returns
     /// the DoFs that are new in the row.
     std::vector<DofIndex>
     subtract(const FunctionalEquation &other,
@@ -84,8 +82,8 @@ namespace lamella
              const double              factor);
   };
 
-  /// Gauss-Jordan elimination of the rows of a group (RowReduction). The
-  /// entries of equations with a pivot belong to DoFs again.
+  /// Gauss-Jordan elimination of a group (RowReduction). Entries of equations
+  /// with a pivot belong to DoFs.
   class RowElimination
   {
   public:
@@ -93,9 +91,8 @@ namespace lamella
     RowElimination(const std::vector<unsigned int> &group,
                    const BodyConstraints           &held);
 
-    /// Returns the shift of all DoFs that makes the rows @p group equal to
-    /// these, if there is one. Supports along a body's axis are such, node by
-    /// node.
+    /// Returns the shift of all DoFs, if any, that makes the rows @p group
+    /// equal to these, as for supports along an axis node by node.
     std::optional<DofIndex>
     find_shift(const std::vector<unsigned int> &group,
                const BodyConstraints           &held) const;

@@ -12,8 +12,7 @@
 
 namespace lamella
 {
-  /// Transforms forms of the displacements of some places to forms of the DoFs
-  /// in their three rows each.
+  /// Transforms forms of displacements of places to forms of their rows' DoFs.
   class RowTransformation
   {
   public:
@@ -40,8 +39,8 @@ namespace lamella
       return block;
     }
 
-    /// Returns the block of the quadratic form @p of_rows of the displacements.
-    /// Row and column 3 k + c belong to component c at place k.
+    /// Returns the block of the quadratic form @p of_rows, row 3 k + c of which
+    /// is component c at place k.
     StiffnessBlock
     operator()(const dealii::FullMatrix<double> &of_rows) const
     {
@@ -60,8 +59,7 @@ namespace lamella
       return result;
     }
 
-    /// Returns the linear form sum_k weights[k] . u_k of the displacements of
-    /// the places, in the block's DoFs.
+    /// Returns the linear form sum_k weights[k] . u_k in the block's DoFs.
     std::vector<double>
     form(const std::vector<dealii::Tensor<1, 3>> &weights) const
     {

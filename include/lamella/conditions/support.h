@@ -13,37 +13,34 @@
 
 namespace lamella
 {
-  /// A rigid motion that nothing prevents. The body's stiffness is singular
-  /// along it: it needs a Stabilization, or the scene is rejected.
+  /// A rigid motion that nothing prevents: the body needs a Stabilization, or
+  /// the scene is rejected.
   struct FreeMotion
   {
-    /// Motion with rotations about the body's center() times its size(), so
-    /// that all six numbers are displacements of similar size.
+    /// Motion with rotations about center() times size(), all in displacements.
     RigidMotion motion;
-    /// Description, "translation along x with rotation about y". Parts below a
-    /// hundredth of the largest are omitted.
+    /// Description, "translation along x with rotation about y"; parts below 1
+    /// % are omitted.
     std::string words;
 
-    /// Returns the displacement at @p x, for small rotations, scene axes,
+    /// Returns the displacement at @p x, for small rotations of its @p body,
     ///   u(x) = t + w x (x - center), w = rotations / size.
-    /// @p body is the one that the motion was found for.
     dealii::Tensor<1, 3>
     at(const dealii::Point<3> &x, const Body &body) const;
   };
 
-  /// Isostatic support of a body, from its entry `Isostatic support`: rows that
-  /// remove unresisted rigid motions (conditions/isostatic_support.h).
+  /// Isostatic support of a body: rows that remove unresisted rigid motions
+  /// (conditions/isostatic_support.h).
   struct IsostaticSupport
   {
     /// Number of the body in the scene's list.
     unsigned int body = 0;
-    /// Motions that are held; empty until find_isostatic_motions() is called.
+    /// Removed motions; empty until find_isostatic_motions() is called.
     std::vector<FreeMotion> motions = {};
   };
 
-  /// Rigid motion of a surface at load factor s,
-  ///   u(X) = s d + (R(s theta) - 1) (X - c),
-  /// R the rotation by |theta| about theta.
+  /// Rigid motion of a surface at load factor s, R the rotation about theta,
+  ///   u(X) = s d + (R(s theta) - 1) (X - c).
   struct RigidRotation
   {
     /// Translation d [length] and rotation theta [rad], scene axes.
@@ -58,12 +55,11 @@ namespace lamella
     rate(const double s, const dealii::Point<3> &X) const;
   };
 
-  /// Prescribed displacements,
+  /// Prescribed displacements (Dirichlet conditions),
   ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
-  /// with the load factor s of its history, or those of a RigidRotation, which
-  /// bodies of small rotations linearize to s (d + theta x (X - c)). Dirichlet
-  /// conditions, eliminated exactly (RowReduction), without penalty or
-  /// multiplier. Either u or normal is used.
+  /// with the load factor s of its history, or a RigidRotation, which bodies of
+  /// small rotations linearize. RowReduction eliminates them exactly, without
+  /// penalty or multiplier. Either u or normal is used.
   struct Support
   {
     /// Name in `subsection Support NAME`.
@@ -76,8 +72,7 @@ namespace lamella
     std::optional<double> normal = std::nullopt;
     /// theta of a RigidRotation, which has u as d [rad].
     std::optional<dealii::Tensor<1, 3>> rotation = std::nullopt;
-    /// c of a RigidRotation; by default the center of the bounding box of the
-    /// held points.
+    /// c of a RigidRotation; by default the middle of the held points' box.
     std::optional<dealii::Point<3>> about = std::nullopt;
     /// Isostatic support, without regions and values.
     std::optional<IsostaticSupport> isostatic = std::nullopt;
@@ -85,9 +80,8 @@ namespace lamella
     unsigned int history = 0;
   };
 
-  /// The displacement of one point along a direction, row(u) = value; for a
-  /// hold, a mean of several points. Its multiplier is the reaction on the body
-  /// along the direction, work-conjugate to the value.
+  /// The displacement of one point along a direction, row(u) = value, or a mean
+  /// of points (isostatic). Its multiplier is the reaction along the direction.
   struct PrescribedFunctional
   {
     /// Compressed row, without constant part or rounding errors.
@@ -96,25 +90,21 @@ namespace lamella
     double value = 0.;
     /// Number of the support in the list.
     unsigned int support = 0;
-    /// Unit vector of the scene along which the row's force acts; for a hold,
-    /// the resultant of a unit force in the row.
+    /// Direction (unit, scene) of the row's force; isostatic: of its resultant.
     dealii::Tensor<1, 3> direction;
     /// Position in the scene, for moments of reactions and messages.
     dealii::Point<3> position;
-    /// Moment about the position of a unit force in the row; nonzero for a hold
-    /// only.
+    /// Moment of a unit force about the position; zero unless isostatic.
     dealii::Tensor<1, 3> couple = {};
     /// History of the support.
     unsigned int history = 0;
-    /// Location of the position in the body. None for a hold, and none on an
-    /// end of a body without finite rotations, where section DoFs are held in
-    /// any state.
+    /// Location of the position in the body; none if isostatic, or on an end of
+    /// a body without finite rotations, where section DoFs are prescribed.
     std::optional<Location> location = {};
     /// Rigid motion of the place, if its support has one.
     std::optional<RigidRotation> rotation = {};
 
-    /// Returns the prescribed value at load factor @p s for a body with finite
-    /// rotations [length].
+    /// Returns the value at load factor @p s for finite rotations [length].
     double
     value_at(const double s) const
     {
@@ -129,8 +119,7 @@ namespace lamella
     }
   };
 
-  /// Returns the rigid motion of @p support, which has one, for places on
-  /// @p bodies.
+  /// Returns the rigid motion that @p support prescribes on @p bodies.
   RigidRotation
   rigid_rotation(const Support &support, const Bodies &bodies);
 
@@ -139,33 +128,31 @@ namespace lamella
   scene_axis(const unsigned int c);
 
   /// Returns the rows of @p supports by support, region and point: up to three
-  /// per point for u, one for a normal displacement, one per motion of a hold.
-  /// They may be dependent (see RowReduction). Weights below 1e-13 of a row's
-  /// largest are dropped, so that rounding errors do not couple rows. Throws
-  /// InputError for regions outside of their body, and for a normal
-  /// displacement on a surface with corners.
+  /// per point for u, one for a normal displacement, one per isostatic motion.
+  /// They may be dependent (RowReduction). Weights below 1e-13 of a row's
+  /// largest are dropped. Throws InputError for regions outside of their body,
+  /// and for a normal displacement on a surface with corners.
   std::vector<PrescribedFunctional>
   prescribed_functionals(const std::vector<Support> &supports,
                          const Bodies               &bodies);
 
   /// Returns the row @p prescribed of @p body linearized at @p u
-  /// (Body::rows_at()), and its value there. A row without a location is
-  /// unchanged. The direction of a row with a rigid motion rotates with the
-  /// section, which keeps independent rows independent.
+  /// (Body::rows_at()), and its value there. The direction of a row with a
+  /// rigid motion rotates with the section, which keeps independent rows
+  /// independent.
   std::pair<PrescribedFunctional, double>
   row_at(PrescribedFunctional prescribed, const Body &body, const Vector &u);
 
   /**
    * Returns the rigid motions of @p body, number @p index, that @p rows leave
-   * free: the null space of R E, E the rigid motions (rotations scaled with the
+   * free: the null space of R E, E the rigid motions (rotations times the
    * body's size), by a singular value decomposition with the threshold 1e-8 of
-   * the largest singular value. Motions that the theory lacks
-   * (Body::omitted_rigid_motions()) count as held.
+   * the largest singular value. Body::omitted_rigid_motions() count as
+   * constrained.
    *
-   * The result is not orthonormal but in echelon form, rotations first: each
-   * motion has a rotation or translation of its own, for readable messages.
-   * Rows are folded, sixty at a time, into six with the same singular values:
-   * the cost is linear, and the condition number is not squared.
+   * The result is in echelon form, rotations first: each motion has a rotation
+   * or translation of its own, for readable messages. Rows are folded, sixty at
+   * a time, into six with the same singular values, at linear cost.
    */
   std::vector<FreeMotion>
   free_rigid_motions(const Body                              &body,

@@ -9,8 +9,7 @@
 
 namespace lamella
 {
-  /// The value of a load at a point: on a surface the traction t at load factor
-  /// 1. Expressions are parsed once.
+  /// The value of a load at a point, a traction on a surface, at load factor 1.
   class Traction
   {
   public:
@@ -19,9 +18,9 @@ namespace lamella
     ~Traction();
     Traction(Traction &&) noexcept;
 
-    /// Returns the force f per area (on lines and points, their force), or -p n
-    /// of a pressure p [force/length^2]. @p x and the outward unit @p normal
-    /// are in scene axes. Throws InputError if an expression is not finite.
+    /// Returns the force f per area (or of a line or point), or -p n of a
+    /// pressure, at @p x with outward unit @p normal, scene axes. Throws
+    /// InputError if an expression is not finite.
     dealii::Tensor<1, 3>
     operator()(const dealii::Point<3>     &x,
                const dealii::Tensor<1, 3> &normal) const;
