@@ -14,33 +14,28 @@ namespace lamella
    * Throws InputError of `Contact NAME` if two of @p interfaces constrain the
    * same points of the same two bodies, which would count their forces twice.
    * The message names the places. Contacts with weighted gaps may share a line
-   * of nodes, since the areas on either side differ.
-   *
-   * Two points coincide if they are within 1e-9 of the body size, their
-   * partners within the root of the tributary area, and their normals within 60
-   * degrees. Contacts with the same obstacle are compared as well. Each pair of
-   * contacts between the same two bodies costs a search among their points.
-   * Call once, before the solution.
+   * of nodes, since the areas on either side differ. Two points coincide if
+   * they are within 1e-9 of the body size, their partners within the root of
+   * the tributary area, and their normals within 60 degrees. Call once, before
+   * the solution.
    */
   void
   check_conflicts(const std::vector<ContactInterface> &interfaces,
                   const Bodies                        &bodies);
 
   /// Throws InputError of `Contact NAME/Discretization` if fewer than half of
-  /// the nodes of either side that face the other surface have a node as
-  /// partner: the bodies would pass through each other. Applies to the bodies
-  /// to be solved, not to those used for grading axes.
+  /// the nodes of either side that face the other surface have a partner: the
+  /// bodies would pass through each other.
   void
   check_node_matching(const std::vector<ContactInterface> &interfaces);
 
-  /// Relative sliding of paired points: the tangential part d - (d . n) n of d
-  /// = u_2 - u_1. Pairs of undeformed nodes assume that it is small.
+  /// Relative sliding of paired points, the tangential part of d = u_2 - u_1,
+  /// which pairs of undeformed nodes assume to be small.
   struct Sliding
   {
     /// Sliding distance [length].
     double distance = 0.;
-    /// Spacing of the points, see ContactInterface::Point [length]; 0 without
-    /// rows.
+    /// Spacing of the points, see ContactInterface::Point [length]; else 0.
     double spacing = 0.;
     /// Position on First, undeformed, scene axes.
     dealii::Point<3> position;
@@ -48,9 +43,8 @@ namespace lamella
 
   /// Returns the largest sliding relative to the spacing of the rows @p active
   /// of @p interface (its own row numbers) for the displacements @p u at load
-  /// factor @p factor. An obstacle is displaced by @p factor times its
-  /// displacement. Throws InputError if a point of the interface is not in its
-  /// body (locate_all()).
+  /// factor @p factor, which also moves an obstacle. Throws InputError if a
+  /// point of the interface is not in its body (locate_all()).
   Sliding
   largest_sliding(const ContactInterface          &interface,
                   const Bodies                    &bodies,
@@ -63,12 +57,9 @@ namespace lamella
    * constraints pair the points that face each other initially, along the
    * initial normals. The normals of active pairs should be nearly collinear (at
    * 5 degrees the gap along their average is off by 1e-3), and sliding small
-   * against the spacing of points (a tenth).
-   *
-   * Considers the rows @p active (own numbers of the interface) with a force in
-   * the state @p u at load factor @p factor. Returns at most one sentence on
-   * sliding and one on normals, each with the worst place; none without active
-   * rows.
+   * against the spacing of points (a tenth). Considers the rows @p active with
+   * a force in the state @p u at load factor @p factor; at most one sentence
+   * each on sliding and on normals, with the worst place.
    */
   std::vector<std::string>
   assumption_warnings(const ContactInterface          &interface,

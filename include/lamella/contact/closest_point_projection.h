@@ -9,15 +9,12 @@
 
 namespace lamella
 {
-  /**
-   * Returns the closest-point projection of @p x onto the map of a facet: the
-   * (s, t) with stationary distance,
-   *   X_,a . (x - X(s, t)) = 0.
-   * Newton's method from @p start with the matrix a_ab - r . X_,ab, the metric
-   * a_ab and r = x - X; the curvature is from differences of X_,a, so the limit
-   * is exact. The map is continued outside the unit square. Empty if the
-   * iteration does not converge.
-   */
+  /// Returns the closest-point projection of @p x onto the map of a facet: the
+  /// (s, t) with stationary distance,
+  ///   X_,a . (x - X(s, t)) = 0.
+  /// Newton's method from @p start with the matrix a_ab - r . X_,ab, the metric
+  /// a_ab and r = x - X; the curvature is from differences of X_,a. The map is
+  /// continued outside the unit square. Empty without convergence.
   std::optional<dealii::Point<2>>
   projection_on(const FacetMap         &map,
                 const dealii::Point<3> &x,
@@ -31,11 +28,10 @@ namespace lamella
    * X_2), negative inside. The motion of the projection does not enter the
    * gradient, since X_,a . n_2 = 0: delta g = n_2 . (delta x - delta X_2).
    *
-   * @p last is the previous projection, if known. It remains on that facet,
+   * The projection remains on the facet of @p last, the previous one if known,
    * continued, up to 5 % of its length beyond a side with an adjacent facet,
    * which avoids jumps between facets with different normals. Beyond a side
-   * without one there is no projection, except for 1 % along the body; none
-   * beyond its ends.
+   * without one there is no projection, except for 1 % along the body.
    */
   std::optional<SurfaceHit>
   closest_point_projection(const MeshSurface          &surface,
@@ -45,9 +41,9 @@ namespace lamella
                            const std::optional<MeshSurface::FacetPoint> &last,
                            const double opposed = min_facing_cosine);
 
-  /// Returns the closest-point projection onto a rigid obstacle at its
-  /// position: g = N . (x - p) for a plane, g = |r| - R for a cylinder with r =
-  /// x - p normal to its axis. Empty on the axis.
+  /// Returns the closest-point projection onto a rigid obstacle: g = N . (x -
+  /// p) for a plane, g = |r| - R for a cylinder, r = x - p normal to its axis.
+  /// Empty on the axis.
   std::optional<SurfaceHit>
   closest_point_projection(const Obstacle             &obstacle,
                            const dealii::Point<3>     &x,

@@ -17,12 +17,10 @@ namespace lamella
    *   sum_k w_rk . u(X_k)
    * over the places X_k, for any displacement field u. B is W times the
    * displacement rows of Body::rows(), so another discretization of the same
-   * body can use the same gaps and contact forces, as can a displaced body.
-   *
-   * For pairs of points a row has one place, with the weight -n on First or n
-   * on Second; for weighted gaps the places are the trace nodes of the facets
-   * around, with the weights 1/A_i int phi_i psi_k n dA and the trace functions
-   * psi_k.
+   * body can use the same gaps and contact forces, as can a displaced body. For
+   * pairs of points a row has one place, with the weight -n on First or n on
+   * Second; for weighted gaps the places are the trace nodes of the facets
+   * around, with the weights 1/A_i int phi_i psi_k n dA, psi_k their functions.
    */
   struct ConstraintGeometry
   {
@@ -39,8 +37,7 @@ namespace lamella
   /// index,
   ///   B = W R,  row r: sum_k sum_c w_rk,c R_kc,
   /// with the three displacement rows R_k of each place in @p at, from
-  /// Body::rows() of the body that the contact was made from or another
-  /// discretization of it. As many as side.weights.
+  /// Body::rows() of any discretization of the body.
   std::vector<BodyFunctional>
   body_rows(const unsigned int                                index,
             const DofIndex                                    n_dofs,

@@ -18,16 +18,13 @@
 
 namespace lamella
 {
-  /// Row counts by which a pairing is invalid in a state, from
-  /// Contact::pairing_is_valid().
+  /// Row counts by which a pairing is invalid in a state (pairing_is_valid()).
   struct PairingChange
   {
-    /// Touching points without a row, or with at most nine tenths of their
-    /// area.
+    /// Points in contact without a row, or with at most 90 % of their area.
     unsigned int missing_constraints = 0;
-    /// Relevant rows with a point whose projection is off the stored one by
-    /// more than a tenth of the row spacing, or whose normal has rotated by
-    /// more than 0.1 rad.
+    /// Relevant rows with a projection off the stored one by more than a tenth
+    /// of the row spacing, or a normal rotated by more than 0.1 rad.
     unsigned int drifted = 0;
     /// Rows with a force and without a projection.
     unsigned int lost = 0;
@@ -39,9 +36,9 @@ namespace lamella
     }
   };
 
-  /// History of a Contact that is not part of the state, for a restart: a
-  /// projection remains on a facet slightly beyond its side, and points are
-  /// those of the last pairing.
+  /// History of a Contact beside the state, for a restart: a projection may
+  /// remain slightly beyond its facet, and points are those of the last
+  /// pairing.
   struct ContactHistory
   {
     /// Displacements and load factor of the last pairing; empty if undeformed.
@@ -64,18 +61,15 @@ namespace lamella
    *
    * A row is the tangent plane of the gap at the state of the last move(),
    *   g(v, s) = g_0 + b . v + s g_rate,  b = dg/du,
-   *   g_0 = g(u, t) - b . u - ...,
    * so that GapConstraint::gap() is the gap there. Initially, the undeformed
    * bodies are paired with the rows of linear kinematics (make_interface()).
    * For small rotations and small sliding, pair() is called once and move()
    * never.
    *
-   * Modifies its interface in a list of the scene. Row numbers change in pair()
-   * only, so views of rows remain valid after move(). The points are undeformed
-   * positions of places that face each other in the state; normals are current.
-   *
-   * Refers to the bodies and the interface, which must outlive it. Not
-   * collective: every process does the same.
+   * Row numbers change in pair() only, so views of rows remain valid after
+   * move(). Points are undeformed positions of places that face each other in
+   * the state; normals are current. Refers to the bodies and modifies the
+   * interface in a list of the scene. Every process does the same.
    */
   class Contact
   {
@@ -85,39 +79,33 @@ namespace lamella
     Contact &
     operator=(const Contact &) = delete;
 
-    /// Pairs the undeformed bodies into @p interface. Throws InputError as
-    /// make_interface() does.
+    /// Pairs the undeformed bodies. Throws InputError as make_interface() does.
     Contact(const ContactPair &contact,
             const Bodies      &bodies,
             ContactInterface  &interface);
 
-    /// Searches for pairs at the displacements @p u (one block per body), with
-    /// the obstacle at load factor @p factor, and moves the rows there. The
-    /// slave side and the discretization are kept. Throws InputError if nothing
-    /// faces the other side anymore.
+    /// Searches for pairs at the displacements @p u, with the obstacle at load
+    /// factor @p factor, and moves the rows there. The slave side and the
+    /// discretization are kept. Throws InputError if nothing is paired.
     void
     pair(const BlockVector &u, const LoadFactor &factor);
 
     /**
      * Updates gaps, normals and rows to the state @p u at @p factor, at the
-     * material points of pair().
+     * material points of pair(). Areas and penalties remain.
      *
      * Nodes against a surface and weighted gaps use closest-point projections
-     * (closest_point_projection()) onto the whole other surface, and b is the
-     * exact gradient of the gap. Node pairs keep their partners, with the
-     * current averaged normal; b then omits the rotation of the normal,
-     * multiplied by the tangential offset of the two nodes (pairing_is_valid()
-     * bounds it). A row without any projection is open: no parts, and the
-     * search radius as its gap.
-     *
-     * Areas and penalties remain those of the pairing.
+     * onto the whole other surface, and b is the exact gradient of the gap.
+     * Node pairs keep their partners, with the current averaged normal; b then
+     * omits the rotation of the normal times the tangential offset of the
+     * nodes, which pairing_is_valid() bounds. A row without any projection is
+     * open: no parts, and the search radius as its gap.
      */
     void
     move(const BlockVector &u, const LoadFactor &factor);
 
-    /// Begins a step in the state @p u at @p factor, to which the rows belong:
-    /// slips are measured from here, for points paired within the step from
-    /// where they were then. No effect without friction.
+    /// Begins a step in the state @p u at @p factor of the rows: slips are
+    /// measured from here, those of later points from their pairing.
     void
     begin_step(const BlockVector &u, const LoadFactor &factor);
 
@@ -125,9 +113,8 @@ namespace lamella
     ContactHistory
     memory() const;
 
-    /// Restores the contact with the history @p known in the state @p u at
-    /// @p factor, to which the rows belonged. Subsequent moves are bitwise
-    /// identical.
+    /// Restores the contact with the history @p known in the state @p u at @p
+    /// factor of its rows. Subsequent moves are bitwise identical.
     void
     restore(const ContactHistory &known,
             const BlockVector    &u,
@@ -141,9 +128,8 @@ namespace lamella
 
     /// Adds B^T lambda to @p f, with the rows that move() would give in the
     /// state @p u at @p factor, their forces @p lambda, and with friction the
-    /// @p shear along their tangents. The stored rows and points are unchanged;
-    /// rows without force are skipped. Returns true if all others have a
-    /// projection.
+    /// @p shear along their tangents. The stored rows and points are unchanged.
+    /// Returns true if all rows with a force have a projection.
     bool
     add_forces_at(const BlockVector                       &u,
                   const LoadFactor                        &factor,
@@ -154,17 +140,16 @@ namespace lamella
     /// Returns the two slip rows of each row at the state of the last move(),
     ///   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
     ///   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
-    /// along the tangents tangents_of() its normal: the mortar integrals of the
-    /// gap with the tangential projection in place of n. Each is a list of
-    /// parts, as GapConstraint::parts.
+    /// along the tangents_of() its normal: the mortar integrals of the gap with
+    /// the tangential projection in place of n. Each is a list of parts.
     std::vector<std::array<std::vector<BodyFunctional>, 2>>
     slip_constraints();
 
-    /// Checks the pairing in the state @p u at @p factor and returns the
-    /// changes: surfaces are searched again, and rows that touch there must
-    /// exist here at the same places. A row touches if its gap is below zero by
-    /// more than 1e-9 of the displacements, or if it is in @p active, the
-    /// ascending numbers of rows with a force. Costs as much as pair().
+    /// Checks the pairing in the state @p u at @p factor: surfaces are searched
+    /// again, and rows in contact must exist here at the same places. A row is
+    /// in contact if its gap is below zero by more than 1e-9 of the
+    /// displacements, or if it is in @p active, the ascending numbers of rows
+    /// with a force.
     PairingChange
     pairing_is_valid(const BlockVector               &u,
                      const LoadFactor                &factor,
@@ -172,8 +157,7 @@ namespace lamella
 
     /// Returns true if the surface at a roller has half of the roller's
     /// curvature or more (CylinderContactLines::curvature()), so that an arc is
-    /// about to touch. The state is @p u at @p factor with active constraints
-    /// @p active. False if the obstacle is no roller.
+    /// about to form in the state @p u at @p factor with active rows @p active.
     bool
     wraps_around(const BlockVector               &u,
                  const LoadFactor                &factor,
@@ -192,33 +176,32 @@ namespace lamella
       return undeformed.contact().is_automatic;
     }
 
-    /// Switches from the line to a roller to contact points from the next
-    /// pair() on. Returns false if the contact may not switch.
+    /// Switches from the line on a roller to points from the next pair() on.
+    /// Returns false if the contact may not switch.
     bool
     switch_to_points();
 
-    /// Throws NumericsError if the Search distance of a scene has excluded a
-    /// place that touches: SearchCheck::check().
+    /// Throws NumericsError if the Search distance of a scene has excluded an
+    /// active place (SearchCheck::check()).
     void
     require_found(const BlockVector               &u,
                   const LoadFactor                &factor,
                   const std::vector<unsigned int> &active);
 
-    /// Returns the deepest end of either body in the other in the state @p u at
-    /// @p factor (deepest_node()); for small rotations along undeformed
-    /// normals. Empty against an obstacle.
+    /// Returns the deepest end of either body in the other at @p u and @p
+    /// factor (deepest_node()), for small rotations along undeformed normals.
     std::optional<EndPenetration>
     end_penetration(const BlockVector &u, const LoadFactor &factor) const;
 
-    /// Returns the deepest place of the body in a roller, at points or between
-    /// them (CylinderContactLines::deepest_in()), or of one body in the other
-    /// (deepest_node()). The state is @p u at @p factor. Empty for line contact
-    /// and against a plane.
+    /// Returns the deepest place of the body in a roller, also between points
+    /// (CylinderContactLines::deepest_in()), or of one body in the other
+    /// (deepest_node()), at @p u and @p factor. Empty for line contact and
+    /// planes.
     std::optional<CylinderPenetration>
     cylinder_penetration(const BlockVector &u, const LoadFactor &factor) const;
 
-    /// Returns true if a body passed through a roller, or one body through the
-    /// other, between two states, each a displacement at a load factor.
+    /// Returns true if a body passed through the roller or the other body
+    /// between two states, each a displacement at a load factor.
     bool
     passes_through(const BlockVector &before,
                    const LoadFactor  &from,
@@ -226,12 +209,11 @@ namespace lamella
                    const LoadFactor  &to) const;
 
   private:
-    /// Returns the sides that points are paired on: @p now for finite
-    /// rotations, else the undeformed ones.
+    /// Returns the sides for pairing: @p now for finite rotations, else
+    /// undeformed.
     const ContactSides &
     paired_sides(const ContactSides &now) const;
-    /// Creates the points if missing: those of the pairing, or the node of each
-    /// one-point row.
+    /// Creates missing points: those of the pairing, or of each one-point row.
     void
     find_points();
     /// Creates points and integrals if missing, undeformed unless moved.
@@ -240,27 +222,25 @@ namespace lamella
     /// Pairs the undeformed bodies.
     void
     pair_undeformed();
-    /// Keeps one row per line, in a contact along the line of a roller with the
-    /// nodal rows @p interface. No effect otherwise.
+    /// Keeps one of the nodal rows @p interface per line in line contact.
     void
     reduce_to_lines();
-    /// Moves the points of lines from nodes to the undeformed points nearest to
-    /// the roller. For linear kinematics.
+    /// Moves the undeformed points of lines next to the roller (small
+    /// rotations).
     void
     update_lines();
-    /// Sets the undeformed position of each row and of the place opposite to
-    /// its point of largest weight. Against an obstacle the former only.
+    /// Sets the undeformed position of each row, and of its opposite place at
+    /// the point of largest weight.
     void
     set_constraint_positions();
-    /// Returns the integrals over @p on, points of this contact or copies, with
-    /// the slips of points @p held.
+    /// Returns the integrals over points @p on, with slips of reference @p
+    /// held.
     std::vector<GapIntegrals>
     integrate(const ContactSides        &sides,
               const MasterPoints         master_points,
               std::vector<GapPoint>     &on,
               SlipReferencePoints *const held = nullptr) const;
-    /// Adds to @p f the effect of @p forces on trace nodes of the slave and
-    /// master surface at @p at.
+    /// Adds the effect of @p forces on trace nodes of both sides @p at to @p f.
     void
     add_forces_of_nodes(
       const ContactSides                                                &at,
@@ -294,26 +274,25 @@ namespace lamella
     set_tangent_plane(const unsigned int k,
                       const BlockVector &u,
                       const LoadFactor  &factor);
-    /// Sets the slip rows from the integrals at @p sides, with the current
-    /// values for moved contacts.
+    /// Sets the slip rows from the integrals at @p sides.
     void
     assemble_slips(const ContactSides &sides);
-    /// Makes the slips relative to the beginning of the step, in the state @p u
-    /// at @p factor of the integrals.
+    /// Makes the slips relative to the beginning of the step at @p u, @p
+    /// factor.
     void
     offset_slips(const BlockVector &u, const LoadFactor &factor);
     /// Returns the first point of each row.
     std::vector<unsigned int>
     first_points() const;
     /// Returns the tangents of a row with normal @p n on @p sides:
-    /// tangents_of() the normal if undeformed, otherwise convected with the
-    /// slave surface at @p point (convected_tangents()).
+    /// tangents_of() it if undeformed, else convected with @p point
+    /// (convected_tangents()).
     Tangents
     tangents_at(const ContactSides         &sides,
                 const GapPoint             &point,
                 const dealii::Tensor<1, 3> &n) const;
-    /// Returns the slip_constraints() along these @p tangents, with the traces
-    /// of the bodies on @p sides.
+    /// Returns slip_constraints() along @p tangents, with the traces on @p
+    /// sides.
     std::vector<std::array<std::vector<BodyFunctional>, 2>>
     slip_constraints(const ContactSides          &sides,
                      const std::vector<Tangents> &tangents) const;
@@ -326,12 +305,12 @@ namespace lamella
     /// Stores the reference points of the slips at the beginning of the step.
     void
     hold();
-    /// Returns for each row the undeformed distance [length] between a
-    /// projection in @p now and the stored one in `points`.
+    /// Returns for each row the undeformed distance [length] between
+    /// projections in @p now and in `points`.
     std::vector<double>
     projection_drift(const std::vector<GapPoint> &now) const;
-    /// Returns the number of rows found by a search on @p sides with gaps below
-    /// @p touching that are missing here or have part of their area only.
+    /// Returns the number of rows on @p sides with gaps below @p touching that
+    /// are missing here or have part of their area only.
     unsigned int
     count_missing_constraints(const ContactSides &sides,
                               const double        touching) const;
@@ -341,8 +320,8 @@ namespace lamella
 
     ContactSides      undeformed;
     ContactInterface &interface;
-    /// Search radius. For bodies with finite rotations the given one applies to
-    /// the first pairing only; later ones use the length of the longest body.
+    /// Search radius. At finite rotations the given one applies to the first
+    /// pairing only, later ones use the length of the longest body.
     double      search_radius;
     SearchCheck search;
 
@@ -355,8 +334,7 @@ namespace lamella
     LoadFactor  pairing_factor;
     /// Integrals of the state of the rows. Empty before motion or use of slips.
     std::vector<GapIntegrals> integrals;
-    /// State at the beginning of the step, and slip reference of each point;
-    /// empty without friction and before a step.
+    /// State at the beginning of the step, and slip references; else empty.
     BlockVector         step_begin_u;
     LoadFactor          step_begin_factor;
     SlipReferencePoints held;

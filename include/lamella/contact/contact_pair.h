@@ -13,9 +13,8 @@
 
 namespace lamella
 {
-  /// Discretization of the gap function (Eq. 16) along two surfaces.
-  /// doc/theory/contact.md compares them on patch tests: only `surface to
-  /// surface` passes with any meshes.
+  /// Discretization of the gap (Eq. 16). Only `surface to surface` passes patch
+  /// tests with any meshes (doc/theory/contact.md).
   enum class Discretization
   {
     undefined,
@@ -42,8 +41,8 @@ namespace lamella
       {Discretization::line_to_roller, "line to roller"}};
   };
 
-  /// Treatment of initial overlap, g_init < 0. An overlap deeper than the cells
-  /// below is always an InputError.
+  /// Treatment of initial overlap, g_init < 0. An overlap deeper than a cell is
+  /// always an InputError.
   enum class Overclosure
   {
     undefined,
@@ -61,9 +60,8 @@ namespace lamella
       {Overclosure::refuse, "error"}};
   };
 
-  /// Slave (nonmortar) side: it has the points of `node to surface`, the hat
-  /// functions of `surface to surface` and the edges of `edge to surface`.
-  /// Unused by `node to node`.
+  /// Slave (nonmortar) side, with the points of `node to surface`, the hat
+  /// functions of `surface to surface` or the edges of `edge to surface`.
   enum class SlaveSide
   {
     undefined,
@@ -81,10 +79,8 @@ namespace lamella
                                                 {SlaveSide::second, "second"}};
   };
 
-  /// Definition of a contact between two surfaces, with friction, as read by
+  /// A contact between two named surfaces, as read by
   /// ContactParameters::parse() and converted to gap rows by make_interface().
-  /// Lengths in scene units; surfaces are given by name.
-  ///
   /// First and Second determine signs only: n of Eq. 16 is the outward normal
   /// of First.
   struct ContactPair
@@ -93,8 +89,8 @@ namespace lamella
     std::string name;
     /// Surfaces of two different bodies; `second` is unused with an obstacle.
     Region first, second;
-    /// Rigid obstacle in place of `second`, or null. It has no nodes: `node to
-    /// node`, `edge to surface` and points on the second side are excluded.
+    /// Rigid obstacle in place of `second`, or null. It has no nodes, so `node
+    /// to node`, `edge to surface` and a slave side are excluded.
     std::shared_ptr<const Obstacle> obstacle;
 
     /// Mandatory: `undefined` fails an assertion.
@@ -102,29 +98,25 @@ namespace lamella
     Enforcement    enforcement    = Enforcement::undefined;
     Overclosure    overclosure    = Overclosure::resolve;
     SlaveSide      slave_side     = SlaveSide::automatic;
-    /// Penalty. For `augmented lagrangian` and `exact` it affects the
-    /// convergence of the force estimates only.
+    /// Penalty; with multipliers it affects their convergence only.
     Penalty penalty;
     /// Largest tangential offset of paired nodes over the root of their
-    /// tributary area (no unit), for `node to node` only: see
-    /// pair_node_to_node().
+    /// tributary area, for `node to node` (pair_node_to_node()).
     double tolerance = 1e-6;
-    /// Largest distance along the normal of paired points [length]; empty for
-    /// automatic_search_distance().
+    /// Largest distance of paired points along the normal [length]; else
+    /// automatic.
     std::optional<double> search_distance;
     /// Coulomb friction coefficient mu; 0 without friction.
     double friction = 0.;
-    /// Marks a discretization that `auto` chose. `surface to surface` replaces
-    /// a `line to roller` when more than a line touches; an `edge to surface`
-    /// joins `surface to surface` where an end of a body presses.
+    /// Marks a choice of `auto`. `surface to surface` replaces a `line to
+    /// roller` if more than a line is in contact; `edge to surface` joins it at
+    /// body ends.
     bool is_automatic = false;
-    /// Number of the contact for whose body ends this one was added; its force
-    /// is part of that contact.
+    /// Number of the contact that this one complements at body ends.
     std::optional<unsigned int> part_of;
   };
 
-  /// Returns true if the nodes of both sides are paired, or would be if they
-  /// matched.
+  /// Returns true if matching nodes of both sides are or would be paired.
   inline bool
   may_pair_nodes(const ContactPair &contact)
   {

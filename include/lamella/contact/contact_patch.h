@@ -11,13 +11,11 @@
 
 namespace lamella
 {
-  /// Returns the scene axis nearest to the normal of a contact with @p points:
-  /// the largest component of sum A n.
+  /// Returns the scene axis of the largest component of sum A n over @p points.
   unsigned int
   facing_axis(const std::vector<ContactInterface::Point> &points);
 
-  /// Returns the range of @p points of a contact along the scene axis @p axis
-  /// [length].
+  /// Returns the range of @p points along the scene axis @p axis [length].
   std::pair<double, double>
   search_radius_along(const std::vector<ContactInterface::Point> &points,
                       const unsigned int                          axis);
@@ -29,9 +27,8 @@ namespace lamella
    *
    * *Lines.* Normal to the facing axis, points are grouped into lines along one
    * of the other two axes: chains of neighbors on the grid of the slave surface
-   * (SlaveSurface::lines()). Runs of points with a force on a line are
-   * loaded, up to an edge on either side:
-   *
+   * (SlaveSurface::lines()). Runs of points with a force on a line are loaded,
+   * up to an edge on either side:
    * - the last point, where the contact itself ends there;
    * - else the zero s* of the pressure, by its moments over points s_b in the
    *   run. The forces of a line are integrals of the pressure with functions
@@ -41,14 +38,12 @@ namespace lamella
    *   surfaces, M_b grows as (s* - s_b)^(5/2). Two of them, two and four points
    *   inside the edge (a fourth and half of the run if it is shorter), give
    *     s* = (r s_2 - s_4) / (r - 1),   r = (M_4 / M_2)^(2/5),
-   *   at least the last loaded point but one (a point beyond the edge has a
-   *   force if its function reaches within) and at most the first open one;
+   *   at least the last loaded point but one and at most the first open one;
    * - halfway from the last loaded to the first open point if the run has fewer
    *   than four points or the pressure does not fall towards its edge.
    *
-   * If points are not on lines (on average fewer than three per line, such as
-   * at ends of sections by Gmsh), widths are the extent of the loaded points,
-   * each with the root of its area, with edges of that resolution.
+   * If points are not on lines (on average fewer than three per line), widths
+   * are the extent of the loaded points, each with the root of its area.
    */
   class ContactPatch
   {
@@ -57,9 +52,8 @@ namespace lamella
     ContactPatch(const ContactTraction             &traction,
                  const std::optional<ContactStrip> &strip = {});
 
-    /// Returns the largest extent of the loaded part along @p axis [length],
-    /// over all lines whose functions reach into the strip: the sum of the runs
-    /// of a line in the strip. 0 along the facing axis.
+    /// Returns the largest extent of the loaded part along @p axis [length]:
+    /// the runs of a line in the strip. 0 along the facing axis.
     double
     width(const unsigned int axis) const;
 
@@ -70,9 +64,8 @@ namespace lamella
     /// Returns the mean pressure over the loaded area,
     ///   sum w_i lambda_i / sum w_i v_i A_i    [force / length^2],
     /// with the share w_i of the row in the strip (ContactTraction::shares()),
-    /// and the share v_i of the interval of the point, halfway to its neighbors
-    /// on the line along the axis of width(), that lies in a run. 0 without
-    /// load.
+    /// and the share v_i in a run of the point's interval, halfway to its
+    /// neighbors on the line along the axis of width(). 0 without load.
     double
     pressure() const;
 
@@ -91,9 +84,9 @@ namespace lamella
       }
     };
 
-    /// Points of a line by ascending coordinate, those at one node combined:
-    /// force, tributary area, share of the strip; and its loaded runs, also
-    /// outside the strip.
+    /// Points of a line by coordinate, those at one node combined: force,
+    /// tributary area, share of the strip; and loaded runs, also outside the
+    /// strip.
     struct Line
     {
       std::vector<double>   s, force, area, share;
@@ -109,9 +102,8 @@ namespace lamella
     /// Returns the loaded area of @p line in the strip.
     static double
     loaded_area(const Line &line);
-    /// Returns the edge of the pressure beyond the last of the ascending
-    /// coordinates @p s with the positive forces @p force; @p next is the first
-    /// open point.
+    /// Returns the pressure's edge beyond the last of the ascending coordinates
+    /// @p s with positive @p force; @p next is the first open point.
     static double
     edge(const std::vector<double> &s,
          const std::vector<double> &force,

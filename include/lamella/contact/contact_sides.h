@@ -16,18 +16,15 @@ namespace lamella
 {
   /// The two surfaces of a contact in a state: undeformed, or displaced by u
   /// and the load factor of an obstacle. Provides the geometry for pairing and
-  /// gap rows, each part on first use.
-  ///
-  /// Refers to the bodies, which must outlive it. Scene axes.
+  /// rows, each part on first use, in scene axes. Refers to the bodies.
   class ContactSides
   {
   public:
     /// Creates the undeformed sides, with the obstacle at its initial position.
     ContactSides(const ContactPair &contact, const Bodies &bodies);
 
-    /// Displaces @p undeformed, which must outlive this object, by @p u (one
-    /// block per body), with the obstacle at load factor @p factor. The control
-    /// points of all facets move with u at their trace nodes.
+    /// Displaces @p undeformed, which must outlive this object, by @p u at the
+    /// trace nodes of all facets, with the obstacle at load factor @p factor.
     ContactSides(const ContactSides &undeformed,
                  const BlockVector  &u,
                  const LoadFactor   &factor);
@@ -43,8 +40,7 @@ namespace lamella
       return all_bodies;
     }
 
-    /// Sets the `automatic` discretization and slave side, also for sides
-    /// displaced from here on.
+    /// Sets the `automatic` discretization and slave side, also for copies.
     void
     set_discretization(const Discretization discretization,
                        const SlaveSide      slave_side)
@@ -53,8 +49,7 @@ namespace lamella
       pair.slave_side     = slave_side;
     }
 
-    /// Returns true for edge contact: gaps are along the normals of the other
-    /// side at the projections.
+    /// Returns true for edge contact, with gaps along the other side's normals.
     bool
     is_edge_contact() const
     {
@@ -71,8 +66,7 @@ namespace lamella
     const MeshSurface *
     surface(const bool second) const;
 
-    /// Returns the obstacle at its current position; null where Second is a
-    /// body.
+    /// Returns the obstacle at its current position; null for two bodies.
     std::shared_ptr<const Obstacle>
     obstacle() const
     {
@@ -80,9 +74,8 @@ namespace lamella
     }
 
     /// Returns Body::surface_points() of a side with current positions and
-    /// normals; locations and tributary areas are those of the undeformed body.
-    /// Empty for an obstacle. For edge contact only the points at the ends of
-    /// the body.
+    /// normals, locations and tributary areas being undeformed. Empty for an
+    /// obstacle. For edge contact only points at body ends.
     std::vector<SurfacePoint>
     points(const bool second) const;
 
@@ -91,8 +84,7 @@ namespace lamella
     end_points(const bool second) const;
 
     /// Returns the location of each trace node of surface() in its body, and
-    /// its three displacement rows: computed once for the undeformed body, or
-    /// at the state for bodies with rotating rows.
+    /// its displacement rows: undeformed, or at the state if rows rotate.
     const std::vector<Location> &
     trace_locations(const bool second) const;
     const std::vector<std::vector<LinearFunctional>> &

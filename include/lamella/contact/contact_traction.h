@@ -19,8 +19,8 @@ namespace lamella
    * The traction of a contact in a state: the pressure
    *   p(x) = sum_i lambda_i / A_i phi_i(x)
    * with the row forces lambda_i, their functions phi_i on the slave surface
-   * (SlaveSurface) and the tributary areas A_i = int phi_i dA. Hence int p
-   * dA = sum lambda_i, and the force on the second side,
+   * (SlaveSurface) and the tributary areas A_i = int phi_i dA. Hence int p dA =
+   * sum lambda_i, and the force on the second side,
    *   sum_i lambda_i / A_i n_i int phi_i dA = sum lambda_i n_i,
    * is the resultant of the rows to rounding for all surfaces and meshes, with
    * the row normals n_i. Friction adds the shear traction q(x) of lambda_t,i
@@ -28,11 +28,8 @@ namespace lamella
    *
    * Pressures of nodal rows are lumped, and so is their moment. The difference
    * to the moment of p n_i, of order h^2, is added as a couple distributed like
-   * the force, so that the moments of the rows are preserved.
-   *
-   * Rows without a facet (of a body without facets) are point forces. All
-   * evaluations of pressure between points, or in a part of the contact, use
-   * this class. It shares the surface.
+   * the force. Rows without a facet are point forces. All evaluations of
+   * pressure between points, or in a part of the contact, use this class.
    */
   class ContactTraction
   {
@@ -48,20 +45,17 @@ namespace lamella
       double area = 0., force = 0.;
       /// Moment of its force on the second side about the origin of the scene.
       dealii::Tensor<1, 3> moment;
-      /// Force on the second side in addition to lambda_i n_i [force], and
-      /// energy dissipated so far; zero without friction.
+      /// Force on the second side beside lambda_i n_i, and energy dissipated.
       dealii::Tensor<1, 3> shear      = {};
       double               dissipated = 0.;
     };
 
-    /// Creates the traction of @p rows, in order, on @p surface. If that is
-    /// null all rows are point forces.
+    /// Creates the traction of @p rows on @p surface; if null, of point forces.
     ContactTraction(std::shared_ptr<const SlaveSurface> surface,
                     std::vector<Row>                    rows);
 
     /// Creates the traction of @p contact with the row @p forces and, with
-    /// friction, @p shears (else empty); moments are those of the forces at the
-    /// row positions.
+    /// friction, @p shears; moments are those at the row positions.
     ContactTraction(
       const ContactInterface                              &contact,
       const dealii::ArrayView<const double>               &forces,
@@ -79,8 +73,7 @@ namespace lamella
     at(const SlaveSurface::Place &place) const;
 
     /// Returns the traction where the line through @p x along the unit vector
-    /// @p n meets the surface within @p search_radius [length], zero otherwise.
-    /// Suits points on both sides of the contact.
+    /// @p n meets the surface within @p search_radius [length], else zero.
     Value
     on_line(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &n,
@@ -92,18 +85,18 @@ namespace lamella
       dealii::Tensor<1, 3> force, moment;
     };
 
-    /// Returns the integral of the traction over the contact or a strip.
-    /// Adjacent strips sum to the whole contact.
+    /// Returns the integral over the contact or a strip. Adjacent strips add
+    /// up.
     Resultant
     resultant(const std::optional<ContactStrip> &strip = {}) const;
 
-    /// Returns the share of the force of each row in @p strip, int_strip phi_i
-    /// dA / A_i; 1 without a strip. A point force is inside or outside.
+    /// Returns each row's share in @p strip, int_strip phi_i dA / A_i; else 1.
+    /// A point force is inside or outside.
     std::vector<double>
     shares(const std::optional<ContactStrip> &strip) const;
 
-    /// Returns the energy dissipated so far in the contact or a strip, that of
-    /// its rows by shares().
+    /// Returns the energy dissipated so far in the contact or a strip
+    /// (shares()).
     double
     dissipated(const std::optional<ContactStrip> &strip = {}) const;
 
@@ -126,9 +119,9 @@ namespace lamella
 
   private:
     /// Returns for each row its share int_strip phi_i dA / A_i, and the offset
-    /// of its centroid from that of phi_i, times the share: int_strip x phi_i
-    /// dA / A_i - share int x phi_i dA / A_i. A point force is inside or
-    /// outside @p strip.
+    /// of its centroid from that of phi_i times the share: int_strip x phi_i dA
+    /// / A_i
+    /// - share int x phi_i dA / A_i.
     std::vector<SlaveSurface::Integrals>
     inside(const ContactStrip &strip) const;
     /// Returns true if row @p k is on no facet.

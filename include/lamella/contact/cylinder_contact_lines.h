@@ -13,8 +13,8 @@
 
 namespace lamella
 {
-  /// Place on the undeformed surface that penetrates a roller or another body,
-  /// its depth [length], and whether it is on the second side.
+  /// Place on the undeformed surface that penetrates a roller or a body, with
+  /// its depth [length] and side.
   struct CylinderPenetration
   {
     dealii::Point<3> position;
@@ -23,9 +23,8 @@ namespace lamella
   };
 
   /// Returns whether points @p spacing apart along a beam are too coarse for a
-  /// roller of @p radius [lengths]. A point half a spacing beside the contact
-  /// line has a normal that is off by 0.5 spacing / radius, and the force is
-  /// off by as much.
+  /// roller of @p radius [lengths]. Half a spacing beside the contact line,
+  /// normal and force are off by 0.5 spacing / radius.
   inline bool
   are_too_coarse_for(const double spacing, const double radius)
   {
@@ -34,14 +33,13 @@ namespace lamella
     return 0.5 * spacing > coarse_angle * radius;
   }
 
-  /// Active contact points on a roller, along the body: spacing of neighbors
-  /// and distance of the outermost two [length].
+  /// Active points on a roller along the body: spacing and extent [length].
   struct ContactArc
   {
     double spacing = 0., length = 0.;
 
-    /// Returns whether the contact is a line: two points share a force between
-    /// them, and averages around points may activate a third.
+    /// Returns whether the contact is a line: two points share its force, and
+    /// averages may activate a third.
     bool
     is_line() const
     {
@@ -54,50 +52,44 @@ namespace lamella
   contact_arc(const ContactInterface          &interface,
               const std::vector<unsigned int> &active);
 
-  /**
-   * Contact lines between a beam and a roller: material lines of the surface
-   * along the beam, one at each station along the roller axis, with the point
-   * nearest to that axis, which moves as the beam bends. There the gap
-   *   g = |r| - R,   r the part of x - c normal to the axis through c,
-   * is stationary along the line, so the motion of the point does not enter its
-   * gradient. At a fixed material point at a distance d from there, normal and
-   * force direction would be off by d / R.
-   */
+  /// Contact lines between a beam and a roller: material lines of the surface
+  /// along the beam, one at each station along the roller axis, with the point
+  /// nearest to that axis, which moves as the beam bends. There the gap
+  ///   g = |r| - R,   r the part of x - c normal to the axis through c,
+  /// is stationary along the line, so the point's motion does not enter its
+  /// gradient. At a fixed point at a distance d, the normal is off by d / R.
   class CylinderContactLines
   {
   public:
-    /// Creates the lines through the points of @p interface, whose rows are
-    /// those of nodes of @p surface, undeformed, against @p roller. Keeps one
-    /// row per line, the one nearest to the roller.
+    /// Creates lines through the points of @p interface, nodal rows of @p
+    /// surface against @p roller. Keeps the row per line nearest to it.
     CylinderContactLines(const MeshSurface &surface,
                          const Obstacle    &roller,
                          ContactInterface  &interface);
 
     /// Moves the slave places of @p points, one per line, to the points of the
-    /// surface @p now nearest to the axis of @p roller, both in their current
-    /// positions. A place remains on its facet up to 5 % of its length beyond a
-    /// side with an adjacent facet. The end of a line is used if no point is
-    /// stationary.
+    /// surface @p now nearest to the axis of @p roller. A place remains on its
+    /// facet up to 5 % of its length beyond a side with an adjacent facet. The
+    /// end of a line is used if no point is stationary.
     void
     follow(const MeshSurface     &now,
            const Obstacle        &roller,
            std::vector<GapPoint> &points) const;
 
     /// Returns the largest curvature of @p surface, deformed as @p now, over
-    /// that of @p roller at its current place, on the lines through @p places
-    /// of the undeformed surface that touch. It follows from the gaps one node
-    /// spacing before and behind the closest point. From 1 on no equilibrium
-    /// has a single contact line: the surface wraps around the roller.
+    /// that of @p roller, on the active lines through @p places, from the gaps
+    /// one node spacing before and behind the closest point. From 1 on the
+    /// surface wraps around the roller, and no equilibrium has a single contact
+    /// line.
     static double
     curvature(const Obstacle                      &roller,
               const MeshSurface                   &surface,
               const MeshSurface                   &now,
               const std::vector<dealii::Point<3>> &places);
 
-    /// Returns the deepest place in @p roller, at its position, on the lines
-    /// through all nodes of @p surface, currently @p now, with the axis ahead.
-    /// Contact points detect a roller only nearby. Empty without penetration,
-    /// and if the roller is along the body.
+    /// Returns the deepest place in @p roller on the lines through all nodes of
+    /// @p surface, currently @p now, with the axis ahead. Empty without
+    /// penetration, and if the roller is along the body.
     static std::optional<CylinderPenetration>
     deepest_in(const Obstacle    &roller,
                const MeshSurface &surface,
@@ -118,8 +110,8 @@ namespace lamella
             const Obstacle    &roller,
             const double       station);
 
-    /// Returns the place of @p line nearest to the axis of @p roller; @p last
-    /// is the previous one.
+    /// Returns the place of @p line nearest to the axis of @p roller, after @p
+    /// last.
     static MeshSurface::FacetPoint
     nearest_point_on_line(const Line                    &line,
                           const MeshSurface             &now,

@@ -14,7 +14,7 @@ namespace lamella
   {
     /// True if the node is on the second side.
     bool second = false;
-    /// Penetration [length], and the depth of the cell below the place that it
+    /// Penetration [length], and the depth of the cell below the place it
     /// faces.
     double depth = 0., cell = 0.;
     /// Closest-point projection of the node.
@@ -22,11 +22,10 @@ namespace lamella
   };
 
   /// Returns the deepest node of either body, or of its ends alone, behind the
-  /// surface of the other in the configuration @p now. Projections are at most
-  /// @p search_radius away [length] and the closest of all. They are made on
-  /// the sides as @p paired: current ones for finite rotations, else
-  /// undeformed. Faces that slide over an end have no contact constraint for
-  /// its nodes, unless these are contact points.
+  /// other surface in the configuration @p now. Projections are at most @p
+  /// search_radius away [length], on the sides as @p paired. Faces that slide
+  /// over an end have no constraint for its nodes unless these are contact
+  /// points.
   std::optional<EndPenetration>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,

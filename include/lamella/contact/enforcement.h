@@ -7,10 +7,9 @@
 
 namespace lamella
 {
-  /// Enforcement of the contact constraints. All follow one law, g + a lambda =
-  /// 0 in contact, with the compliance a = 1 / eps [length / force] for
-  /// `penalty` and a = 0 for the other two. doc/theory/contact.md describes
-  /// their solution by each strategy.
+  /// Enforcement of the contact constraints by one law, g + a lambda = 0, with
+  /// the compliance a = 1 / eps [length / force] for `penalty` and a = 0 for
+  /// the other two (doc/theory/contact.md).
   enum class Enforcement
   {
     undefined,
@@ -29,9 +28,8 @@ namespace lamella
       {Enforcement::exact, "exact"}};
   };
 
-  /// Unit of a penalty. doc/theory/penalty.md measures its effect: if too
-  /// small, bodies penetrate; if too large, the stiffness of the bodies drowns
-  /// in rounding (Eq. 24).
+  /// Unit of a penalty. If too small, bodies penetrate; if too large, stiffness
+  /// drowns in rounding (Eq. 24; doc/theory/penalty.md).
   enum class PenaltyKind
   {
     undefined,
@@ -53,40 +51,34 @@ namespace lamella
   {
     /// Mandatory: row_penalty() asserts it.
     PenaltyKind kind = PenaltyKind::undefined;
-    /// Penalty in the unit of its kind, or for `automatic` the multiple (no
-    /// unit; a scene's `auto` is 1e6). Positive.
+    /// Penalty in the unit of its kind, or for `automatic` the multiple;
+    /// positive.
     double value = 0.;
   };
 
-  /// Stiffness of the cell below one side of a pair against a force on its
-  /// surface: a bar of section A and length h, E_n A / h [force / length].
+  /// Stiffness E_n A / h [force / length] of the cell below one side of a pair:
+  /// a bar of section A and length h.
   struct LocalStiffness
   {
-    /// E_n = n.n : C : n.n of the ply, without contraction [force/length^2];
-    /// tributary area A [length^2]; depth h of the cell along the normal
-    /// [length].
+    /// E_n = n.n : C : n.n of the ply [force/length^2]; tributary area A
+    /// [length^2]; depth h of the cell along the normal [length].
     double normal_modulus = 0., area = 0., depth = 0.;
   };
 
-  /**
-   * Returns epsilon_N of one row [force / length]:
-   *   automatic   value * min over both sides of E_n A / h
-   *   per_node    value
-   *   per_area    value * A, A that of @p first (both sides have the same)
-   * `automatic` uses the more compliant side. It is independent of the section
-   * basis and defined for floating bodies. It exceeds the stiffness of the
-   * bodies behind the row, which is unknown before the solution. Depths must
-   * not be zero.
-   */
+  /// Returns epsilon_N of one row [force / length]:
+  ///   automatic   value * min over both sides of E_n A / h
+  ///   per_node    value
+  ///   per_area    value * A, A that of @p first (both sides have the same)
+  /// `automatic` is defined for floating bodies and exceeds the stiffness of
+  /// the bodies behind the row. Depths must not be zero.
   double
   row_penalty(const Penalty        &penalty,
               const LocalStiffness &first,
               const LocalStiffness &second);
 
-  /// Returns the contact force lambda = epsilon max(0, -g) of a gap @p g
-  /// [length] with the penalty @p epsilon [force / length] (magnitude of Eq.
-  /// 25), positive in compression. It acts along n of the row on the second
-  /// body, and along -n on the first.
+  /// Returns the contact force lambda = epsilon max(0, -g) of a gap @p g with
+  /// the penalty @p epsilon (magnitude of Eq. 25), along n of the row on the
+  /// second body, and along -n on the first.
   double
   contact_force(const double epsilon, const double g);
 } // namespace lamella

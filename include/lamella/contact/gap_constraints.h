@@ -2,9 +2,8 @@
 
 // The room `contact`: search, pairing, and the contact law. It owns the gap
 // rows with their geometry, rigid obstacles, penalties and other enforcements,
-// the traction of the row forces, and the checks of the pairing assumptions. It
-// formulates the contact problem and never determines the active set, as
-// `solve` does.
+// the traction of the row forces, and checks of the pairing. It formulates the
+// contact problem; `solve` determines the active set.
 
 #ifndef lamella_contact_gap_constraints_h
 #define lamella_contact_gap_constraints_h
@@ -27,19 +26,18 @@ namespace lamella
 {
   class ContactSides;
 
-  /// Relative displacement of a pair of points along one direction, or a
-  /// weighted average over several pairs.
+  /// Relative displacement of a pair of points along a direction, or an
+  /// average.
   struct ContactConstraint
   {
-    /// Parts, one per deformable body: -sum w . u_1 of First, then +sum v . u_2
-    /// of the second, if any.
+    /// Parts, one per deformable body: -sum w . u_1 of First, then +sum v .
+    /// u_2.
     std::vector<BodyFunctional> parts;
     /// Load history that multiplies the motion of an obstacle.
     unsigned int history = 0;
 
-    /// Returns the relative displacement u_2 - u_1 of the deformable bodies
-    /// along the direction [length]. @p u has a block for each body of the
-    /// scene.
+    /// Returns the relative displacement u_2 - u_1 along the direction
+    /// [length]; @p u has a block per body.
     double
     jump(const BlockVector &u) const
     {
@@ -49,8 +47,7 @@ namespace lamella
       return sum;
     }
 
-    /// Adds @p factor times the transposed row to @p f; with the contact force
-    /// as @p factor, this is the load of the row.
+    /// Adds @p factor (the contact force) times the transposed row to @p f.
     void
     add_to(BlockVector &f, const double factor) const
     {
@@ -62,8 +59,8 @@ namespace lamella
   /// Slip of a pair of points along a tangent t at load factor f,
   ///   s(u, f) = t . (u_2(X_2) - u_1(X_1)) + s_init + f s_rate,
   /// with the weights of its gap: from the undeformed bodies, or for moving
-  /// rows (Contact) from the beginning of the step. Its force lambda_t loads
-  /// the second side along t.
+  /// rows from the beginning of the step. lambda_t loads the second side along
+  /// t.
   struct SlipConstraint : ContactConstraint
   {
     /// Tangent t, a unit vector of the scene.
@@ -85,30 +82,26 @@ namespace lamella
    *   g(u, t) = n . (u_2(X_2) - u_1(X_1)) + g_init + t g_rate,
    * or a weighted average: a row b of the matrix B over the DoFs of the bodies
    * (with the sign of each side), a constant, and the motion of an obstacle at
-   * load factor t. All lengths in scene units.
-   *
-   * Each row satisfies the Hertz-Signorini-Moreau conditions (Eq. 18),
+   * load factor t. Each row satisfies the Hertz-Signorini-Moreau conditions
+   * (Eq. 18),
    *   g >= 0,  lambda >= 0,  g lambda = 0,
    * regularized by `penalty` (enforcement.h). lambda [force] is positive in
    * compression: over the area of the row it is -p_N of the paper. It loads the
    * bodies with lambda b^T, lambda n on the second side and -lambda n on the
-   * first, so action and reaction balance.
+   * first.
    */
   struct GapConstraint : ContactConstraint
   {
     /// (X_2 - X_1) . n of the undeformed bodies (Eq. 17 with the averaged
-    /// normal), or its average [length]; negative for overlap.
+    /// normal), or its average [length].
     double initial_gap = 0.;
-    /// Gap due to the motion of a rigid obstacle at load factor 1: n times its
-    /// displacement [length]; 0 between two bodies.
+    /// Gap due to the motion of a rigid obstacle at load factor 1 [length].
     double      gap_rate    = 0.;
     Enforcement enforcement = Enforcement::penalty;
-    /// epsilon_N [force / length] of row_penalty(); never 0 in a row of
-    /// make_interface().
+    /// epsilon_N [force / length] of row_penalty(), not zero.
     double penalty = 0.;
 
-    /// Friction coefficient mu, and with friction the slips along two tangents
-    /// normal to n and to each other.
+    /// Friction coefficient mu, and with friction slips along two tangents.
     double                      friction = 0.;
     std::vector<SlipConstraint> slips    = {};
 
@@ -121,36 +114,30 @@ namespace lamella
   };
 
   /**
-   * Discretized contact of one ContactPair: its gap rows and their geometry, as
+   * Discretized contact of one ContactPair: gap rows and their geometry,
    * created by make_interface() from the undeformed bodies. In linear
    * kinematics the initially facing points remain paired (assumptions.h checks
-   * this); for finite motion Contact pairs anew and moves the rows.
-   *
-   * rows[k] and points[k] belong together. Bodies are indices into Bodies;
-   * `places` refer to cells of the bodies of its creation. Shares the obstacle
-   * with the scene. Every process holds all of it.
+   * this); for finite motion Contact pairs anew and moves the rows. rows[k] and
+   * points[k] belong together. Bodies are indices into Bodies; `places` refer
+   * to cells of the bodies of its creation. Every process holds all of it.
    */
   struct ContactInterface
   {
     /// Position of a row for tables and pictures, scene axes.
     struct Point
     {
-      /// X_1 and X_2; for `surface to surface` a slave node and the place that
-      /// it faces.
+      /// X_1 and X_2; for `surface to surface` a slave node and what it faces.
       dealii::Point<3> first, second;
       /// Normal n of the row, outward from First: its force is lambda n on the
-      /// second side, -lambda n on the first. For `surface to surface` the mean
-      /// of n over the area, shorter than 1 on curved surfaces.
+      /// second side. For `surface to surface` the mean of n over the area.
       dealii::Tensor<1, 3> normal;
-      /// Tributary area A [length^2], by which lambda becomes a pressure: the
-      /// smaller one of both nodes, that of the node, or for `surface to
-      /// surface` A_i = int phi_i dA over the part facing the other side.
+      /// Tributary area A [length^2]: the smaller one of both nodes, that of
+      /// the node, or A_i = int phi_i dA over the part facing the other side.
       double area = 0.;
-      /// Angle between the normals n_1 and -n_2 of the two sides [rad]; for
-      /// `surface to surface` at its node.
+      /// Angle between n_1 and -n_2 [rad]; for `surface to surface` at its
+      /// node.
       double angle = 0.;
-      /// Point spacing [length]: the root of the full tributary area on the own
-      /// side, regardless of the part that faces the other side.
+      /// Point spacing [length], the root of the full tributary area.
       double spacing = 0.;
       /// Node on the slave side.
       Location node = {};
@@ -166,36 +153,29 @@ namespace lamella
     std::shared_ptr<const Obstacle> obstacle;
     /// Name of the second body or the obstacle, for messages and reports.
     std::string second_name;
-    /// True if the second side is the slave; `automatic` is resolved. False
-    /// with an obstacle and for `node to node`.
+    /// True if the second side is the slave (never for `node to node`).
     bool points_on_second = false;
     /// Name of the slave surface.
     std::string slave_surface;
-    /// Number of nodes of either side that face nothing of the other (for `node
-    /// to node` no node), and may pass through the other body. Zero on an
-    /// obstacle.
+    /// Number of nodes of either side that face nothing (`node to node`: no
+    /// node) and may pass through the other body.
     unsigned int unpaired = 0, unpaired_second = 0;
-    /// Unpaired nodes that face the other surface, but none of its
-    /// nodes; `node to node` only.
+    /// Unpaired nodes of `node to node` that face the other surface.
     unsigned int nonmatching_nodes = 0, nonmatching_nodes_second = 0;
     /// Rows, one per pair of nodes or per slave node that faces something.
     std::vector<GapConstraint> rows;
     std::vector<Point>         points;
-    /// Geometry of the rows: on First with weights along -n, on Second along n;
-    /// empty for an obstacle.
+    /// Geometry of the rows: on First weights along -n, on Second along n.
     ConstraintGeometry first, second;
-    /// Slave surface with the functions of the rows, on which their forces are
-    /// a pressure (ContactTraction). Never null from make_interface().
+    /// Slave surface with the rows' functions (ContactTraction), never null.
     std::shared_ptr<const SlaveSurface> surface = {};
-    /// Integration points of the gaps, for `surface to surface` only, from
-    /// which Contact moves the gaps.
+    /// Integration points of `surface to surface`, from which gaps move.
     std::vector<GapPoint> sampled;
     /// Notes on this pairing for the user, one sentence each.
     std::vector<std::string> notes;
   };
 
-  /// Returns the undeformed position of @p point in the scene: its slave node,
-  /// or its place on First without one.
+  /// Returns the undeformed slave node of @p point, or its place on First.
   inline const dealii::Point<3> &
   place_of(const ContactInterface::Point &point)
   {
@@ -203,16 +183,14 @@ namespace lamella
   }
 
   /// Rows of several contacts in sequence, the matrix B of all contacts,
-  /// numbered from 0 contact by contact, with a force vector of the same
-  /// numbering. A view (one pointer per row): the rows must outlive it at fixed
-  /// addresses.
+  /// numbered from 0 contact by contact, as their forces are. A view: the rows
+  /// must outlive it at fixed addresses.
   class GapConstraints
   {
   public:
-    /// Creates an empty view; only size(), empty() and the iterators may be
-    /// called.
+    /// Creates an empty view, for size(), empty() and the iterators only.
     GapConstraints() = default;
-    /// Views the rows of @p contacts; contact k is @p contacts[k], also without
+    /// Views the rows of @p contacts, which keep their numbers, even without
     /// rows.
     GapConstraints(const std::vector<ContactInterface> &contacts);
     /// Views rows without a contact; they count as contact 0.
@@ -221,8 +199,7 @@ namespace lamella
     GapConstraints(std::vector<ContactInterface> &&contacts) = delete;
     GapConstraints(std::vector<GapConstraint> &&rows)        = delete;
 
-    /// Returns the number of gap rows of all contacts, the size of a force
-    /// vector.
+    /// Returns the number of gap rows of all contacts.
     unsigned int
     size() const
     {
@@ -242,8 +219,8 @@ namespace lamella
       return *rows[row];
     }
 
-    /// Returns the number of a slip, size() or above. @p row has friction;
-    /// @p tangent is 0 or 1.
+    /// Returns the number, size() or above, of a slip of @p row along @p
+    /// tangent.
     unsigned int
     slip(const unsigned int row, const unsigned int tangent) const
     {
@@ -290,13 +267,12 @@ namespace lamella
       return boost::make_indirect_iterator(rows.end());
     }
 
-    /// Returns the contact of @p row, below size(), and its number there, by
-    /// binary search.
+    /// Returns the contact of @p row and its number there, by binary search.
     std::pair<unsigned int, unsigned int>
     contact_of_row(const unsigned int row) const;
 
-    /// Returns a view of the entries of @p values that belong to @p contact.
-    /// @p values has size() entries, or none, and must outlive the view.
+    /// Returns a view of the entries of @p values (size(), or none) of @p
+    /// contact.
     template <typename T>
     dealii::ArrayView<const T>
     of_contact(const unsigned int contact, const std::vector<T> &values) const
@@ -308,28 +284,25 @@ namespace lamella
               firsts[contact + 1] - firsts[contact]};
     }
 
-    /// Returns those of @p some rows that belong to @p contact, by their
-    /// numbers there, in the same order.
+    /// Returns those of @p some rows in @p contact, by their numbers there.
     std::vector<unsigned int>
     local_rows_of(const unsigned int               contact,
                   const std::vector<unsigned int> &some) const;
 
   private:
     std::vector<const GapConstraint *> rows;
-    /// First row of each contact, and one past the last row; empty in a view of
-    /// nothing.
+    /// First row of each contact, and one past the last row; may be empty.
     std::vector<unsigned int> firsts;
   };
 
   /// Returns the default search distance [length]: twice Body::size() of the
-  /// smaller body, with an obstacle that of First's body. Larger displacements
-  /// are far outside linear kinematics, and open rows cost little. (The depth
-  /// of the cells limits the overlap, see make_interface().)
+  /// smaller body, with an obstacle that of First's body. Open rows cost
+  /// little.
   double
   automatic_search_distance(const ContactPair &contact, const Bodies &bodies);
 
-  /// Returns the search distance of @p contact, given or automatic [length].
-  /// Throws InputError if a surface of the contact does not exist.
+  /// Returns the given or automatic search distance of @p contact [length].
+  /// Throws InputError if one of its surfaces does not exist.
   double
   search_radius_of(const ContactPair &contact, const Bodies &bodies);
 
@@ -340,34 +313,30 @@ namespace lamella
    *      other surface faces one of its nodes;
    *   3. the slave side by SlaveSide; `automatic`: the side with more grid
    * cells where the two face each other (count_facing_cells()), if equal the
-   * body that comes first in the scene;
+   *      first body of the scene;
    *   4. gaps, normals, areas and weights: pair_node_to_node(),
    *      pair_node_to_surface() or weighted_gaps();
    *   5. weights times displacement rows; penalties from local stiffnesses;
-   *   6. overlaps by Overclosure. A gap of rounding (1e-14 of the coordinates)
-   *      becomes zero.
+   *   6. overlaps by Overclosure; gaps of rounding become zero.
    *
    * Throws InputError if a surface does not exist, if nothing faces the other
    * side within the search distance (the message gives the nearest distance of
    * nodes), if the surfaces face away from each other or the bodies overlap by
    * more than the depth of the cells, and for any overlap under
-   * Overclosure::refuse. Places that overlap by more than the depth of the
-   * cells are omitted if they face away from each other through their own
-   * bodies (the upper half of a roller).
+   * Overclosure::refuse. Places that overlap by more are omitted if they face
+   * away through their own bodies (the upper half of a roller).
    */
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies);
 
-  /// Creates the interface as make_interface() does, with the search radius
-  /// @p search_radius [length] in place of the search distance; the names of
-  /// the surfaces must be valid. Throws InputError as make_interface() does.
+  /// Creates the interface as make_interface() does, with the search radius @p
+  /// search_radius [length]; the names of the surfaces must be valid.
   ContactInterface
   make_interface_within(const ContactPair &contact,
                         const Bodies      &bodies,
                         const double       search_radius);
 
-  /// Creates the interface on the surfaces @p sides. The overlap of displaced
-  /// sides is not checked.
+  /// Creates the interface on @p sides, without checks of overlap if displaced.
   ContactInterface
   make_interface_within(const ContactSides &sides, const double search_radius);
 } // namespace lamella

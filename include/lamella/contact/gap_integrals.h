@@ -16,23 +16,21 @@
 namespace lamella
 {
   /// Averages of a row over its points (GapPoint) with the weights a_q
-  /// phi_i(X_q) / A_i: the mortar integrals of a weighted gap.
-  ///
-  /// Node numbers are those of the trace nodes of either surface, psi_k their
-  /// functions. n is outward from the slave side.
+  /// phi_i(X_q) / A_i: the mortar integrals of a weighted gap. Nodes are trace
+  /// nodes of either surface, psi_k their functions; n is outward from the
+  /// slave side.
   struct GapIntegrals
   {
-    /// A_i = sum a_q phi_i over points with a projection [length^2]; zero if
-    /// none, and all else zero, too.
+    /// A_i = sum a_q phi_i over points with a projection [length^2]; may be
+    /// zero.
     double area = 0.;
     /// Averages of g [length] and of n.
     double               gap = 0.;
     dealii::Tensor<1, 3> normal;
     /// Average of slide(), if reference points are held.
     dealii::Tensor<1, 3> slip_increment;
-    /// Averages of psi_k n and psi_k (I - n n) for a node. The latter applied
-    /// to any tangent t is the weight of the slip along t, so no frame is
-    /// stored.
+    /// Averages of psi_k n and psi_k (I - n n) for a node. The latter times any
+    /// tangent t is the weight of the slip along t.
     struct OfNode
     {
       dealii::Tensor<1, 3>          normal;
@@ -56,17 +54,14 @@ namespace lamella
    *
    * MasterPoints::projected replaces the opposite places in @p points by
    * projections within @p search_radius [length], and omits points without one.
-   * The gap is g = n_2 . (x_1
-   * - x_2) with the exact gradient n . (delta x_2 - delta x_1), n = -n_2; its
-   * average is the gradient of the averaged gap, since the weights are
-   * constant.
+   * The gap is g = n_2 . (x_1 - x_2) with the exact gradient n . (delta x_2 -
+   * delta x_1), n = -n_2; its average is the gradient of the averaged gap,
+   * since the weights are constant. MasterPoints::paired uses n = (n_1 - n_2) /
+   * |n_1 - n_2| and g = n . (x_2 - x_1), whose gradient this is if x_2 - x_1 is
+   * along n.
    *
-   * If reference points @p held since the beginning of a step are given, the
-   * slips of the points are included. Points that newly face the surface are
-   * added.
-   *
-   * MasterPoints::paired uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 -
-   * x_1), whose gradient this is if x_2 - x_1 is along n.
+   * If reference points @p held since the beginning of a step are given, slips
+   * are included. Points that newly face the surface are added to them.
    */
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides    &sides,
@@ -78,8 +73,8 @@ namespace lamella
                  std::vector<GapPoint> &points,
                  SlipReferencePoints   *held = nullptr);
 
-  /// Returns the slip_reference_point() of each of @p points, which become the
-  /// projections, on @p sides. Arguments as in integrate_gaps().
+  /// Returns slip_reference_point() of each of @p points, which are projected
+  /// on @p sides. Arguments as in integrate_gaps().
   SlipReferencePoints
   slip_reference_points(const ContactSides    &sides,
                         const bool             on_second,
@@ -88,8 +83,7 @@ namespace lamella
                         std::vector<GapPoint> &points);
 
   /// Returns the rows to which @p point, with number @p number, contributes,
-  /// and its weight a_q phi_i(X_q) in each; @p functions as in
-  /// integrate_gaps().
+  /// and its weight a_q phi_i(X_q) in each; see integrate_gaps().
   std::vector<std::pair<unsigned int, double>>
   shares_of(const SlaveSurface *functions,
             const unsigned int  number,

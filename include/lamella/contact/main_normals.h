@@ -9,8 +9,7 @@
 
 namespace lamella
 {
-  /// Row number of a contact, with the main direction of the contact there: a
-  /// unit vector.
+  /// Row number of a contact, and the unit main direction of contact there.
   struct MainNormal
   {
     unsigned int         row = 0;
@@ -25,11 +24,11 @@ namespace lamella
    * face has one, across the face; a groove has one for each side. The contact
    * does not restrain motions along other normals.
    *
-   * A main normal is common to both surfaces where they touch: the normal of a
-   * flat surface, or the normal across the generators of two curved ones (sides
-   * of bodies and cylinders are ruled surfaces). It does not depend on the
-   * mesh. For two flat surfaces at an angle, an edge on a face, it is that of
-   * the closest row.
+   * A main normal is common to both surfaces in contact: that of a flat
+   * surface, or the normal across the generators of two curved ones (sides of
+   * bodies and cylinders are ruled). It does not depend on the mesh. For two
+   * flat surfaces at an angle, an edge on a face, it is that of the closest
+   * row.
    */
   std::vector<MainNormal>
   main_normals(const ContactPair      &contact,

@@ -10,9 +10,8 @@
 
 namespace lamella
 {
-  /// Intersection of a ray with a surface and its facet, with the normal of
-  /// MeshSurface::smooth_normal(). `facet` is invalid_unsigned_int for an
-  /// obstacle, which has no facets.
+  /// Intersection of a ray with a surface, with MeshSurface::smooth_normal().
+  /// `facet` is invalid_unsigned_int for an obstacle.
   struct SurfaceHit : public Hit
   {
     unsigned int facet = dealii::numbers::invalid_unsigned_int;
@@ -20,33 +19,29 @@ namespace lamella
     dealii::Point<2> st;
   };
 
-  /// Interface of a master surface for the projection of points onto it
-  /// (closest-point projection along an averaged normal, find_master_point()).
-  /// Implemented by the mesh of a body, a subset of its facets and a rigid
-  /// obstacle. Undeformed positions, scene axes and units.
+  /// Interface of a master surface for the projection of points
+  /// (find_master_point()): the mesh of a body, a subset of its facets or a
+  /// rigid obstacle, in undeformed scene axes.
   class MasterSurface
   {
   public:
     virtual ~MasterSurface() = default;
 
-    /// Returns the nearest intersection, in either direction and at most
-    /// @p search_radius away, of the line x + t d, with unit d, and the
-    /// surface, entered against its outward normal. Its distance is t, negative
-    /// for overlap. Empty if there is none.
+    /// Returns the nearest intersection, in either direction and at most @p
+    /// search_radius away, of the line x + t d, with unit d, and the surface,
+    /// entered against its normal. Its distance is t, negative for overlap.
     virtual std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
          const double                search_radius) const = 0;
 
-    /// Returns the outward unit normal somewhere near the point of the surface
-    /// nearest to @p x, a first guess for find_master_point() (0 on the axis of
-    /// a cylinder).
+    /// Returns the outward normal near the point nearest to @p x, a first guess
+    /// for find_master_point() (0 on the axis of a cylinder).
     virtual dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const = 0;
   };
 
-  /// Pair of facing points of a gap function: the place opposite X_1 with
-  /// outward normal n_1.
+  /// Facing points of a gap function: the place opposite X_1 with normal n_1.
   struct MasterPoint
   {
     SurfaceHit hit;
@@ -56,8 +51,8 @@ namespace lamella
     double angle = 0.;
   };
 
-  /// Smallest cosine of facing normals, cos 60 degrees. An edge, at which a
-  /// surface ends, faces all that opposes the surface at all.
+  /// Smallest cosine of facing normals, cos 60 degrees; at an edge, where a
+  /// surface ends, 0.
   constexpr double min_facing_cosine = 0.5, min_facing_cosine_edge = 0.;
 
   /**
@@ -66,12 +61,11 @@ namespace lamella
    *   n = (n_1(X_1) - n_2(X_2)) / |n_1(X_1) - n_2(X_2)|.
    * This is symmetric: the place opposite X_2 is X_1 with normal -n, and
    * between mirrored bodies n is the mirror normal. A fixed-point iteration
-   * starts from n = n_1, or from a normal nearby if that line misses.
-   * @p opposed is the smallest cosine of the angle between n_1 and -n_2.
-   *
-   * Empty if the normals are not opposed, if the other surface is farther than
-   * @p search_radius [length] along n, or if the iteration does not converge to
-   * 1e-11 in 50 steps (none on flat faces, two or three near contact).
+   * starts from n = n_1, or from a normal nearby if that line misses. @p
+   * opposed is the smallest cosine of the angle between n_1 and -n_2. Empty if
+   * the normals are not opposed, if the other surface is farther than @p
+   * search_radius along n, or without convergence to 1e-11 in 50 steps (usually
+   * two or three).
    */
   std::optional<MasterPoint>
   find_master_point(const MasterSurface        &other,
@@ -80,8 +74,8 @@ namespace lamella
                     const double                search_radius,
                     const double                opposed = min_facing_cosine);
 
-  /// Exact surface of a rigid obstacle (see meet() of an Obstacle) at its
-  /// initial position. Shares the obstacle.
+  /// Exact surface of a rigid obstacle at its initial position, which it
+  /// shares.
   class ObstacleSurface : public MasterSurface
   {
   public:

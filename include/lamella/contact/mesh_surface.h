@@ -32,30 +32,24 @@ namespace lamella
    *
    * Displacements of a facet are polynomials determined by their values at its
    * trace nodes, a Gauss-Lobatto grid. SurfaceTopology gives shared and hanging
-   * nodes.
-   *
-   * Facets, normals and a box tree over the facets are created once; later only
-   * locations are requested from the body, which must outlive this object.
-   * Scene axes.
+   * nodes. Facets, normals and a box tree over the facets are created once;
+   * later only locations are requested from the body. Scene axes.
    */
   class MeshSurface : public MasterSurface
   {
   public:
-    /// Creates the undeformed surface; @p surface is one of Body::surfaces()
-    /// and has facets (see check_surface()).
+    /// Creates the undeformed surface; @p surface is one of Body::surfaces().
     MeshSurface(const Body &body, const std::string &surface);
 
-    /// Displaces the trace nodes of @p undeformed by @p u [length], scene axes,
-    /// and with them the control points of all maps and the normals. Numbers of
-    /// facets and nodes, edges and hanging nodes are kept; locations are those
-    /// of the undeformed body.
+    /// Displaces the trace nodes of @p undeformed by @p u [length], and with
+    /// them the control points of all maps and the normals. Numbers, edges and
+    /// hanging nodes are kept; locations are those of the undeformed body.
     MeshSurface(const MeshSurface                       &undeformed,
                 const std::vector<dealii::Tensor<1, 3>> &u);
 
     using Place = FacetMap::Place;
 
-    /// A surface patch, one side of a cell, with all data for contact, so that
-    /// no virtual function of the body is called at its points.
+    /// A surface patch, one side of a cell, with all data for contact.
     struct Facet
     {
       Facet(const SurfaceFacet &side, const FacetMap &map)
@@ -69,25 +63,23 @@ namespace lamella
       const GaussLobattoBasis *grid_s = nullptr, *grid_t = nullptr,
                               *trace_s = nullptr, *trace_t = nullptr;
       /// Bounding ball of the facet [length], the coarse test of
-      /// intersect_facet(), and the outward unit normal of the facet at the
-      /// center (0.5, 0.5).
+      /// intersect_facet(), and the outward unit normal at the center (0.5,
+      /// 0.5).
       dealii::Point<3>     center;
       double               radius = 0.;
       dealii::Tensor<1, 3> normal;
-      /// Numbers of its trace nodes, below n_trace_nodes(), the first
-      /// coordinate running fastest.
+      /// Numbers of its trace nodes, the first coordinate running fastest.
       std::vector<unsigned int> trace_nodes;
       /// Numbers of its grid nodes in grid_nodes(), the first coordinate
-      /// running fastest, and in SurfaceTopology, where all sides of an edge
-      /// share one number.
+      /// running fastest, and in SurfaceTopology, where sides of an edge share
+      /// one.
       std::vector<unsigned int> grid_nodes, nodes_of_body;
-      /// Existence of an adjacent facet beyond each of the sides s = 0, s = 1,
-      /// t = 0 and t = 1, and of an end of the body there.
+      /// Existence of an adjacent facet, and of an end of the body, beyond the
+      /// sides s = 0, s = 1, t = 0 and t = 1.
       std::array<bool, 4> has_neighbor{}, at_body_end{};
-      /// True if the facet is a plane parallelogram whose nodes all have its
-      /// normal, which then equals smooth_normal(). E_n = n.n : C : n.n of the
-      /// ply at the center [force/length^2], and the depth of the cell below
-      /// [length].
+      /// True for a plane parallelogram whose nodes all have its normal. E_n =
+      /// n.n : C : n.n of the ply at the center [force/length^2], and the depth
+      /// of the cell below [length].
       bool   is_flat        = false;
       double normal_modulus = 0., depth = 0.;
     };
@@ -98,28 +90,24 @@ namespace lamella
       return surface_body;
     }
 
-    /// Returns the facets in the order of the body; facet numbers are indices
-    /// here.
+    /// Returns the facets; facet numbers are indices here.
     const std::vector<Facet> &
     facets() const
     {
       return all_facets;
     }
 
-    /// Returns the unit normal of the facet map at @p place, +- d_s x d_t
-    /// normalized.
+    /// Returns the unit normal at @p place, +- d_s x d_t normalized.
     dealii::Tensor<1, 3>
     outward_normal(const Facet &facet, const Place &place) const;
 
-    /// Returns the continuous unit normal at @p st,
-    ///   n ~ sum_i L_i(s, t) n_i
+    /// Returns the continuous unit normal at @p st, n ~ sum_i L_i(s, t) n_i,
     /// with the node normals n_i in the Gauss-Lobatto basis of the facet grid.
     dealii::Tensor<1, 3>
     smooth_normal(const Facet &facet, const dealii::Point<2> &st) const;
 
     /// A grid node, common to facets that join smoothly; at a sharp edge there
-    /// is one for each side, at the same position. Scene axes; @p normal is the
-    /// unit n_i.
+    /// is one for each side. @p normal is the unit n_i.
     struct GridNode
     {
       dealii::Point<3>     position;
@@ -140,18 +128,16 @@ namespace lamella
     using HangingNode = SurfaceTopology::HangingNode;
 
     /// Returns the hanging nodes by numbers of grid_nodes(); nodes that others
-    /// hang on come after them. A node whose ends lie on the other side of a
-    /// sharp edge does not hang.
+    /// hang on come after them. No node hangs on ends across a sharp edge.
     const std::vector<HangingNode> &
     hanging_nodes() const
     {
       return hanging;
     }
 
-    /// Evaluates the trace functions of @p facet at @p st, in the order of
-    /// trace_nodes: tensor products of the Gauss-Lobatto bases of the trace
-    /// degrees, so that u on the facet is the sum of @p values times u at the
-    /// trace nodes. @p values is cleared first.
+    /// Sets @p values to the trace functions of @p facet at @p st, in the order
+    /// of trace_nodes: tensor products of Gauss-Lobatto bases, so that u is the
+    /// sum of @p values times u at the trace nodes.
     void
     evaluate_trace(const Facet            &facet,
                    const dealii::Point<2> &st,
@@ -164,8 +150,7 @@ namespace lamella
       return trace_locations.size();
     }
 
-    /// Returns the location of trace node @p node in the body, on the first
-    /// facet that has it, for body().rows().
+    /// Returns the location of trace node @p node on the first facet with it.
     Location
     trace_location(const unsigned int node) const;
 
@@ -176,47 +161,45 @@ namespace lamella
       dealii::Point<2> st;
     };
 
-    /// Returns the point of the surface at @p location, one of
-    /// body().surface_points() or a point of a facet. Of several facets, the
-    /// one whose normal is closest to @p normal. Empty if on none.
+    /// Returns the point of the surface at @p location, on the facet whose
+    /// normal is closest to @p normal. Empty if on none.
     std::optional<FacetPoint>
     place_of(const Location             &location,
              const dealii::Tensor<1, 3> &normal) const;
 
     /// Returns the intersection of the line x + t d with one @p facet, with d
     /// against its outward normal. Newton's method on the two components of
-    /// X(s, t) - x normal to d, from the center of the facet; an affine facet
-    /// takes one step. Empty if the line misses the bounding ball, if the
-    /// iteration leaves the facet far behind, or if d does not enter by both
-    /// the facet normal and the smooth normal.
+    /// X(s, t)
+    /// - x normal to d, from the center; an affine facet takes one step. Empty
+    /// if the line misses the bounding ball, if the iteration leaves the facet
+    /// far behind, or if d does not enter by both normals.
     std::optional<SurfaceHit>
     intersect_facet(const unsigned int          facet,
                     const dealii::Point<3>     &x,
                     const dealii::Tensor<1, 3> &d) const;
 
-    /// Returns the nearest intersection with @p facets, numbers in facets(), at
-    /// most @p search_radius away in either direction.
+    /// Returns the nearest intersection with the @p facets, at most @p
+    /// search_radius away in either direction.
     std::optional<SurfaceHit>
     intersect_facets(const std::vector<unsigned int> &facets,
                      const dealii::Point<3>          &x,
                      const dealii::Tensor<1, 3>      &d,
                      const double                     search_radius) const;
 
-    /// Returns the nearest intersection, testing only facets whose boxes meet
-    /// that of the segment x +- reach d. @p search_radius must be finite.
+    /// Returns the nearest intersection, by the boxes that meet the segment x
+    /// +- @p search_radius d.
     std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
          const double                search_radius) const override;
 
-    /// Returns the normal at the center of the facet whose box is nearest to
-    /// @p x.
+    /// Returns the normal at the center of the facet whose box is nearest to @p
+    /// x.
     dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const override;
 
-    /// Returns the facets whose boxes, in the axes of the surface, meet the
-    /// bounding box of @p points, by ascending number: a superset of the facets
-    /// within their convex hull.
+    /// Returns the facets whose boxes meet the bounding box of @p points,
+    /// ascending: a superset of the facets within their convex hull.
     std::vector<unsigned int>
     facets_near(const std::vector<dealii::Point<3>> &points) const;
 
@@ -234,8 +217,7 @@ namespace lamella
     /// degrees, and finds those that hang.
     void
     split_at_edges(const SurfaceTopology &topology);
-    /// Returns the grid node among @p numbers, those of one node of the body,
-    /// with a normal similar to @p normal.
+    /// Returns the grid node among @p numbers, of one node, near @p normal.
     std::optional<unsigned int>
     on_side(const std::vector<unsigned int> &numbers,
             const dealii::Tensor<1, 3>      &normal) const;
@@ -262,15 +244,14 @@ namespace lamella
                              grid_points_on_facets;
     std::vector<GridNode>    nodes;
     std::vector<HangingNode> hanging;
-    /// Axes of the boxes, aligned with the surface so that rays along its
-    /// normals meet few boxes for any orientation of the body.
+    /// Axes of the boxes, aligned with the surface for any orientation of the
+    /// body.
     dealii::Tensor<2, 3> frame;
     BoxSearch            boxes;
   };
 
-  /// A subset of the facets of a surface as an master surface. Refers to the
-  /// surface and the list, which must outlive it; normal_near() uses the whole
-  /// surface.
+  /// A subset of the facets of a surface as a master surface. Refers to both;
+  /// normal_near() uses the whole surface.
   class SurfacePart : public MasterSurface
   {
   public:

@@ -14,10 +14,9 @@
 namespace lamella
 {
   /// Hat functions on the grid of the slave nodes, and their integrals for
-  /// weighted_gaps(). Grid cells lie between Gauss-Lobatto points, each within
-  /// a facet; phi_i is bilinear in (s, t) on each.
-  ///
-  /// Process one cell at a time: add() for each of its points, then close().
+  /// weighted_gaps(). Grid cells lie between Gauss-Lobatto points within a
+  /// facet; phi_i is bilinear in (s, t) on each. For one cell at a time, call
+  /// add() at each of its points, then close().
   class MultiplierBasis
   {
   public:
@@ -49,8 +48,8 @@ namespace lamella
     void
     add_full_areas(const Cell &cell);
 
-    /// Adds the contribution of the point @p st of @p cell with its area
-    /// @p weight and the place @p opposite.
+    /// Adds the point @p st of @p cell with area @p weight and place @p
+    /// opposite.
     void
     add(const Cell             &cell,
         const dealii::Point<2> &st,
@@ -61,9 +60,8 @@ namespace lamella
     void
     close(const Cell &cell);
 
-    /// Computes the averages in the order of the grid nodes and fills all of
-    /// @p result but its points. @p parts are the parts of each facet, in its
-    /// unit square, that face the other side. Call once.
+    /// Computes the averages in the order of the grid nodes and fills all of @p
+    /// result but its points. @p parts of each facet face the other side.
     void
     finish(std::vector<std::vector<Polygon>> parts, Gaps &result);
 
@@ -72,8 +70,8 @@ namespace lamella
     struct Node
     {
       WeightedGap sums;
-      /// Largest value of the hat function where it faces the other side; that
-      /// place represents what the node faces.
+      /// Largest value of the function where it faces the other side, its
+      /// place.
       double nearest = 0.;
       /// Integral over all of its cells, whatever they face.
       double full_area = 0.;
@@ -102,8 +100,8 @@ namespace lamella
     std::vector<Cell>         grid;
     std::vector<Node>         nodes;
 
-    /// Integrals of hat times trace function times n on the current cell; on
-    /// the master side for one facet at a time.
+    /// Integrals of hat times trace function times n on the current cell (on
+    /// the master side facet by facet).
     std::vector<dealii::Tensor<1, 3>> slave_sums, master_sums;
     unsigned int                      master_facet;
     std::vector<double>               trace;

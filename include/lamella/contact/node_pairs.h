@@ -8,15 +8,14 @@
 
 namespace lamella
 {
-  /// Returns the discretization of a contact. `automatic`: node to node if
-  /// every node that faces the other surface within @p search_radius [length]
-  /// faces one of its nodes, else surface to surface.
+  /// Returns the discretization: for `automatic` node to node if every node
+  /// that faces the other surface within @p search_radius faces one of its
+  /// nodes, else surface to surface.
   Discretization
   choose_discretization(const ContactSides &sides, const double search_radius);
 
   /// Returns node pairs (pair_node_to_node()) as weighted gaps: one place per
-  /// side, w = v = n, and the smaller tributary area. Nodes without a partner
-  /// are counted in @p interface, with a note if they face the other surface.
+  /// side, w = v = n, and the smaller area. Unpaired nodes are counted.
   Gaps
   node_to_node(const ContactSides &sides,
                const double        search_radius,

@@ -15,11 +15,9 @@
 namespace lamella
 {
   /// A rigid obstacle: a floor (the half space behind a plane) or a roller (a
-  /// circular cylinder without ends), without DoFs and with prescribed motion.
-  ///
-  /// It is the second side of a contact, without points and weights; a row
-  /// against it has only the part of the body. Contacts share it with the
-  /// scene.
+  /// circular cylinder without ends), without DoFs and with prescribed motion,
+  /// as the second side of contacts. A row against it has only the part of the
+  /// body.
   struct Obstacle
   {
     /// Shape; `undefined` fails an assertion in meet().
@@ -33,11 +31,9 @@ namespace lamella
     /// Name in `subsection Obstacle NAME`, and in the `Second` of contacts.
     std::string name;
     Shape       shape = Shape::undefined;
-    /// Initial position of a point of the plane or of the cylinder axis, scene
-    /// axes.
+    /// Initial position of a point of the plane or of the cylinder axis.
     dealii::Point<3> point;
-    /// Unit normal pointing out of the half space, or unit direction of the
-    /// cylinder axis.
+    /// Unit normal out of the half space, or direction of the cylinder axis.
     dealii::Tensor<1, 3> direction;
     /// Radius of the cylinder [length]; unused by a plane.
     double radius = 0.;
@@ -53,8 +49,8 @@ namespace lamella
       return factor.of(history) * displacement;
     }
 
-    /// Returns the largest depth at which the same surface is still nearest
-    /// [length]; infinity behind a plane.
+    /// Returns the largest depth at which the same surface is nearest, or
+    /// infinity.
     double
     depth() const
     {
@@ -83,8 +79,7 @@ namespace lamella
   {
     dealii::Point<3>     position;
     dealii::Tensor<1, 3> normal;
-    /// Distance along the ray [length], negative behind its origin: the gap, if
-    /// the ray starts at X_1 along n.
+    /// Distance along the ray [length], negative behind its origin: a gap.
     double distance = 0.;
   };
 
@@ -95,17 +90,15 @@ namespace lamella
    *   plane:     t = (p - x) . N / (d . N),
    *   cylinder:  |r + t e| = R, the smaller root t,
    * with point p, direction N and radius R of the obstacle, and the parts r and
-   * e of x - p and d normal to the axis. Empty if the line is parallel to the
-   * plane or axis, leaves the half space, or misses the cylinder. The obstacle
-   * is at its initial position.
+   * e of x - p and d normal to the axis. Empty if the line is parallel, leaves
+   * the half space, or misses. The obstacle is at its initial position.
    */
   std::optional<Hit>
   meet(const Obstacle             &obstacle,
        const dealii::Point<3>     &x,
        const dealii::Tensor<1, 3> &d);
 
-  /// Returns true if @p x is inside @p obstacle at its initial position, not on
-  /// its surface.
+  /// Returns true if @p x is inside the undisplaced @p obstacle.
   bool
   contains(const Obstacle &obstacle, const dealii::Point<3> &x);
 } // namespace lamella

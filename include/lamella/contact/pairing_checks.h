@@ -8,18 +8,16 @@
 
 namespace lamella
 {
-  /// Throws InputError of a contact without any pair within @p search_radius
-  /// [length]; the message gives the nearest distance of nodes, and for node
-  /// pairs the smallest tangential offset.
+  /// Throws InputError of a contact without any pair within @p search_radius,
+  /// with the nearest distance of nodes or tangential offset of node pairs.
   [[noreturn]] void
   throw_no_pairs(const ContactPair &contact,
                  const Bodies      &bodies,
                  const double       search_radius);
 
   /// Throws InputError if a point of @p gaps that is too deep lies inside the
-  /// other body, or if all points are too deep. Such points either face away
-  /// from each other through their own bodies, and are not paired, or the
-  /// bodies overlap. The second side is the slave if @p on_second. Undeformed.
+  /// other body, or if all points are too deep. Others face away through their
+  /// own bodies. The second side is the slave if @p on_second.
   void
   check_no_penetration(const ContactPair &contact,
                        const Bodies      &bodies,

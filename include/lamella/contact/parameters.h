@@ -15,24 +15,20 @@ namespace lamella
   /// Obstacles in the order of the scene, none null; shared with contacts.
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
 
-  /// Entries of a `subsection Contact NAME`: surfaces, discretization and slave
-  /// side, search distance, overclosure, enforcement and penalty, tolerance of
-  /// facing nodes, and friction.
+  /// Entries of a `subsection Contact NAME`: surfaces, discretization, search
+  /// distance, overclosure, enforcement, tolerance of nodes, and friction.
   struct ContactParameters
   {
     /// Declares the entries with their defaults, patterns and documentation.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /**
-     * Reads the contact @p name between bodies with the names @p bodies, or a
-     * body and one of @p obstacles. Surfaces are checked later by
-     * make_interface(). `Penalty = auto` becomes 1e6 times the local stiffness.
-     *
-     * Throws InputError, among others for an obstacle in First, two surfaces of
-     * one body, an obstacle with `node to node` or with the points on its side,
-     * a Tolerance of 0.5 or more, and a Friction below 0 or above 10.
-     */
+    /// Reads the contact @p name between two of @p bodies, or a body and one of
+    /// @p obstacles. make_interface() checks surfaces. `Penalty = auto` becomes
+    /// 1e6 times the local stiffness. Throws InputError, among others for an
+    /// obstacle in First, two surfaces of one body, an obstacle with `node to
+    /// node` or as the slave, a Tolerance of 0.5 or more, and a Friction below
+    /// 0 or above 10.
     static ContactPair
     parse(const Entries                  &in,
           const std::string              &name,
@@ -41,7 +37,7 @@ namespace lamella
   };
 
   /// Entries of a `subsection Obstacle NAME`: Shape, Through, Normal, Axis,
-  /// Radius [length] and the displacement u [length].
+  /// Radius and the displacement u [length].
   struct ObstacleParameters
   {
     /// Declares the entries with their defaults, patterns and documentation.
@@ -50,8 +46,7 @@ namespace lamella
 
     /// Reads the obstacle @p name, with a unit direction; never null. Throws
     /// InputError without a shape, for a zero direction, a cylinder without a
-    /// positive radius and a plane with one. Normal of a cylinder and Axis of a
-    /// plane are not read.
+    /// positive radius and a plane with one.
     static std::shared_ptr<Obstacle>
     parse(const Entries &in, const std::string &name);
   };

@@ -23,11 +23,8 @@ namespace lamella
    * the axis
    *   was ahead (r . n < 0) and is behind (r . n > 0),
    * and the chord of r normal to the axis comes within the radius. Places are
-   * half a radius apart, or a fortieth of a facet if that is more. A surface
-   * that slides or rolls around a roller has the axis ahead.
-   *
-   * Both states must have the same facets. False for a plane, behind which gaps
-   * are negative.
+   * half a radius apart, or a fortieth of a facet if that is more. Both states
+   * must have the same facets. False for a plane.
    */
   bool
   passes_through(const SurfaceAndRoller &before, const SurfaceAndRoller &after);
@@ -35,17 +32,16 @@ namespace lamella
   /**
    * Returns true if one of two bodies passed through the other between two
    * states: a node of either surface that was ahead of the other, or overlapped
-   * by at most the depth of the cells, overlaps by more, where pairing does not
-   * search (exceeds_cell_depth()). A node that moved around an end also counts
-   * if it had a projection before and after; shorter steps distinguish it.
-   * Projections are searched within the distance by which the surfaces approach
-   * each other, plus the largest depth of the cells.
+   * by at most a cell, overlaps by more, where pairing does not search
+   * (exceeds_cell_depth()). A node that moved around an end also counts if it
+   * had a projection before and after; shorter steps distinguish it.
+   * Projections are searched within the approach of the surfaces plus the
+   * largest cell depth.
    */
   bool
   passes_through(const ContactSides &before, const ContactSides &after);
 
-  /// Returns true if the two surfaces approach each other by at least the depth
-  /// of a cell, which passes_through() requires.
+  /// Returns true if the surfaces approach by at least the depth of a cell.
   bool
   may_pass_through(const ContactSides &before, const ContactSides &after);
 } // namespace lamella

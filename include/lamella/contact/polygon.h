@@ -11,13 +11,12 @@
 
 namespace lamella
 {
-  /// Corners of a polygon, counterclockwise, in a chord plane [length] or the
-  /// unit square of a facet; convex in all functions below. May be empty.
+  /// Corners of a convex polygon, counterclockwise, in a chord plane [length]
+  /// or the unit square of a facet. May be empty.
   using Polygon = std::vector<dealii::Point<2>>;
 
-  /// Returns the area, 0 for fewer than three corners, negative if clockwise.
-  /// Triangles from the first corner are summed, so rounding does not depend on
-  /// the distance to the origin.
+  /// Returns the area, 0 for fewer than three corners, negative if clockwise,
+  /// as a sum of triangles from the first corner.
   double
   area(const Polygon &polygon);
 
@@ -26,23 +25,21 @@ namespace lamella
   centroid(const Polygon &polygon);
 
   /// Returns the part of @p polygon inside @p window, both convex and
-  /// counterclockwise (Sutherland and Hodgman). Empty if disjoint; at most as
-  /// many corners as both have together.
+  /// counterclockwise (Sutherland and Hodgman); may be empty.
   Polygon
   clipped(const Polygon &polygon, const Polygon &window);
 
   /// Returns the part of the convex @p polygon on which @p height >= 0, taken
-  /// as linear along its sides. With -height it returns the other part; the
-  /// common edge is bitwise equal.
+  /// as linear along its sides. Parts of height and -height share an edge
+  /// bitwise.
   Polygon
   part_above(const Polygon                                         &polygon,
              const std::function<double(const dealii::Point<2> &)> &height);
 
   /// Returns a quadrature rule on the triangle (0, 0), (1, 0), (0, 1), exact
-  /// for polynomials of @p degree, with positive weights that sum to 1/2.
+  /// for polynomials of @p degree, with positive weights that sum to 1/2:
   /// Witherden and Vincent up to degree 13, above it Gauss points of the square
-  /// collapsed onto the triangle. Rules are cached; the cache is not
-  /// thread-safe.
+  /// collapsed onto the triangle. The cache of rules is not thread-safe.
   const dealii::Quadrature<2> &
   triangle_rule(const unsigned int degree);
 } // namespace lamella

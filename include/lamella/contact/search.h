@@ -14,15 +14,13 @@
 namespace lamella
 {
   /// Nearest-neighbor search in a fixed set of points with Boost's packed
-  /// R-tree: O(n log n) to create, typically O(log n) per query. Copies the
-  /// points; numbers are indices in their list.
+  /// R-tree. Copies the points; numbers are indices in their list.
   class PointSearch
   {
   public:
     explicit PointSearch(const std::vector<dealii::Point<3>> &points);
 
-    /// Returns the numbers of the @p n nearest points, nearest first, or all if
-    /// there are fewer. The order of equally near ones is unspecified.
+    /// Returns the numbers of the @p n nearest points (or all), nearest first.
     std::vector<unsigned int>
     nearest(const dealii::Point<3> &x, const unsigned int n) const;
 
@@ -31,9 +29,8 @@ namespace lamella
     dealii::RTree<Numbered> tree;
   };
 
-  /// Search in a fixed set of axis-parallel boxes, with Boost's packed R-tree,
-  /// for those that meet a given box, or the nearest one: the coarse phase of
-  /// contact search. Copies the boxes.
+  /// Search in a fixed set of axis-parallel boxes, with Boost's packed R-tree:
+  /// the coarse phase of contact search. Copies the boxes.
   class BoxSearch
   {
   public:
@@ -41,13 +38,11 @@ namespace lamella
     BoxSearch() = default;
     explicit BoxSearch(const std::vector<dealii::BoundingBox<3>> &boxes);
 
-    /// Returns the numbers of the boxes that meet or touch @p box, ascending,
-    /// so that results do not depend on the tree.
+    /// Returns the numbers of the boxes that meet or touch @p box, ascending.
     std::vector<unsigned int>
     meeting(const dealii::BoundingBox<3> &box) const;
 
-    /// Returns the number of a box nearest to @p x, at distance 0 if it
-    /// contains @p x.
+    /// Returns the number of a box nearest to @p x, at distance 0 around it.
     unsigned int
     nearest(const dealii::Point<3> &x) const;
 

@@ -19,45 +19,34 @@ namespace lamella
     std::optional<unsigned int> own;
   };
 
-  /// Returns the rows of @p found whose nodes (place_of()) have no row in
-  /// @p own, or one with less than @p share of their area. The slave side must
-  /// be the same.
+  /// Returns the rows of @p found whose nodes (place_of()) have no row in @p
+  /// own, or one with less than @p share of their area, on the same slave side.
   std::vector<AdditionalConstraint>
   additional_constraints(const ContactInterface &own,
                          const ContactInterface &found,
                          const double            share);
 
-  /**
-   * Check of a given Search distance. Points farther apart have no row and
-   * would pass through the other body undetected; rows at the limit have part
-   * of their area only. For each state, the rows are created again with a
-   * search radius increased by the motion of the bodies, and must not touch
-   * where rows of the contact are missing.
-   *
-   * One object per contact, kept through the load steps. It searches again only
-   * if displacements exceed those checked so far. No effect for an automatic
-   * search distance.
-   */
+  /// Check of a given Search distance. Points farther apart have no row and
+  /// would pass through the other body undetected. For each state, the rows are
+  /// created again with a search radius increased by the motion of the bodies,
+  /// and must not be in contact where rows are missing. One object per contact
+  /// is kept through the load steps; it searches again only if displacements
+  /// exceed those checked so far. No effect for an automatic search distance.
   class SearchCheck
   {
   public:
-    /// Refers to both arguments, which must outlive this object; does not
-    /// search.
+    /// Refers to both arguments; does not search.
     SearchCheck(const ContactPair &contact, const Bodies &bodies);
 
     /**
-     * Throws NumericsError if a place without a row in @p interface, that of
-     * the contact, or with part of its area, touches in the state @p u at load
-     * factor @p factor. @p active are the touching rows, numbered from 0,
-     * ascending. The message gives the required Search distance. The search
-     * radius grows by 2 sqrt(3) times the largest component of @p u, since both
+     * Throws NumericsError if a place without a row in @p interface, or with
+     * part of its area, is in contact in the state @p u at load factor @p
+     * factor: if the gap of its full row is below zero by more than 1e-9 of the
+     * displacements, or if its partial row is in @p active, ascending rows from
+     * 0. The message gives the required Search distance. The search radius
+     * grows by 2 sqrt(3) times the largest component of @p u, since both
      * surfaces may approach, and by the motion of the obstacle, up to
-     * automatic_search_distance(). A place touches if the gap of its full row
-     * is below zero by more than 1e-9 of the displacements, or if its partial
-     * row is in @p active.
-     *
-     * Surfaces that cannot be paired within the larger radius are skipped.
-     * Every process does the same.
+     * automatic_search_distance(). Surfaces that cannot be paired are skipped.
      */
     void
     check(const ContactInterface          &interface,
@@ -66,8 +55,7 @@ namespace lamella
           const std::vector<unsigned int> &active);
 
   private:
-    /// Row of a place within the larger search radius, and its partial row, if
-    /// any.
+    /// Row of a place within the larger radius, and its partial row, if any.
     struct MissingConstraint
     {
       /// Row with its whole area, within the larger radius.
@@ -77,8 +65,8 @@ namespace lamella
       std::optional<unsigned int> seen;
     };
 
-    /// Fills `unseen` from the rows within @p new_search_radius; the slave side
-    /// is that of @p interface.
+    /// Fills `unseen` from rows of @p interface's sides within @p
+    /// new_search_radius.
     void
     extend_search(const double            new_search_radius,
                   const ContactInterface &interface);

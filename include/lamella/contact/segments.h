@@ -11,26 +11,23 @@
 
 namespace lamella
 {
-  /// Chord plane of a quadrilateral piece of a surface, with axes along its
-  /// first side and normal to it: the plane through the first corner along both
-  /// diagonals. Mortar segments are cut there; curved patches become polygons.
+  /// Chord plane of a quadrilateral piece of a surface, through the first
+  /// corner along both diagonals, with axes along its first side and normal to
+  /// it. Mortar segments are cut there; curved patches become polygons.
   struct ChordPlane
   {
     /// Creates the plane of @p corners at (0, 0), (1, 0), (0, 1), (1, 1) of a
-    /// facet or of a part of it; @p outward determines the sign of the normal.
-    /// The diagonals must span a plane.
+    /// facet or a part of it; @p outward determines the sign of the normal.
     ChordPlane(const std::array<dealii::Point<3>, 4> &corners,
                const dealii::Tensor<1, 3>            &outward);
 
-    /// Returns the projection of @p x along @p direction: coordinates along e1
-    /// and e2 from the origin [length]. @p direction must not lie in the plane;
-    /// its length is irrelevant.
+    /// Returns the projection of @p x along @p direction, which must not lie in
+    /// the plane: coordinates along e1 and e2 [length].
     dealii::Point<2>
     project(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &direction) const;
 
-    /// First corner, and an orthonormal right-handed frame with outward normal,
-    /// in scene axes.
+    /// First corner, and an orthonormal right-handed frame with outward normal.
     dealii::Point<3>     origin;
     dealii::Tensor<1, 3> e1, e2, normal;
     /// Corners projected along the normal, and the area of that [length^2].
@@ -38,12 +35,11 @@ namespace lamella
     double  area = 0.;
   };
 
-  /// A mortar segment: the intersection of a piece of a surface and one facet
-  /// of another, in the chord plane of the piece. Integrands are smooth on it.
+  /// A mortar segment: the intersection of a piece of a surface and a facet of
+  /// another, in the chord plane. Integrands are smooth on it.
   struct Segment
   {
-    /// Facet of the other surface; polygon and area [length^2] in the chord
-    /// plane.
+    /// Facet of the other surface; polygon and area in the chord plane.
     unsigned int facet = 0;
     Polygon      polygon;
     double       area = 0.;
@@ -52,9 +48,8 @@ namespace lamella
   /// Returns the segments of the piece @p plane with the facets of @p other
   /// within @p search_radius, projected along @p direction (the averaged normal
   /// at the center of the piece), by ascending facets. Omits segments below
-  /// 1e-11 of the area of the piece, and facets seen from the side (normal
-  /// within a cosine of 0.1 of perpendicular to @p direction) or from behind.
-  /// Segments of facets behind each other overlap.
+  /// 1e-11 of the piece, and facets seen from behind or from the side (cosine
+  /// to @p direction below 0.1). Segments of facets behind each other overlap.
   std::vector<Segment>
   cut(const ChordPlane           &plane,
       const dealii::Tensor<1, 3> &direction,

@@ -26,17 +26,14 @@ namespace lamella
   /**
    * The slave (nonmortar) surface of a contact, restricted to the support of
    * its rows, with their functions phi_i:
-   *
    * - `trace`: node pairs and nodes against a surface. phi_i is the nodal
    *   function of the grid, L_a(s) L_b(t) of the expansion degree; its integral
    *   is the tributary area of the node.
    * - `hats`: weighted gaps. phi_i is the multiplier function, bilinear on the
    *   cells between neighboring nodes, restricted to the part that faces the
    *   other side.
-   *
    * Facets share a node if they have the same number in SurfaceTopology.
-   * Undeformed geometry without reference to a body; created by
-   * make_interface() and shared.
+   * Undeformed geometry without reference to a body, from make_interface().
    */
   class SlaveSurface
   {
@@ -54,11 +51,10 @@ namespace lamella
       unsigned int degree_s = 1, degree_t = 1;
       /// Node numbers of SurfaceTopology; the first coordinate runs fastest.
       std::vector<unsigned int> nodes;
-      /// Rows to which the function of each node contributes, with shares: its
-      /// own row with 1; for a hanging node the rows of its ends with halves;
-      /// none if the node faces nothing.
+      /// Rows to which each node's function contributes: its own with 1; for a
+      /// hanging node those of its ends with halves; none if it faces nothing.
       std::vector<std::vector<std::pair<unsigned int, double>>> rows;
-      /// Parts of the unit square in the support of the functions: convex,
+      /// Parts of the unit square in the functions' support: convex,
       /// counterclockwise, each within a grid cell for hats.
       std::vector<Polygon> parts;
     };
@@ -68,8 +64,7 @@ namespace lamella
                  const unsigned int n_rows,
                  std::vector<Facet> facets);
 
-    /// Integrals of the function of a row [length^2], and of function times
-    /// position [length^3].
+    /// Integrals of a row's function [length^2], and of it times position.
     struct Integrals
     {
       double               area = 0.;
@@ -83,11 +78,10 @@ namespace lamella
       return whole;
     }
 
-    /// Returns the integrals() over the part in @p strip.
-    ///
-    /// Exact to rounding on plane parallelograms. On curved facets a strip ends
-    /// on straight lines in (s, t) between points of its boundary on a 4 x 4
-    /// grid; adjacent strips have no gap or overlap.
+    /// Returns the integrals() over the part in @p strip, exact to rounding on
+    /// plane parallelograms. On curved facets a strip ends on straight lines in
+    /// (s, t) between points of its boundary on a 4 x 4 grid, without gap or
+    /// overlap.
     std::vector<Integrals>
     integrals(const ContactStrip &strip) const;
 
@@ -98,28 +92,22 @@ namespace lamella
       dealii::Point<2> st;
     };
 
-    /// Returns the nearest intersection of the surface with the line through
-    /// @p x along the unit vector @p d, up to @p search_radius [length] in both
-    /// directions.
+    /// Returns the nearest intersection with the line through @p x along the
+    /// unit vector @p d, up to @p search_radius [length] in both directions.
     std::optional<Place>
     on_line(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &d,
             const double                search_radius) const;
 
-    /// Returns the nodal functions of the facet at @p place, in order: a
-    /// partition of unity on the facet.
+    /// Returns the facet's nodal functions at @p place, a partition of unity.
     std::vector<double>
     functions_at(const Place &place) const;
 
-    /**
-     * Returns chains of neighboring nodes that have rows, along the grid lines,
-     * by ascending coordinate @p axis at constant coordinate @p across. Each
-     * entry lists the rows of a node (two at a sharp edge).
-     *
-     * Neighbors whose coordinate @p across differs by more than 1e-6 of the
-     * surface extent are not linked, so on a grid oblique to the scene axes
-     * each node is a chain of its own.
-     */
+    /// Returns chains of neighboring nodes that have rows, along the grid
+    /// lines, by ascending coordinate @p axis at constant coordinate @p across
+    /// (to 1e-6 of the surface extent). Each entry lists the rows of a node,
+    /// two at a sharp edge. On a grid oblique to the scene axes each node is a
+    /// chain.
     std::vector<std::vector<std::vector<unsigned int>>>
     lines(const unsigned int axis, const unsigned int across) const;
 
@@ -160,8 +148,7 @@ namespace lamella
     BoxSearch              boxes;
   };
 
-  /// A node with a row: its location in the body, and the normal of the row, of
-  /// either sign.
+  /// A node with a row: its location, and the row's normal of either sign.
   struct SlaveNode
   {
     Location             location;
@@ -175,10 +162,10 @@ namespace lamella
    * If @p whole, rows have support on facets all of whose nodes have a row, as
    * for node pairs, where the smaller area counts. Rows without such a facet,
    * and all rows otherwise, have support on every facet of their node. Of
-   * several rows at one node, such as at an edge with a normal on each side, a
-   * facet takes the one with the closest normal, within 60 degrees of its own.
-   * Nodes between others that have rows, where the body has an expansion of
-   * lower degree, share their functions with these.
+   * several rows at one node, a facet takes the one with the closest normal,
+   * within 60 degrees of its own. Nodes between others that have rows, where
+   * the body has an expansion of lower degree, share their functions with
+   * these.
    */
   SlaveSurface
   make_nodal_slave_surface(const Body                   &body,
@@ -186,11 +173,11 @@ namespace lamella
                            const std::vector<SlaveNode> &nodes,
                            const bool                    whole);
 
-  /// Returns the intersection (s, t) of the line x + t d with @p map, up to
-  /// 1e-7 outside the unit square; @p d is a unit vector. Newton's method, from
-  /// the center, on the two components of X(s, t) - x normal to d; an affine
-  /// map takes one step. Empty if the line misses or the iteration leaves the
-  /// facet far behind.
+  /// Returns the intersection (s, t) of the line x + t d, unit @p d, with @p
+  /// map, up to 1e-7 outside the unit square. Newton's method, from the center,
+  /// on the two components of X(s, t) - x normal to d; an affine map takes one
+  /// step. Empty if the line misses or the iteration leaves the facet far
+  /// behind.
   std::optional<dealii::Point<2>>
   line_intersection(const FacetMap             &map,
                     const dealii::Point<3>     &x,

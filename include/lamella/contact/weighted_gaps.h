@@ -9,11 +9,9 @@ namespace lamella
 {
   /**
    * Returns surface-to-surface gaps, averaged with hat functions as in mortar
-   * methods.
-   *
-   * The slave nodes (Gauss-Lobatto grids of the expansion degree) form a grid
-   * of quadrilateral cells, and phi_i is the bilinear hat function of node i:
-   * nonnegative, with sum 1. Row i is
+   * methods. The slave nodes (Gauss-Lobatto grids of the expansion degree) form
+   * a grid of quadrilateral cells, and phi_i is the bilinear hat function of
+   * node i: nonnegative, with sum 1. Row i is
    *   g_i = 1/A_i int phi_i n . (u_2(X_2) - u_1(X_1)) dA,
    *   A_i = int phi_i dA,
    * over the part of the surface that faces the other side, with the place X_2
@@ -24,29 +22,25 @@ namespace lamella
    *
    * Integrands have kinks between master facets. Each cell is therefore cut in
    * its chord plane into segments with the facets opposite, and these into
-   * triangles with Gauss points: exact to rounding if both sides are flat.
-   *
-   * The weights of a row are the mortar integrals
+   * triangles with Gauss points: exact to rounding if both sides are flat. The
+   * weights of a row are the mortar integrals
    *   w_j = 1/A_i int phi_i psi_j n dA,   v_k = 1/A_i int phi_i chi_k n dA
-   * with the trace functions psi_j of the slave and chi_k of the master side. B
-   * u is exact for both expansions, and the two sum to the same mean normal:
-   * action and reaction balance.
+   * with the trace functions psi_j of the slave and chi_k of the master side,
+   * which sum to the same mean normal: action and reaction balance.
    *
    * - A segment faces the other side entirely or not at all, as its centroid
-   *   does within the search radius. The nearest of several master facets
-   *   counts.
+   *   does within the search radius. The nearest of several facets counts.
    * - Points behind the other side by more than the depth of the cells are
    *   omitted and returned in Gaps::deep_penetrations.
-   * - A node whose hat function faces the other side on less than 1e-12 of its
-   *   own integral is unpaired.
+   * - A node is unpaired if its hat function faces the other side on less than
+   *   1e-12 of its own integral.
    * - The hat function of a hanging node is distributed in halves to the nodes
    *   between which it hangs; it has no row.
    * - Against an obstacle there are no kinks: Gauss points on the cells, two
    *   degrees higher, and no master weights.
    *
-   * Rows are in the order of the slave grid nodes. The cost is that of the
-   * Gauss points, each projected along n to the other side by a fixed-point
-   * iteration: 2401 rows with about 10^5 points took 0.25 s.
+   * Rows are in the order of the slave grid nodes. 2401 rows with about 10^5
+   * points, each projected by a fixed-point iteration, took 0.25 s.
    */
   Gaps
   weighted_gaps(const ContactSurfacePair &sides);
