@@ -10,15 +10,14 @@
 
 namespace lamella
 {
-  /// Returns whether @p zones suffice for @p held: embedded zones do not if
-  /// stresses are requested near it.
+  /// Returns whether @p zones suffice for @p held, not if embedded near
+  /// requests.
   bool
   are_sufficient(const std::vector<BoundaryLayerZone> &zones,
                  const ConstrainedSection             &held);
 
   /// Returns the zones @p zones of the section @p from, of the same cells and a
-  /// lower degree, embedded in @p section and made free of its @p warpings.
-  /// Their accuracy is unchanged.
+  /// lower degree, embedded in @p section, free of its @p warpings.
   std::vector<BoundaryLayerZone>
   embedded(const std::vector<BoundaryLayerZone> &zones,
            const Section                        &from,
@@ -38,8 +37,8 @@ namespace lamella
     explicit BoundaryLayerModes(const BoundaryLayerRules &rules = {});
 
     /// Returns boundary_layer_modes(), cached for a section with the same
-    /// matrices and fields, held alike, or embedded from a poorer one. Models
-    /// of one scene have the same heat. Collective.
+    /// matrices, fields and constraints, or embedded from a poorer one.
+    /// Collective.
     std::vector<BoundaryLayerZone>
     zones(const std::shared_ptr<const Section> &section,
           const SaintVenant                    &states,
@@ -71,8 +70,8 @@ namespace lamella
       std::vector<BoundaryLayerZone> zones;
     };
 
-    /// Returns the index of the zones of a poorer section of the body, held
-    /// alike; known.size() if there is none.
+    /// Returns the index of the zones of a poorer section of the body with the
+    /// same constraints, or known.size().
     std::size_t
     poorer(const Section &section, const ConstrainedSection &held) const;
 

@@ -12,39 +12,34 @@
 
 namespace lamella
 {
-  /// Constants of boundary_layer_modes(), all measured
-  /// (doc/theory/saint-venant-fields.md). H is the smaller extent of the
-  /// section, B the larger one.
+  /// Measured constants of boundary_layer_modes(); H and B are the smaller and
+  /// larger extent of the section (doc/theory/saint-venant-fields.md).
   struct BoundaryLayerRules
   {
     /// Length of the piece over B.
     double length = 8.;
     /// Limits over H of the element at the held end, else as long as the
     /// scene's. The lower one is that of `auto`: fields stay the same when such
-    /// an axis is halved, so estimates compare nested models. Finer pieces are
-    /// no better, since the strongest disturbance grows without limit at
-    /// corners.
+    /// an axis is halved. Finer pieces are no better, since the strongest
+    /// disturbance grows without limit at corners.
     double shortest_element = 0.15, longest_element = 0.5;
     /// Starts of the zones over B, ascending.
     std::vector<double> zones{0., 1., 3.};
-    /// Overlap over B of inner fields with the next zone, since the stress in
-    /// an element is as accurate as at its poorest node.
+    /// Overlap over B of inner fields with the next zone.
     double overlap = 0.5;
-    /// Amplitude below which combinations are cut; that of a Saint-Venant state
-    /// along one H is 1.
+    /// Amplitude below which combinations are cut (Saint-Venant state per H:
+    /// 1).
     double tolerance = 1e-3;
-    /// Share of their largest value below which fields have decayed, which
-    /// defines how far the end disturbs.
+    /// Share of their largest value below which fields have decayed.
     double rest = 1e-2;
     /// Largest number of DoFs of a piece; beyond it there are no end fields.
     double max_dofs = 1e5;
-    /// Distance from an end over B within which requested stresses give a
-    /// richer section a piece of its own (BoundaryLayerModes).
+    /// Distance from an end over B of stresses that give a richer section a
+    /// piece.
     double sampled = 1.;
   };
 
-  /// Constraint of a section as a whole, and the side of the body. A free end
-  /// has no rows.
+  /// Constraint of a section as a whole, and body side. A free end has no rows.
   struct ConstrainedSection
   {
     /// Rows r(u) = 0 in the fields of the section.
@@ -53,11 +48,10 @@ namespace lamella
     bool extends_forward = true;
     /// Length of the axis element beside the section [length].
     double element = 0.;
-    /// Name of the body, and of the touches that hold it, in their order: equal
-    /// in models of one scene.
+    /// Name of the body, and of its interactions that constrain it, in order.
     std::string              body;
     std::vector<std::string> by;
-    /// True if stresses are requested within BoundaryLayerRules::looked_at.
+    /// True if stresses are requested within BoundaryLayerRules::sampled.
     bool is_sampled = false;
 
     /// Returns whether the axis elements are as long, to rounding.
@@ -65,10 +59,10 @@ namespace lamella
     has_same_element_length(const ConstrainedSection &other) const;
   };
 
-  /// Returns the constraints of the section at touch @p t of @p touches
-  /// (LocalInteraction::constrains_section) on a body with @p axis: the rows of
-  /// all touches that hold it there, once for each side of the body (two in its
-  /// interior).
+  /// Returns the constraints of the section at interaction @p t of @p
+  /// interactions (LocalInteraction::constrains_section) on a body with @p
+  /// axis: the rows of all that constrain it there, once for each side of the
+  /// body.
   std::vector<ConstrainedSection>
   constrained_sections(const std::vector<LocalInteraction> &interactions,
                        const unsigned int                   t,
@@ -77,11 +71,11 @@ namespace lamella
   /**
    * Deformation of a free section by heat that is constant along the axis,
    *   v + sum_j c_j a_j,
-   * with v the response (SaintVenant::response_to_constant()) to the heat load
-   * h_s on values. It leaves the traction
-   *   r = S_10 v - h_y + sum_j c_j (S_10 a_j + S_11 b_j)
-   * at an end, h_y the load on derivatives. The c_j of the six states (a_j,
-   * b_j) make the section forces of r zero, as at a free end.
+   * with the response v (SaintVenant::response_to_constant()) to the heat load
+   * h_s on values. It leaves the end traction, with the load h_y on
+   * derivatives,
+   *   r = S_10 v - h_y + sum_j c_j (S_10 a_j + S_11 b_j).
+   * The c_j of the six states (a_j, b_j) make the section forces of r zero.
    */
   struct HeatedSection
   {
@@ -90,7 +84,7 @@ namespace lamella
                   const Beam::SectionThermalLoad &heat);
   };
 
-  /// Returns whether both are held alike, to rounding.
+  /// Returns whether both have the same constraints, to rounding.
   bool
   alike(const ConstrainedSection &a, const ConstrainedSection &b);
 
@@ -104,22 +98,21 @@ namespace lamella
     bool is_embedded = false;
   };
 
-  /// Returns the length of the axis element at the held end of the piece in
-  /// boundary_layer_modes() [length].
+  /// Returns the length of the axis element at the held end of the piece.
   double
   first_element(const Section            &section,
                 const ConstrainedSection &held,
                 const BoundaryLayerRules &rules);
 
   /**
-   * Computes the end fields, which decay from an end that is held as a whole. A
-   * short piece of the body is solved with all section fields on an axis graded
-   * to the end. It is held by @p held and loaded at the other end by the
-   * tractions S_10 a + S_11 b of the six Saint-Venant states, which cause no
-   * disturbance there. The loads are combined such that the section forces s at
-   * the held end are orthonormal in the compliance, s_i^T C s_j = delta_ij
-   * (unit energy per length), and do no work on free rigid motions. One
-   * factorization serves all loads.
+   * Computes the end fields, which decay from an end that is constrained as a
+   * whole. A short piece of the body is solved with all section fields on an
+   * axis graded to the end. It is constrained by @p held and loaded at the
+   * other end by the tractions S_10 a + S_11 b of the six Saint-Venant states,
+   * which cause no disturbance there. The loads are combined such that the
+   * section forces s at the held end are orthonormal in the compliance, s_i^T C
+   * s_j = delta_ij (unit energy per length), and do no work on free rigid
+   * motions.
    *
    * The displacement u_i at node i less rigid part and warpings, times
    *   sqrt( int N_i dy / H ),
@@ -129,9 +122,9 @@ namespace lamella
    * there are zones: the outermost has the fields of its nodes, each inner one
    * those that nodes from its start on add to the outer zones.
    *
-   * Each of @p heat adds a load: that of its answer along the piece, without
-   * the traction at the end. The solution less the answer is the disturbance of
-   * a held or free section, scaled to the energy of a state along one H. A
+   * Each of @p heat adds a load: that of its response along the piece, without
+   * the traction at the end. The solution less the response is the disturbance
+   * of a held or free section, scaled to the energy of a state along one H. A
    * partly held section that can still move has none.
    *
    * Returns the zones, outermost first, free of rigid fields and warpings,
@@ -149,18 +142,16 @@ namespace lamella
                        const BoundaryLayerRules             &rules = {});
 
   /// Returns the number of nodes of the pieces that boundary_layer_modes()
-  /// would solve for @p beam (all fields at all nodes) with @p touches, an
-  /// estimate of their cost relative to the body. Mirror images are counted,
-  /// too.
+  /// would solve for @p beam (all fields at all nodes) with @p interactions, an
+  /// estimate of their cost, mirror images included.
   unsigned int
   nodes_of_pieces(const Beam                          &beam,
                   const std::vector<LocalInteraction> &interactions,
                   const BoundaryLayerRules            &rules = {});
 
   /// Returns @p zones mirrored across the axis (u_y changes its sign), for the
-  /// same support at the other end of a body, which saves a piece. Empty unless
-  /// @p section, as of isotropic or cross plies, and @p held, which belongs to
-  /// @p zones, are their own mirror images.
+  /// same support at the other end. Empty unless @p section, as of cross plies,
+  /// and @p held, which belongs to @p zones, are their own mirror images.
   std::vector<BoundaryLayerZone>
   mirrored(const std::vector<BoundaryLayerZone> &zones,
            const Section                        &section,

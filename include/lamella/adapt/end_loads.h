@@ -17,9 +17,8 @@ namespace lamella
                const std::vector<PrescribedFunctional> &rows);
 
   /// Returns the section loads of boundary_layer_modes() at the far end of @p
-  /// piece, node @p far_node at the distance @p arm from the held one:
-  /// tractions of the six states, combined to do no work on the free @p motions
-  /// and to have solutions orthonormal in energy.
+  /// piece, node @p far_node at the distance @p arm from the held one, without
+  /// work on the free @p motions, with solutions orthonormal in energy.
   std::vector<Vector>
   end_loads(const SaintVenant         &states,
             const Beam                &piece,

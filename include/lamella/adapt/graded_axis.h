@@ -16,54 +16,47 @@ namespace lamella
   /// Sizes of `Axis elements = auto`, over the smaller extent H of the section.
   struct GradingRules
   {
-    /// Beside a support that holds a section as a whole, and beside the edge of
-    /// a contact or the line of it.
+    /// Beside a clamp, and beside the edge or the line of a contact.
     double clamp = 0.15, contact = 0.125;
-    /// Beside supports and loads at points and lines, and beside the edge of a
-    /// load.
+    /// Beside supports and loads at points and lines, or edges of loads.
     double edge = 0.25;
-    /// At most, where bodies lie upon each other, unless that makes more
-    /// elements of it than max_inside.
+    /// At most, where bodies lie upon each other, up to max_inside elements.
     double inside = 0.5, max_inside = 40.;
-    /// Growth of elements per length: neighbors differ by a factor of about
-    /// 1.8.
+    /// Growth of elements per length (neighbors differ by about 1.8).
     double growth = 0.6;
     /// At least as many elements on an axis.
     unsigned int least = 4;
-    /// Elements in a span that is loaded all along, between places that hold
-    /// the axis or where the load changes its sign. B4 is exact at its ends.
-    /// Inside an element of length h, a uniform load leaves out the bubble
-    /// q h^4 / (384 E I), n^-4 of the deflection between clamps: 0.077 % for
-    /// n = 6, 0.024 % for 8, 0.01 % for 10, 0.005 % for 12. Between other
-    /// supports the share is smaller.
+    /// Elements in a span that is loaded all along, between supported places or
+    /// changes of the load's sign. B4 is exact at its ends. Inside an element
+    /// of length h, a uniform load leaves out the bubble q h^4 / (384 E I),
+    /// n^-4 of the deflection between clamps: 0.077 % for n = 6, 0.024 % for 8,
+    /// 0.01 % for 10, 0.005 % for 12.
     double elements_per_span = 10.;
     /// Places closer to each other than this share of their size are one.
     double merge_distance = 0.5;
-    /// The samples of 1 / s between two places, for the trapezoidal rule; what
-    /// its integral exceeds an integer by, if less than `spare`, makes no
-    /// element more.
+    /// Samples of 1 / s between two places (trapezoidal rule); an excess of its
+    /// integral over an integer below `spare` makes no element.
     unsigned int samples            = 400;
     double       rounding_allowance = 0.05;
     /// Gaps that differ by less than this share of H lie upon each other.
     double gap_tolerance = 1e-3;
     /// Number of equal elements for the search of a contact, over H, and on an
-    /// axis at least and at most. The parabola of grade_axes() is more accurate
-    /// than they are.
+    /// axis at least and at most.
     double search_elements = 2., min_search_elements = 12.,
            max_search_elements = 240.;
   };
 
   /**
-   * Returns the ends of elements on an axis of @p length, graded to
-   * @p places. With the element size
+   * Returns the ends of elements on an axis of @p length, graded to @p places.
+   * With the element size
    *   s(y) = min_k (c size_k + growth |y - y_k|),
    *   c = growth / (exp(growth) - 1),
    * limited by length / least and, in the parts of @p loaded, by span /
    * elements_per_span, a piece between two places has N elements: the integral
    * of dy / s over it, rounded up (to an even number if loaded, for halved())
    * and multiplied by @p refinement_factor. Each element has 1 / N of that
-   * integral. Every place is the end of an element; places closer than
-   * merge_distance of their size are merged. Ascending, without 0 and length.
+   * integral. Places closer than merge_distance of their size are merged.
+   * Ascending, without 0 and length.
    */
   std::vector<double>
   graded_breaks(const double                     length,
@@ -72,9 +65,8 @@ namespace lamella
                 const double                     refinement_factor = 1.,
                 const std::vector<LoadedPart>   &loaded            = {});
 
-  /// Bisects elements of @p axis until those at @p y are of @p size, or half as
-  /// long if it is 0. Other elements may be longer by GradingRules::growth.
-  /// Lengths must be known; @p y becomes the end of an element.
+  /// Bisects elements of @p axis until those at @p y, which becomes an end, are
+  /// of @p size, or half as long if it is 0, others by GradingRules::growth.
   void
   refine_at(AxisMesh           &axis,
             const double        y,
@@ -88,10 +80,8 @@ namespace lamella
    * elements, then on the graded ones. For bodies apart, the place is that of
    * the smallest gap, by a parabola through three rows. Supports of ends count
    * as clamps. Bodies whose nodes a contact pairs along one line share their
-   * grading. Loads on sides and on lines along the axis, weight across it under
-   * @p gravity, and heat that is not linear along it limit elements all along
-   * (GradingRules::elements_per_span).
-   *
+   * grading. Loads on sides and lines, weight under @p gravity, and heat that
+   * is not linear limit elements all along (GradingRules::elements_per_span).
    * Throws what conditions and contacts throw. Collective where Beam is.
    */
   void

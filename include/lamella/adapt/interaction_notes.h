@@ -10,14 +10,14 @@
 
 namespace lamella
 {
-  /// Adds notes on @p touches of the SV @p beam without fields.
+  /// Adds notes on @p interactions of the SV @p beam without fields.
   void
   add_missing_field_notes(const Beam                          &beam,
                           const std::vector<LocalInteraction> &interactions,
                           std::vector<std::string>            &notes);
 
-  /// Adds notes on the @p touches of a heated @p beam that hold sections in
-  /// part: end fields do not cover heat there.
+  /// Adds notes on @p interactions of a heated @p beam that constrain sections
+  /// in part, where end fields do not cover heat.
   void
   add_guide_heat_notes(const Beam                          &beam,
                        const std::vector<LocalInteraction> &interactions,

@@ -17,24 +17,21 @@ namespace lamella
   /// section. It acts through rows over the DoFs,
   ///   r(u) = sum_i sum_alpha w_i f_alpha u_(i,alpha),
   /// with axis weights w and section load vectors f, the only loads that the
-  /// section has to respond to. A beam with all section fields at all nodes
-  /// provides them.
+  /// section has to respond to, from a beam with all fields at all nodes.
   struct LocalInteraction
   {
     /// Name, as in "contact nose".
     std::string name;
-    /// Section load vectors f in the section's fields, independent and of unit
-    /// length.
+    /// Independent section load vectors f of unit length.
     std::vector<Vector> loads;
-    /// Vectors of the area-weighted mean of all rows, and of their linear part
-    /// across: the action on the section far away.
+    /// Area-weighted mean of all rows, and their linear part across: the far
+    /// load.
     std::vector<Vector> smooth;
     /// Range of the axis elements, or of the node [length].
     double begin = 0., end = 0.;
-    /// Length of the shortest axis element there or beside the node: the scale
-    /// of the fastest variation along the axis [length].
+    /// Length of the shortest axis element there [length].
     double element = 0.;
-    /// True if it holds the section as a whole: a clamp (is_clamp()).
+    /// True if it constrains the section as a whole: a clamp (is_clamp()).
     bool constrains_section = false;
     /// True if it is only an end that is free to deform.
     bool is_free = false;
@@ -44,11 +41,11 @@ namespace lamella
     bool is_contact_side = false, holds = false, is_heat_source = false;
   };
 
-  /// Returns the touches of body @p body, @p beam with all fields at all nodes,
-  /// in the order of supports, loads, contacts. A contact is followed by its
-  /// friction along either tangent. Contact normal to the axis is taken without
-  /// its part along it (sloping surfaces). Heat that varies along the axis is a
-  /// load named "heat" after the loads.
+  /// Returns the interactions of body @p body, @p beam with all fields at all
+  /// nodes, in the order of supports, loads, contacts. A contact is followed by
+  /// its friction along either tangent. Contact normal to the axis is taken
+  /// without its part along it. Heat that varies along the axis is a load
+  /// "heat".
   std::vector<LocalInteraction>
   find_interactions(const Beam                          &beam,
                     const unsigned int                   body,
@@ -64,8 +61,8 @@ namespace lamella
                  const unsigned int body,
                  const Bodies      &bodies);
 
-  /// Returns the ends of the heated @p beam that none of @p touches holds as a
-  /// whole, where thermal stress along the axis ends; none if it is not heated.
+  /// Returns the ends of the heated @p beam that no interaction constrains as a
+  /// whole, where thermal stress along the axis ends.
   std::vector<LocalInteraction>
   heated_free_ends(const Beam                          &beam,
                    const std::vector<LocalInteraction> &interactions);

@@ -18,14 +18,13 @@ namespace lamella
 
   /// Returns whether the support on @p region is a clamp at @p y of an axis of
   /// length @p length: it is on the start or end of the body or on all of it,
-  /// and so holds the whole section in at least one direction. This is the
-  /// meaning of clamp throughout the program. Clamps have end fields instead of
-  /// load vectors, and the shortest axis elements.
+  /// and so constrains the whole section in at least one direction. Clamps have
+  /// end fields instead of load vectors, and the shortest axis elements.
   bool
   is_clamp(const Region &region, const double y, const double length);
 
-  /// Returns whether one of @p supports is on all of body @p body, as in plane
-  /// strain: each section is clamped.
+  /// Returns whether one of @p supports is on all of body @p body (plane
+  /// strain).
   bool
   is_constrained_along_axis(const std::vector<Support> &supports,
                             const unsigned int          body);
@@ -56,17 +55,15 @@ namespace lamella
     BodySize size;
     /// Requested or assumed theory.
     Theory theory;
-    /// True if the theory is assumed, so that a run to a tolerance may begin
-    /// with another one.
+    /// True if the theory is assumed, and a run to a tolerance may replace it.
     bool is_assumed = false;
-    /// True if the scene has contacts; if the axis is graded automatically; if
-    /// nodes have theories by hand (`Theories`).
+    /// True if the scene has contacts; a graded axis; `Theories` by hand.
     bool has_contacts = false, is_graded_automatically = false,
          has_pieces = false;
     /// True if the scene could not be solved with fewer than all fields.
     bool is_unsolved = false;
     /// Mean number per node of load vectors that supports (without clamps)
-    /// hold, and of fields that nodes would carry, if known.
+    /// constrain, and of fields, if known.
     std::optional<double>       held;
     std::optional<unsigned int> wanted;
   };
@@ -75,32 +72,28 @@ namespace lamella
   struct BodyPlan
   {
     Theory theory;
-    /// Number of equal elements of an axis otherwise graded automatically; 0:
-    /// axis as requested.
+    /// Number of equal elements in place of a graded axis; 0: as requested.
     unsigned int equal_elements = 0;
-    /// True if all nodes carry all section fields, since chosen ones have no
-    /// advantage or there is no choice.
+    /// True if all nodes carry all section fields.
     bool all_fields = true;
-    /// Reasons for the theory, and for all fields if the theory allows fewer,
-    /// as parts of a sentence; empty if there was no decision.
+    /// Reasons for the theory, and for all fields; empty without a decision.
     std::string theory_reason, fields_reason;
   };
 
   /**
    * Returns the model of a body from its @p facts. Rules whose facts are
    * unknown are skipped. In this order:
-   *
    *   theory   as requested; an assumed one in a scene with contacts becomes
-   *            LE-3 (first_degree) if contacts may touch more than
-   *            max_contact_share of it, on equal elements: one if supports hold
-   * it all along, else its length over the section's extent, from two to
-   * equal_elements; LE-3 also if LE-2 has at most cheap_dofs fields   all of
-   * the section if the theory has no others; chosen ones of SV and with
-   * `Theories`; of SV-N all if the scene could not be solved with fewer, the
-   * body is held all along, has at most min_nodes nodes, or more than
-   * max_held_share of a node's fields held or max_fields_share of them wanted
-   *
-   * A pure function of its arguments.
+   *            LE-3 (first_degree) if contacts may cover more than
+   *            max_contact_share of it, on equal elements: one if supports
+   *            constrain it all along, else its length over the section's
+   *            extent, from two to equal_elements; LE-3 also if LE-2 has at
+   *            most cheap_dofs
+   *   fields   all of the section if the theory has no others; chosen ones of
+   *            SV and with `Theories`; of SV-N all if the scene could not be
+   *            solved with fewer, the body is supported all along, has at most
+   *            min_nodes nodes, or more than max_held_share of a node's fields
+   *            constrained or max_fields_share of them requested
    */
   BodyPlan
   plan(const PlanInput &facts, const PlanRules &rules = {});
@@ -109,22 +102,21 @@ namespace lamella
   std::string
   describe_fields(const PlanInput &facts, const BodyPlan &planned);
 
-  /// Returns the approximate number of DoFs of LE-@p degree with the nodes and
-  /// cells of @p size: three per point of a square grid.
+  /// Returns the approximate number of DoFs of LE-@p degree for @p size: three
+  /// per point of a square grid.
   double
   layerwise_dofs(const BodySize &size, const unsigned int degree);
 
-  /// Returns the reason why LE of a low degree costs less for a body of @p size
-  /// than computing its own fields; empty if it does not.
+  /// Returns why LE of a low degree costs less for a body of @p size than its
+  /// own fields; empty if it does not.
   std::string
   reason_for_layerwise(const BodySize &size, const PlanRules &rules = {});
 
   /// Predicted cost of a model.
   struct Cost
   {
-    /// Number of nonzeros of the stiffness factor, 8 bytes each, and
-    /// multiplications to compute it: z^2 / n at least for n columns and z
-    /// nonzeros, the sum of squared column lengths if they are equal.
+    /// Nonzeros of the stiffness factor, 8 bytes each, and multiplications to
+    /// compute it: at least z^2 / n for n columns and z nonzeros.
     double non_zeros = 0., operations = 0.;
   };
 
@@ -134,8 +126,7 @@ namespace lamella
    * node i, and b_i half of them plus those of nodes coupled to it when it is
    * eliminated: inner nodes of an element first, each with its remaining nodes
    * and the two ends, then the ends along the axis, each with the next. Blocks
-   * count as full, as those of chosen fields are. LE, whose cells couple to
-   * neighbors only, has at most of_layers n^(4/3) nonzeros, and a solid
+   * count as full. LE has at most of_layers n^(4/3) nonzeros, and a solid
    * of_solid n^(4/3), as for nested dissection of a cube (George and Liu,
    * Computer Solution of Large Sparse Positive Definite Systems, 1981, ch. 8).
    */

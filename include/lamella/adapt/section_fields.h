@@ -17,35 +17,32 @@
 
 namespace lamella
 {
-  /// The fields of one section, for all bodies with this section and theory.
-  /// Load vectors are grouped by touch; equal touches share a group (as the two
-  /// supports of a beam in bending). Zones of end fields are groups, too.
+  /// The fields of one section, for all bodies with this section and theory, in
+  /// groups of equal load vectors or zones of end fields.
   class SectionFields
   {
   public:
     /// Computes the states and warpings of @p section, and its responses to
-    /// slowly varying actions along the axis: @p heat and the section load
-    /// vectors @p weights. Throws NumericsError if its matrices cannot be
-    /// factorized.
+    /// slowly varying actions along the axis: @p heat and the load vectors @p
+    /// weights. Throws NumericsError if its matrices cannot be factorized.
     SectionFields(std::shared_ptr<const Section>               section,
                   const Theory                                &theory,
                   const FieldRules                            &rules,
                   const std::vector<Beam::SectionThermalLoad> &heat    = {},
                   const std::vector<Vector>                   &weights = {});
 
-    /// Returns the group of @p touch.
+    /// Returns the group of @p interaction.
     unsigned int
     group_of(const LocalInteraction &interaction);
 
-    /// Returns the groups of a free end or a section held as a whole, @p held:
-    /// the zones of its end fields; or the tractions of its @p touch if it is
-    /// held without end fields, or the rules want them.
+    /// Returns the groups of a free end or of a clamped section @p held: the
+    /// zones of its end fields, or the tractions of its @p interaction without
+    /// them.
     std::vector<unsigned int>
     groups_of(const LocalInteraction                &interaction,
               const std::vector<ConstrainedSection> &held);
 
-    /// Returns the distance along the axis within which nodes carry the fields
-    /// of group @p g.
+    /// Returns the distance within which nodes carry the fields of group @p g.
     double
     influence_length_of(const unsigned int g) const;
 
@@ -57,7 +54,7 @@ namespace lamella
     }
 
     /// Returns the number of load vectors of group @p group that a support
-    /// holds; 0 if it holds the section as a whole.
+    /// constrains; 0 for a clamp.
     std::size_t
     n_constrained(const unsigned int group) const
     {
@@ -95,9 +92,8 @@ namespace lamella
       double influence_length = 0.;
       /// True if the group holds a section as a whole.
       bool holds = false;
-      /// Returns the sort key of groups near a node, the first added last:
-      /// outer zones come before inner ones, and after groups with load
-      /// vectors.
+      /// Returns the sort key of groups near a node: outer zones before inner
+      /// ones, and after groups with load vectors.
       std::pair<double, std::size_t>
       order() const
       {
@@ -106,8 +102,7 @@ namespace lamella
                 loads.size()};
       }
 
-      /// Returns whether its fields serve @p other: the same loads on elements
-      /// as short.
+      /// Returns whether @p other has the same loads on elements as short.
       bool
       has_same_loads(const Group &other) const;
     };
@@ -120,8 +115,7 @@ namespace lamella
       std::vector<unsigned int>      groups;
     };
 
-    /// Returns the groups of the end fields of @p held, made once, or mirrored
-    /// from the other end if it is the mirror image.
+    /// Returns the groups of the end fields of @p held, perhaps mirrored.
     const std::vector<unsigned int> &
     zones_of(const ConstrainedSection &held);
 
@@ -137,13 +131,11 @@ namespace lamella
       const double ratio = double(rules.reference_waves) / theory.order;
       return rules.near_tolerance * std::min(1., ratio * ratio);
     }
-    /// Computes the responses of all groups at one set of wave numbers, with
-    /// one factorization each.
+    /// Computes the responses of all groups, one factorization per wave number.
     void
     find_responses();
-    /// Returns tractions in place of load vectors for a section held as a
-    /// whole, which holds the warping w: those of w as a value and as a
-    /// derivative.
+    /// Returns tractions in place of load vectors for a clamped section with
+    /// the warping w: those of w as a value and as a derivative.
     std::vector<Vector>
     tractions_of_warpings() const;
     /// Returns the independent responses to smooth loads.

@@ -13,24 +13,21 @@
 namespace lamella
 {
   /**
-   * Returns the reason why strains and stresses have no limit under refinement
-   * at @p position (scene axes) of body @p body: a sentence without a full
-   * stop, empty if none is known. Known reasons are
-   *
+   * Returns why strains and stresses have no limit under refinement at @p
+   * position (scene axes) of body @p body: a sentence without a full stop,
+   * empty if no reason is known. Known reasons are
    *   loads         on a point and along a line: stresses go as 1/r^2 and 1/r
-   *   clamps        an end held along the axis and along the normal n of a
-   *                 free side there: r^-0.29 for a Poisson's ratio of 0.3
-   *                 (Williams, J. Appl. Mech. 19 (1952) 526-528). Held in one
-   *                 of these directions only, the body continues as its mirror
-   *                 image
+   *   clamps        an end constrained along the axis and along the normal n
+   *                 of a free side there: r^-0.29 for a Poisson's ratio of 0.3
+   *                 (Williams, J. Appl. Mech. 19 (1952) 526-528). Constrained
+   *                 in one of these directions only, the body continues as its
+   *                 mirror image
    *   contacts      an end of a body on another that continues, in the
    *                 undeformed scene: the edge of a punch
    *   corners       of the section, re-entrant or with ends of different
    *                 plies (singular_corners()), if the section can deform.
-   *
    * Not considered: loads that do not excite a singularity, as bending at the
-   * corner of an L; points that supports hold, whose reactions may be zero; and
-   * edges of obstacles.
+   * corner of an L; supported points; and edges of obstacles.
    */
   std::string
   singularity_reason(const dealii::Point<3>         &position,

@@ -17,16 +17,15 @@ namespace lamella
   std::vector<Theory>
   theories_at(const double y, const TheoryPieces &pieces, const double length);
 
-  /// Returns the list of LE-@p degree: all of the section's fields, or the
-  /// leading ones of lower degree.
+  /// Returns the list of LE-@p degree, all fields or those of lower degree.
   std::vector<unsigned int>
   list_of_degree(const Section &section, const unsigned int degree);
 
   /// Combined requirements of the pieces at a node.
   struct Wanted
   {
-    /// Highest degree of LE, or 0; whether there is SV, or only SV without
-    /// responses.
+    /// Highest degree of LE, or 0; whether there is SV (without responses
+    /// only).
     unsigned int degree = 0;
     bool         any_SV = false, plain = true;
   };
@@ -36,7 +35,7 @@ namespace lamella
   requirements_of(const std::vector<Theory> &theories);
 
   /// Adds notes on surface-to-surface contacts at nodes of LE of a lower degree
-  /// than the section's: they have a row for each node of its trace.
+  /// than the section's, which have a row per trace node.
   void
   add_coarse_row_notes(const Beam                          &beam,
                        const unsigned int                   body,
@@ -49,8 +48,8 @@ namespace lamella
   label_of(const BodyDescription                        &body,
            const std::vector<std::vector<unsigned int>> &lists);
 
-  /// Returns the body @p description, all of whose pieces are LE, like @p beam
-  /// but with the leading fields of each degree.
+  /// Returns the body @p description, whose pieces are LE, like @p beam but
+  /// with the leading fields of each degree.
   std::unique_ptr<Body>
   make_by_degrees(const BodyDescription &description, const Beam &beam);
 } // namespace lamella

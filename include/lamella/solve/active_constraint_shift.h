@@ -21,14 +21,12 @@ namespace lamella
    *   K x = r + B^T (lambda - lambda_0),   lambda = -eps g,
    * is that of
    *   S x = r + B^T (lambda' - lambda'_0),   lambda' = -(eps - rho) g,
-   * as long as the constraint has a force: a contact problem of the same kind,
-   * whose S has a Cholesky factor. If a constraint opens, x is off by the
-   * spring force, which the next iteration corrects. rho is a share of the
-   * penalty eps; a smaller share leaves less of the gap rounding, times rho, in
-   * the forces. Constraints without a penalty law keep their numerical penalty.
-   *
-   * A definite S implies that the state is stable as long as these constraints
-   * have forces.
+   * as long as the constraint is active: a contact problem whose S has a
+   * Cholesky factor. If a constraint opens, x is off by the spring force, which
+   * the next iteration corrects. rho is a share of the penalty eps; a smaller
+   * one leaves less rounding in the forces. Constraints without a penalty law
+   * keep their numerical penalty. A definite S implies that the state is stable
+   * as long as these constraints are active.
    */
   class ActiveConstraintShift
   {
@@ -36,9 +34,8 @@ namespace lamella
     /// Springs of each body.
     using Springs = std::vector<std::vector<SpringTerm>>;
 
-    /// Selects the constraints of @p state among the rows of @p contacts, with
-    /// rho = @p share times eps. @p n_bodies is the number of bodies in the
-    /// scene.
+    /// Selects active constraints of @p state among the rows of @p contacts for
+    /// @p n_bodies bodies, with rho = @p share times eps.
     ActiveConstraintShift(const std::vector<ContactInterface> &contacts,
                           const State                         &state,
                           const unsigned int                   n_bodies,
@@ -56,8 +53,7 @@ namespace lamella
       return of_bodies;
     }
 
-    /// Returns all rows of the contacts; shifted ones have the remaining
-    /// penalty.
+    /// Returns all rows; shifted ones have the remaining penalty.
     GapConstraints
     rows() const
     {
@@ -65,7 +61,7 @@ namespace lamella
     }
 
     /// Replaces the forces of @p state, displaced to @p u at @p factor, by
-    /// lambda', and back; rows that would be tensile are deactivated.
+    /// lambda', and back; tensile rows are deactivated.
     void
     remove_shift(const BlockVector &u,
                  const LoadFactor  &factor,

@@ -25,25 +25,22 @@ namespace lamella
     dealii::Tensor<1, 3> force, moment;
     /// Reference point of the moment, in the scene; not the point of action.
     dealii::Point<3> about;
-    /// The point on the line of action that is nearest to `about`. Empty if the
-    /// force is zero, or rounding beside the moment.
+    /// The point on the line of action nearest to `about`; empty for zero
+    /// force.
     std::optional<dealii::Point<3>> center_of_pressure = {};
   };
 
   /// Sum of all forces on one body with their moments about its center, and the
-  /// largest single one: a force, or a couple over the size of the body.
-  /// Resultants are computed as the work of the forces on the rigid motions of
-  /// the body.
+  /// largest single force, or couple over the size of the body, from the work
+  /// of the forces on the rigid motions.
   class BodyForces
   {
   public:
-    /// Creates an empty sum for the body @p of at its positions under @p u
-    /// (Body::rigid_motions_at()).
+    /// Creates an empty sum for the body @p of, displaced by @p u.
     BodyForces(const Body &of, const Vector &u);
 
-    /// Returns the force, and the moment about the center of the body, of the
-    /// load that does the work work(m) on a motion m of the body's degrees of
-    /// freedom.
+    /// Returns the force, and moment about the center, of the load that does
+    /// the work work(m) on a motion m of the DoFs.
     template <typename Work>
     Wrench
     resultant_of_work(const Work &work) const
@@ -68,8 +65,7 @@ namespace lamella
     void
     at_least(const double force);
 
-    /// Returns the magnitudes of the summed force and moment, relative to the
-    /// largest single force.
+    /// Returns the summed force and moment relative to the largest force.
     std::pair<double, double>
     unbalanced() const;
 

@@ -7,24 +7,20 @@
 
 namespace lamella
 {
-  /**
-   * The linear complementarity problem
-   *   s = M lambda + q >= 0,  lambda >= 0,  s_i lambda_i = 0
-   * with a dense symmetric positive definite M. Its unique solution minimizes
-   * 1/2 lambda^T M lambda + q^T lambda over lambda >= 0. If M is the
-   * regularized compliance of the contact constraints and q their gaps without
-   * contact forces, s are the gaps under the contact forces lambda, and the
-   * conditions are those of Eq. 18 with lambda positive in compression.
-   */
+  /// The linear complementarity problem
+  ///   s = M lambda + q >= 0,  lambda >= 0,  s_i lambda_i = 0
+  /// with a dense symmetric positive definite M. Its unique solution minimizes
+  /// 1/2 lambda^T M lambda + q^T lambda over lambda >= 0. With the regularized
+  /// compliance M of the contact constraints and their gaps q without contact
+  /// forces, s are the gaps under the forces lambda (Eq. 18).
   struct ComplementarityProblem
   {
-    /// Entries of M, n x n, column by column; both triangles are read. The
-    /// diagonal must be positive. Length over force if s is a gap.
+    /// Entries of M, n x n, column by column, with a positive diagonal; length
+    /// over force if s is a gap.
     std::vector<double> matrix;
     /// The n entries of q: s at lambda = 0.
     std::vector<double> q;
-    /// An s_i above -tolerance counts as zero, apart from the rounding that is
-    /// added to this bound; in the unit of q.
+    /// Any s_i above -tolerance (plus rounding) counts as zero, in q's unit.
     double tolerance = 0.;
   };
 
@@ -35,8 +31,8 @@ namespace lamella
     std::vector<double> lambda;
     /// True where lambda_i > 0.
     std::vector<bool> active;
-    /// Number of active sets solved for, and of interior-point iterations. Both
-    /// are zero if no q_i is negative, so that lambda = 0.
+    /// Number of active sets solved for, and of interior-point iterations; zero
+    /// if no q_i is negative.
     unsigned int pivot_rounds = 0, interior_iterations = 0;
   };
 
@@ -53,18 +49,14 @@ namespace lamella
    * the size (Mehrotra, 1992), and pivoting finishes. If the number of wrong
    * constraints then does not fall for three rounds, only the one with the
    * largest index changes (Murty's rule), which cannot cycle for a positive
-   * definite M (Judice and Pires, 1994).
+   * definite M (Judice and Pires, 1994). It stops after 10 n + 100 sets and
+   * returns the last one.
    *
-   * M and q are scaled first, so units do not matter. A lambda_i that is zero,
-   * or negative by rounding, deactivates its constraint, which changes s_i by
-   * rounding only.
-   *
-   * Costs: |A|^3 / 3 for the Cholesky factor of a set and n |A| for s; n^3 / 3
-   * for an interior-point iteration; memory for two or three n^2 numbers.
-   * Murty's rule stops after 10 n + 100 sets and returns the last one.
-   *
-   * Throws NumericsError if a factorized block of M is not positive definite.
-   * Not collective: all processes may do the same work.
+   * M and q are scaled first. A lambda_i that is zero, or negative by rounding,
+   * deactivates its constraint, which changes s_i by rounding only. Costs:
+   * |A|^3 / 3 for the Cholesky factor of a set and n |A| for s; n^3 / 3 for an
+   * interior-point iteration. Throws NumericsError if a factorized block of M
+   * is not positive definite. Not collective.
    */
   ComplementaritySolution
   solve_complementarity(const ComplementarityProblem &problem,

@@ -28,25 +28,21 @@ namespace lamella
    * many as the set has. If most of the set stays open, such as in a stack of
    * bodies that close one after the other, idle rows are removed, each at most
    * once. Termination: the energy grows in every round, since a removed row has
-   * no force, and a row that returns stays. Multiplier rows that touch because
-   * others have closed join last. If rows are dependent (more contact points
-   * than surface DoFs) they then share the force as in the least-squares
-   * solution.
-   *
-   * Without removals, the working set at least doubles per round, so there are
-   * at most about 2 + log2(rows / 8) rounds. For n rows, a round costs a few
-   * dense factorizations (n^3 / 3) and the gaps of all rows. Memory: Compliance
-   * and n^2 numbers.
+   * no force, and a row that returns stays. Multiplier rows that close because
+   * others have closed join last. Dependent rows (more contact points than
+   * surface DoFs) share the force as in the least-squares solution. Without
+   * removals, the working set at least doubles per round, so there are at most
+   * about 2 + log2(rows / 8) rounds. For n rows, a round costs a few dense
+   * factorizations (n^3 / 3) and the gaps of all rows.
    */
   class CondensedStrategy : public ContactStrategy
   {
   public:
-    /// Refers to @p linearization, which must have solvers.
+    /// Refers to @p tangent_operator, which must have solvers.
     CondensedStrategy(const TangentOperator &tangent_operator,
                       const GapConstraints  &rows);
 
-    /// Solves @p problem. Also throws NumericsError as solve_complementarity()
-    /// does.
+    /// Solves @p problem. Throws also as solve_complementarity() does.
     ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor) override;
 
@@ -78,10 +74,9 @@ namespace lamella
     }
 
   private:
-    /// Returns d of an included gap or slip. It is at least 1e-10 of the
-    /// compliance of the row, so that C + d is definite for dependent rows, and
-    /// at least 1e-8 of NumericalCompliance, for rows without compliance.
-    /// `exact` takes this lower bound.
+    /// Returns d of an included gap or slip, at least 1e-10 of the row's
+    /// compliance, so that C + d is definite for dependent rows, and 1e-8 of
+    /// NumericalCompliance. `exact` takes this lower bound.
     double
     compliance_of_law(const unsigned int number) const;
 
@@ -92,9 +87,8 @@ namespace lamella
     /// Returns R K^-1 C + d of @p closed, column by column.
     std::vector<double>
     contact_system(const ActiveConstraints &closed);
-    /// Replaces @p lambda by (R K^-1 C + d)^-1 lambda. The matrix has a
-    /// Cholesky factor, which is kept, if nothing slips. Throws NumericsError
-    /// if it is singular.
+    /// Replaces @p lambda by (R K^-1 C + d)^-1 lambda. The Cholesky factor is
+    /// kept if nothing slips. Throws NumericsError if the matrix is singular.
     void
     solve_on_active_set(const ActiveConstraints &closed,
                         std::vector<double>     &lambda);
@@ -102,46 +96,42 @@ namespace lamella
     /// Pairs of negative gap and row, the smallest gap first.
     using Violations = std::vector<std::pair<double, unsigned int>>;
 
-    /// Returns the initial working set: rows that are active or have a nonzero
-    /// or estimated force, and those already included, unless most of them
-    /// would be idle. Empty if no gap is closed and no row is active.
+    /// Returns the initial working set: rows that are active or have a force,
+    /// and those included, unless most would be idle. Empty without closed
+    /// rows.
     std::vector<unsigned int>
     initial_working_set(const ContactProblem &problem) const;
 
-    /// Returns the rows outside @p part that have no compliance of their own (a
-    /// = 0) and touch under the gaps @p g, to within a hundred times the
-    /// tolerance of a closed gap.
+    /// Returns the rows outside @p part without compliance (a = 0) that close
+    /// under the gaps @p g, to a hundred times the tolerance.
     Violations
     touching_rows(const ContactProblem            &problem,
                   const std::vector<unsigned int> &part,
                   const std::vector<double>       &g) const;
 
-    /// Solves @p problem on the rows @p part (included, ascending), starting
-    /// from their active rows in @p solution; all other rows keep their forces.
-    /// Sets du, the forces of @p part and the active rows.
+    /// Solves @p problem on the rows @p part (included, ascending), from their
+    /// active rows in @p solution; other rows keep their forces. Sets du, the
+    /// forces of @p part and the active rows.
     void
     solve_working_set(const ContactProblem            &problem,
                       const std::vector<unsigned int> &part,
                       ContactSolution                 &solution);
 
-    /// Solves @p problem as solve_working_set() does, with Coulomb's law on the
-    /// compliance (solve_coulomb()) and no regularization but the compliance of
-    /// the contact law. Throws NumericsError if no forces, or only unstable
-    /// ones, satisfy the law.
+    /// Solves @p problem as solve_working_set() does, with Coulomb's law
+    /// (solve_coulomb()) and the compliance of the contact law only. Throws
+    /// NumericsError without (stable) forces that satisfy the law.
     void
     solve_with_friction(const ContactProblem            &problem,
                         const std::vector<unsigned int> &part,
                         ContactSolution                 &solution);
-    /// Returns the Coulomb problem on @p part about the state, in which the
-    /// rows have @p forces.
+    /// Returns the Coulomb problem on @p part about the state with @p forces.
     CoulombProblem
     coulomb_problem(const ContactProblem            &problem,
                     const std::vector<unsigned int> &part,
                     const std::vector<double>       &forces) const;
 
-    /// Removes idle rows, which have and had no force, from @p part and adds
-    /// them to @p left, if they are most of it. Rows that were removed before
-    /// stay.
+    /// Moves idle rows without force from @p part to @p left, if they are most
+    /// of it. Rows that were removed before stay.
     static void
     remove_idle_rows(const ContactProblem      &problem,
                      const ContactSolution     &solution,
@@ -150,8 +140,7 @@ namespace lamella
 
     /// Compliance of all rows that were ever in the working set.
     Compliance compliance;
-    /// Factor of C + d of the last linear solution, its active rows, and their
-    /// d.
+    /// Factor of C + d of the last linear solution, its active rows, and d.
     std::optional<DenseCholesky> factor;
     std::vector<unsigned int>    factorized_for;
     std::vector<double>          factorized_with;

@@ -7,15 +7,11 @@
 
 namespace lamella
 {
-  /**
-   * Returns the minimum of 1/2 x . W x + q . x over x_i in the Lorentz cones
-   * |x_t| <= x_n, a convex problem with a unique solution if W is positive
-   * definite. Interior-point method with Nesterov-Todd scaling and Mehrotra's
-   * predictor (Andersen, Roos and Terlaky, Math. Program. 95 (2003) 249-277):
-   * 10 to 25 factorizations of W plus a block per point, independent of the
-   * size. Without convergence the last iterate is returned, an approximation to
-   * start from.
-   */
+  /// Returns the minimum of 1/2 x . W x + q . x over x_i in the Lorentz cones
+  /// |x_t| <= x_n, unique if W is positive definite. Interior-point method with
+  /// Nesterov-Todd scaling and Mehrotra's predictor (Andersen, Roos and
+  /// Terlaky, Math. Program. 95 (2003) 249-277): 10 to 25 factorizations of W
+  /// plus a block per point. Without convergence the last iterate is returned.
   PointVectors
   cone_minimum(const PointCompliance &W, const PointVectors &q);
 } // namespace lamella

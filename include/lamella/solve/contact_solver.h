@@ -14,9 +14,8 @@
 
 namespace lamella
 {
-  /// Tolerances and limits of the iterations of ContactSolver. Values without a
-  /// unit are relative to the displacements
-  /// (ContactSolver::displacement_scale()).
+  /// Tolerances and limits of ContactSolver. Values without a unit are relative
+  /// to ContactSolver::displacement_scale().
   struct SolverParameters
   {
     /// Limit of the contact iterations; more are a failure.
@@ -24,26 +23,23 @@ namespace lamella
 
     /// Relative correction that ends the refinement.
     double refinement_tolerance = arithmetic::rounding_of_sums;
-    /// Limit of the corrections beyond the mandatory ones. A correction above
-    /// half the previous one also ends the refinement.
+    /// Limit of corrections beyond the mandatory ones; one above half the
+    /// previous one ends the refinement, too.
     unsigned int max_refinements = 6;
 
-    /// Gaps above minus this share are rounding; the last correction takes its
-    /// place if it is larger.
+    /// Gaps above minus this share, or the last correction, are rounding.
     double rounding = arithmetic::rounding;
-    /// Tolerance of the contact law in active constraints, and the weaker one
-    /// that is accepted if a further round hardly improves it.
+    /// Tolerance of the law in active constraints, and a weaker one that is
+    /// accepted if a further round hardly improves it.
     double law_tolerance      = arithmetic::rounding_of_results,
            weak_law_tolerance = arithmetic::rounding_of_solutions;
-    /// A round is slow if it leaves more than this share of the previous
-    /// violation.
+    /// A round is slow if it leaves more than this share of the violation.
     double slow = 0.1;
     /// Limit of the rounds of ContactSolver::correct_active_set().
     unsigned int max_set_corrections = 20;
 
-    /// Relative change of the spring offsets that ends their release, or the
-    /// remaining spring force over the largest load or contact force. (A motion
-    /// without load and constraint drifts by rounding, with negligible force.)
+    /// Relative change of the spring offsets that ends their release, or
+    /// remaining spring force over the largest load or contact force.
     double spring_offset_tolerance = arithmetic::rounding_of_results,
            spring_force_tolerance  = arithmetic::rounding_of_sums;
     unsigned int max_releases      = 60;
@@ -53,9 +49,7 @@ namespace lamella
    * Solver of one load step: first the linear solution, then contact, then the
    * release of stabilizing springs. A ContactStrategy finds the active set; the
    * result is refined against the residual evaluated from strains and the
-   * contact law.
-   *
-   * Equations at load factor t, with the gap rows B:
+   * contact law. Equations at load factor t, with the gap rows B:
    *   f_int(u) + f_springs(u) = t f + B^T lambda   (in the free DoFs)
    *   g(u) + a lambda >= 0,  lambda >= 0,  one of them zero in each row.
    * f_int is linear in u; the active set is the only nonlinearity.
@@ -63,10 +57,8 @@ namespace lamella
    * Iterative refinement: both residuals are evaluated at the state, f_int from
    * strains (Structure::residual()), and corrected with the inverse of the
    * strategy. The residuals determine the accuracy, the matrix only the rate of
-   * convergence.
-   *
-   * Refers to the structure and views the gap rows: both must outlive it.
-   * Collective, with the same arguments and states on all processes.
+   * convergence. Refers to the structure and views the gap rows. Collective,
+   * with the same arguments and states on all processes.
    */
   class ContactSolver
   {
@@ -76,9 +68,9 @@ namespace lamella
     /// Function that describes the gap row of a given number.
     using Describe = std::function<std::string(const unsigned int)>;
 
-    /// Creates a solver about the state of @p linearization with the strategy
-    /// @p which (make_strategy()). Refers to the structure and the rows; solves
-    /// nothing.
+    /// Creates a solver about the state of @p tangent_operator with the
+    /// strategy @p which (make_strategy()). Refers to structure and rows;
+    /// solves nothing.
     ContactSolver(std::shared_ptr<const TangentOperator> tangent_operator,
                   const GapConstraints                  &rows,
                   const SolverParameters &parameters = SolverParameters(),
@@ -86,14 +78,13 @@ namespace lamella
 
     /// Callback for a line of text per iteration; no output by default.
     Progress progress;
-    /// Description of a gap row for the user: contact, body, position. Its
-    /// number by default.
+    /// Description of a gap row: contact, body, position; by default its
+    /// number.
     Describe describe;
 
     /// Returns the linear solution at load factor @p factor without active
     /// constraints, with the springs free of force at @p rest: u = t u_p, then
-    /// at least two corrections (the first is the solution itself). Throws
-    /// NumericsError if the result is not finite.
+    /// at least two corrections. Throws NumericsError if it is not finite.
     State
     solve_free(const LoadFactor &factor, const SpringOffsets &rest = {});
 
@@ -108,16 +99,13 @@ namespace lamella
      *
      * Each round determines the active set about the current state for
      * estimates of the forces, refines the state, and checks the contact law.
-     * Tensile or penetrating constraints start a new round. `exact` and
-     * `augmented lagrangian` use the same loop: each refinement and round takes
-     * the current forces as estimates (proximal point iteration, method of
-     * multipliers). The loop ends if no active constraint is tensile, no other
-     * penetrates beyond rounding, and active constraints satisfy the law to
-     * law_tolerance, or to weak_law_tolerance after a slow round.
-     *
-     * Termination: each round counts as at least one of the max_iterations, as
-     * it has an active constraint or a force. Convergence in exact arithmetic:
-     * the forces solve a strictly convex problem, refinement changes only the
+     * `exact` and `augmented lagrangian` use the same loop: each refinement and
+     * round takes the current forces as estimates (proximal point iteration,
+     * method of multipliers). The loop ends if no active constraint is tensile,
+     * no other penetrates beyond rounding, and active constraints satisfy the
+     * law to law_tolerance, or to weak_law_tolerance after a slow round. Each
+     * round counts as at least one of the max_iterations. Convergence: the
+     * forces solve a strictly convex problem, refinement changes only the
      * estimates, and each proximal step reduces the distance to the solution.
      */
     State
@@ -130,20 +118,18 @@ namespace lamella
      * the stabilizing springs. Each round calls solve_free() and
      * solve_contact() with the spring offsets at the previous state (proximal
      * point method), and leaves the share s / (s + k) of the spring forces,
-     * with the stiffness s of the springs and k of the contact that holds the
-     * body.
-     *
-     * Ends if the offsets change by less than 1e-12 of the displacements, or
-     * the springs carry less than 1e-13 of the largest load or contact force.
-     * Returns @p state at once if no body has springs. Throws NumericsError
-     * after 60 rounds: nothing holds the body, or the springs are too stiff, in
-     * which case the message gives the Stabilization to use.
+     * with the stiffness s of the springs and k of the contact that constrains
+     * the body. Ends if the offsets change by less than 1e-12 of the
+     * displacements, or the springs carry less than 1e-13 of the largest load
+     * or contact force. Throws NumericsError after 60 rounds: nothing
+     * constrains the body, or the springs are too stiff, in which case the
+     * message gives the Stabilization to use.
      */
     State
     release_springs(State state, const LoadFactor &factor);
 
-    /// Returns g = B u + g_init + t g_rate of each constraint at load factor t
-    /// = @p factor (Eq. 16) [length], negative for penetration.
+    /// Returns g = B u + g_init + t g_rate of each constraint at t = @p factor
+    /// (Eq. 16) [length].
     std::vector<double>
     gaps(const BlockVector &u, const LoadFactor &factor) const;
 
@@ -158,9 +144,8 @@ namespace lamella
       strategy->solve(closed, r_u, r_lambda, du, dlambda);
     }
 
-    /// Returns the closed gaps of @p state with all their slips, which gives a
-    /// symmetric matrix: the constraints against a small disturbance, as a
-    /// sliding point resists until its slip is reversed.
+    /// Returns the closed gaps of @p state with all slips, for a symmetric
+    /// matrix: a sliding point resists small disturbances until it reverses.
     ActiveConstraints
     sticking_equations(const State &state) const;
 
@@ -170,8 +155,7 @@ namespace lamella
     {
       return strategy->memory();
     }
-    /// Restores @p memory in a solver of the same scene that has not solved
-    /// yet.
+    /// Restores @p memory in a new solver of the same scene.
     void
     restore(const StrategyHistory &memory)
     {
@@ -185,8 +169,7 @@ namespace lamella
       return *tangent_operator;
     }
 
-    /// Returns the linearization for another solver, with other rows and the
-    /// same stiffness.
+    /// Returns the tangent operator for another solver with other rows.
     std::shared_ptr<const TangentOperator>
     shared_tangent() const
     {
@@ -207,10 +190,10 @@ namespace lamella
       /// Active constraints that are tensile, and others that penetrate.
       std::vector<unsigned int> tensile, penetrating;
       /// Sticking constraints beyond mu lambda_n, and slipping ones whose slip
-      /// is not opposite to the shear force.
+      /// is along their shear force.
       std::vector<unsigned int> friction_violations;
-      /// Largest |g + a lambda| of the other active constraints, and |v| of the
-      /// sticking ones [length].
+      /// Largest |g + a lambda| of other active constraints, |v| of sticking
+      /// ones.
       double gap = 0.;
 
       bool
@@ -221,15 +204,14 @@ namespace lamella
       }
     };
 
-    /// Returns the violations of @p state; gaps above -@p closed do not
-    /// penetrate.
+    /// Returns the violations of @p state; gaps above -@p closed are closed.
     ContactViolations
     violations(const State      &state,
                const LoadFactor &factor,
                const double      closed) const;
 
-    /// Adds to @p found the violation of Coulomb's law in row @p r of @p state.
-    /// Forces below @p small and lengths below @p closed are rounding.
+    /// Adds to @p found the violation of Coulomb's law in row @p r, with forces
+    /// below @p small and lengths below @p closed as rounding.
     void
     add_friction_violations(const State       &state,
                             const LoadFactor  &factor,
@@ -238,108 +220,97 @@ namespace lamella
                             const double       small,
                             ContactViolations &found) const;
 
-    /// Returns r_lambda, the residual of the contact law for each number of
-    /// @p closed.
+    /// Returns the residual of the contact law for each number of @p closed.
     Vector
     law_residual(const State             &state,
                  const LoadFactor        &factor,
                  const ActiveConstraints &closed) const;
-    /// Returns the misses() of a refined state, allowing for the rounding of
-    /// its last correction.
+    /// Returns violations() beyond the rounding of the last correction.
     ContactViolations
     find_violations(const State &state, const LoadFactor &factor) const;
 
-    /// Returns true if the @p error of the law [length] is small enough to end.
-    /// The tolerance is weaker if the round @p was_slow.
+    /// Returns true if the @p error of the law [length] is small enough, which
+    /// is more if the round @p was_slow.
     bool
     satisfies_contact_law(const State      &state,
                           const LoadFactor &factor,
                           const double      error,
                           const bool        was_slow) const;
 
-    /// Returns the first problem, about the state without contact forces. The
-    /// estimates are the forces of @p previous in its active constraints that
-    /// penetrate in @p free.
+    /// Returns the first problem, about the state without contact forces, with
+    /// the forces of @p previous constraints that penetrate in @p free as
+    /// estimates.
     ContactProblem
     first_problem(const State      &free,
                   const LoadFactor &factor,
                   const State      &previous) const;
-    /// Returns the next problem, about the refined @p state with its forces as
-    /// estimates.
+    /// Returns the next problem, about @p state with its forces as estimates.
     ContactProblem
     problem_at(const State &state, const LoadFactor &factor) const;
 
     /// Replaces @p state by the state of the forces of @p settled, and returns
-    /// true if that satisfies the contact law. Used for dependent constraints,
-    /// where refinement shifts forces, also below zero, by rounding. Returns
-    /// false, without effect, if the strategy does not compute forces to that
-    /// accuracy.
+    /// true if that satisfies the contact law: for dependent constraints, where
+    /// refinement shifts forces by rounding. Returns false, without effect, if
+    /// the strategy is not as accurate.
     bool
     multipliers_are_reliable(State            &state,
                              const State      &settled,
                              const LoadFactor &factor);
 
-    /// Corrects the active set of the refined @p state where constraints barely
-    /// touch, so that rounding of the compliance repeats a wrong set. Tensile
-    /// constraints leave, penetrating ones join, and the state is refined, in
-    /// at most max_set_corrections rounds. Returns false, without effect, on
-    /// failure.
+    /// Corrects the active set of the refined @p state where rounding of the
+    /// compliance repeats a wrong set: tensile constraints leave, penetrating
+    /// ones join, and the state is refined, in at most max_set_corrections
+    /// rounds. Returns false, without effect, on failure.
     bool
     correct_active_set(State &state, const LoadFactor &factor);
 
     /// Corrects u and the forces of the active constraints once, against r_u =
     /// t f + B^T lambda - integral B^T C (B u) and r_lambda = -(g + a lambda),
-    /// or -v if sticking. Returns the maximum norm of the correction over that
-    /// of u, or 0 if there was none. The active set is kept. Throws
-    /// NumericsError if the result is not finite.
+    /// or -v if sticking, with the active set kept. Returns the maximum norm of
+    /// the correction over that of u. Throws NumericsError if it is not finite.
     double
     correct(State &state, const LoadFactor &factor);
 
-    /// Corrects @p at_least times, then until is_refined(). Returns the result
-    /// of each correct().
+    /// Corrects @p at_least times, then until is_refined(); returns all
+    /// correct().
     std::vector<double>
     refine(State &state, const LoadFactor &factor, const unsigned int at_least);
 
-    /// Returns true if another correction would be rounding: the last of
-    /// @p corrections is below the tolerance, above half of the previous one,
-    /// or the limit is reached.
+    /// Returns true if another correction would be rounding: the last of @p
+    /// corrections is small or above half of the previous one, or at the limit.
     bool
     is_refined(const std::vector<double> &corrections,
                const unsigned int         at_least) const;
 
-    /// Returns the reference length of the rounding in @p state: the largest
-    /// displacement, including that of moving obstacles along the normals.
+    /// Returns the largest displacement, obstacles along normals included.
     double
     displacement_scale(const State &state, const LoadFactor &factor) const;
 
-    /// Returns the tolerance @p share of displacement_scale(), at least
-    /// State::rounding().
+    /// Returns @p share of displacement_scale(), at least State::rounding().
     double
     length_of(const double      share,
               const State      &state,
               const LoadFactor &factor) const;
 
-    /// Returns a sentence on the initial overlap of bodies, its place, and the
-    /// remedy; empty without overlap.
+    /// Returns a sentence on the initial overlap of bodies, or nothing.
     std::string
     describe_overlap() const;
 
-    /// Counts @p round in @p iterations and reports it. Throws NumericsError if
-    /// constraints still change after too many.
+    /// Counts @p round in @p iterations and reports it, with
+    /// check_iterations().
     void
     watch(const Round &round, unsigned int &iterations) const;
 
     /// Throws NumericsError once @p iterations reaches max_iterations, naming
-    /// the first three constraints that are still @p changing.
+    /// three constraints that are @p changing.
     void
     check_iterations(const unsigned int               iterations,
                      const std::vector<unsigned int> &changing) const;
 
     /// Throws the NumericsError of release_springs() for the spring under the
-    /// largest force. The body has an unconstrained motion if the ratio @p rate
-    /// of the changes of two successive rounds is close to 1. Otherwise its
-    /// springs are too stiff, and the message gives the share for a rate of
-    /// 0.1.
+    /// largest force. The motion is unconstrained if the ratio @p rate of
+    /// successive changes is close to 1. Otherwise its springs are too stiff,
+    /// and the message gives the share for a rate of 0.1.
     [[noreturn]] void
     throw_unconstrained_motion(const std::string &body,
                                const std::string &motion,

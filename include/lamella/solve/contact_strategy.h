@@ -14,7 +14,7 @@
 namespace lamella
 {
   /// Solution method for contact (`Contact strategy`). Both give the same
-  /// results where these are unique; with much friction they need not be.
+  /// results where these are unique, as without much friction.
   enum class Strategy
   {
     undefined,
@@ -31,15 +31,11 @@ namespace lamella
                                                {Strategy::full, "full"}};
   };
 
-  /**
-   * Contact solver about one state of a structure, that of its TangentOperator:
-   * finds the active set for a constant tangent, and solves linear systems with
-   * a given active set. Refinement against the residual is done by
-   * ContactSolver for all strategies.
-   *
-   * Refers to the linearization and views the rows: both must outlive it.
-   * Collective, with the same arguments on all processes.
-   */
+  /// Contact solver about one state of a structure, that of its
+  /// TangentOperator: finds the active set for a constant tangent, and solves
+  /// linear systems with a given active set. ContactSolver refines against the
+  /// residual. Refers to the tangent operator and views the rows. Collective,
+  /// with the same arguments on all processes.
   class ContactStrategy
   {
   public:
@@ -59,11 +55,10 @@ namespace lamella
      *   lambda = max(0, ((d - a) lambda_bar - g) / d),
      * and returns the active set. This is the law g + a lambda >= 0 with its
      * compliance a raised to the numerical d, about an estimate lambda_bar of
-     * the forces, which a strategy may improve. The solution is unique without
-     * friction. @p monitor is called after each round. Without penetration,
-     * forces and estimates the increment is zero and the monitor is not called.
-     * Throws what the monitor throws, and NumericsError if the system cannot be
-     * solved in doubles.
+     * the forces. The solution is unique without friction. @p monitor is called
+     * after each round, its exceptions pass. The increment is zero without
+     * penetration, forces and estimates. Throws NumericsError for unsolvable
+     * systems.
      */
     virtual ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor) = 0;
@@ -74,12 +69,11 @@ namespace lamella
      *   R du + d dlambda   = r_lambda,
      * with the rows R of the gaps and slips @p closed, their force columns C
      * (C^T = R = B_A without friction) and the numerical compliance d >= a.
-     * This is Eq. 22 once dlambda is eliminated. @p r_lambda (lengths) and
-     * @p dlambda (forces) have one entry per number of @p closed; @p r_u
-     * (forces) need not be condensed. du is zero in prescribed DoFs. The factor
-     * is kept for the next call with the same rows and compliances. Throws
-     * NumericsError if the system is not positive definite or, with slipping
-     * constraints, singular.
+     * This is Eq. 22 once dlambda is eliminated. @p r_lambda (lengths) and @p
+     * dlambda (forces) have one entry per number of @p closed; @p r_u (forces)
+     * need not be condensed. du is zero in prescribed DoFs. The factor is kept
+     * for the next call. Throws NumericsError if the system is not positive
+     * definite or, with slipping constraints, singular.
      */
     virtual void
     solve(const ActiveConstraints &closed,
@@ -91,27 +85,24 @@ namespace lamella
     /// Returns the data that a resumed run needs.
     virtual StrategyHistory
     memory() const = 0;
-    /// Restores @p memory in a strategy of the same scene that has not solved
-    /// yet. Collective.
+    /// Restores @p memory in a new strategy of the same scene. Collective.
     virtual void
     restore(const StrategyHistory &memory) = 0;
 
-    /// Accelerates the convergence of multiplier estimates, if still possible
-    /// (NumericalCompliance::stiffen()).
+    /// Accelerates the multiplier estimates (NumericalCompliance).
     void
     increase_penalty()
     {
       numerical_compliance.increase_penalty();
     }
 
-    /// Returns true if the forces of solve() are as accurate as the
-    /// compliance, so that a state may be computed from them alone. False with
-    /// K + K^p, where penalties cost digits.
+    /// Returns true if forces of solve() are as accurate as the compliance.
+    /// False with K + K^p, where penalties cost digits.
     virtual bool
     forces_are_accurate() const = 0;
 
-    /// Returns what to try if the search does not converge, besides a finer
-    /// mesh and more iterations: a part of a sentence.
+    /// Returns what else to try if the search does not converge, in part of a
+    /// sentence.
     virtual std::string
     remedy() const = 0;
 
@@ -128,8 +119,8 @@ namespace lamella
     NumericalCompliance    numerical_compliance;
   };
 
-  /// Returns the strategy @p which about the state of @p linearization, which
-  /// needs solvers for `condensed` only.
+  /// Returns the strategy @p which about the state of @p tangent_operator,
+  /// which needs solvers for `condensed`.
   std::unique_ptr<ContactStrategy>
   make_strategy(const Strategy         which,
                 const TangentOperator &tangent_operator,

@@ -20,15 +20,13 @@ namespace lamella
    *   |lambda_t| <= mu lambda_n,
    *   v_t = 0 where |lambda_t| < mu lambda_n,
    *   lambda_t = -mu lambda_n v_t / |v_t| where v_t is not zero.
-   * A point without tangents is frictionless. W may be singular (dependent
-   * rows). If W is definite a solution exists for every mu; it is unique for
-   * small mu only.
+   * W may be singular (dependent rows). If it is definite a solution exists for
+   * every mu; it is unique for small mu only.
    */
   struct CoulombProblem
   {
     PointCompliance compliance;
-    /// Gap and slip of each point under the forces `about`, and these forces;
-    /// empty `about` means zero.
+    /// Gap and slip of each point under the forces `about` (empty: zero).
     PointVectors q, about = {};
     /// Friction coefficient mu of each point.
     std::vector<double> friction;
@@ -48,17 +46,16 @@ namespace lamella
     PointVectors            force;
     std::vector<PointState> states;
     /// Largest component of lambda - P(lambda - v), with the projection P onto
-    /// the cone of lambda_n, in the problem scaled to a unit diagonal and a
-    /// largest q of one; divided by the largest force if that exceeds one.
+    /// the cone of lambda_n, in the scaled problem, over the largest force
+    /// above one.
     double error = 0.;
     /// Sign of det(R W C), with the rows R of sticking constraints and gaps and
     /// the columns C of their forces: -1 for an unstable solution; 1 if no
-    /// point is closed. W is regularized here, so that modes in its
-    /// near-nullspace (more contact points than surface DoFs) have no
-    /// influence.
+    /// point is closed. W is regularized, which excludes its near-nullspace
+    /// (more contact points than surface DoFs).
     int stability = 1;
-    /// Step of the chain that ended the first proximal point, and total number
-    /// of linear systems solved.
+    /// Step of the chain that ended the first round, and number of linear
+    /// systems.
     std::string  by;
     unsigned int iterations = 0;
   };
@@ -68,24 +65,20 @@ namespace lamella
   {
     /// Tolerance of CoulombSolution::error.
     double tolerance = 1e-11;
-    /// Regularization of W, relative to the largest diagonal entry of a point.
-    /// It makes W definite; proximal iterations remove its effect.
+    /// Regularization of W over the largest diagonal entry of a point, which
+    /// makes it definite; proximal iterations remove its effect.
     double compliance = 1e-10;
-    /// Regularization for the stability test of a solution that is unstable
-    /// without it. (A section that hardly bends across has 3e-9, against 1e-6
-    /// of the sliding points.)
+    /// Regularization for the stability test. (A section that hardly bends
+    /// across has 3e-9, against 1e-6 of the sliding points.)
     double stability_regularization = 1e-4;
-    /// Limits of the proximal iteration. It ends after `idle` successive steps
-    /// without improvement, at rounding, or a step with an error above
-    /// `failed`.
+    /// Limits of the proximal iteration, which ends after `idle` successive
+    /// steps without improvement, or a step with an error above `failed`.
     unsigned int max_rounds = 30, idle = 2;
     double       failed = 1e-6;
-    /// Limits of Newton iterations from the previous forces, after sweeps, and
-    /// after the cones.
+    /// Limits of Newton iterations: at first, after sweeps, after the cones.
     unsigned int first_iterations = 3, iterations = 40, last_iterations = 12;
-    /// Limit of iterations after the tolerance is met, while each leaves at
-    /// most a tenth of the error: small values beside the largest q gain
-    /// digits.
+    /// Limit of iterations after the tolerance is met while each leaves at most
+    /// a tenth of the error.
     unsigned int extra_iterations = 3;
     double       digits           = 1e-15;
     /// First iteration with shortened steps.
@@ -94,9 +87,9 @@ namespace lamella
     unsigned int cone_rounds = 6;
     /// Smallest friction coefficient of a cone.
     double min_friction = 1e-4;
-    /// Decreasing regularization: initial shares of the diagonal, starting from
-    /// the current forces and from zero; factors of decrease and increase;
-    /// tolerance of each solution; limits of rounds and sweeps.
+    /// Decreasing regularization: initial shares of the diagonal, from the
+    /// current forces and from zero; factors; tolerance; limits of rounds and
+    /// sweeps.
     double first_compliance = 0.1, second_compliance = 1.;
     double decrease_factor = 0.1, slow_decrease_factor = 0.3,
            increase_factor = 5., solved = 1e-9;
@@ -107,7 +100,6 @@ namespace lamella
    * Solves @p problem, starting from the forces @p start, such as those of the
    * previous load step. The first of these methods that converges gives the
    * result:
-   *
    *   1 Newton's method in total form on the natural map (Alart and Curnier,
    *     Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375), from the given
    *     forces, then after Gauss-Seidel sweeps, from these and from zero; steps
@@ -118,11 +110,9 @@ namespace lamella
    *     Malick, Z. Angew. Math. Mech. 91 (2011) 155-175);
    *   3 proximal points (Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898)
    *     with a decreasing regularization D: W + D, q - D lambda.
-   *
    * Each point has one scale for its normal and one for both tangents, so that
    * the cone stays circular. A Newton iteration costs 2/3 n^3 for n rows of
-   * closed points. The solution is returned with its error even without
-   * convergence: the caller must check it.
+   * closed points. Without convergence the solution is returned with its error.
    */
   CoulombSolution
   solve_coulomb(const CoulombProblem &problem,

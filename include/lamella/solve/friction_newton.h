@@ -28,11 +28,9 @@ namespace lamella
    *                               d):
    *     B_n^T B_n / d + (mu / d) B_e^T B_n + w B_x^T B_x,
    * which is not symmetric. After some steps, every fourth is shortened if that
-   * reduces the natural map.
-   *
-   * The tangential rho is b / |v_t| if there is a slip v_t. A slip in the
-   * direction of its force then has no trial force, and the row sticks before
-   * its slip is reversed. Refers to all constructor arguments.
+   * reduces the natural map. The tangential rho is b / |v_t| if there is a slip
+   * v_t: a slip along its force then has no trial force, and the row sticks
+   * before its slip is reversed. Refers to all constructor arguments.
    */
   class FrictionNewton
   {
@@ -48,8 +46,7 @@ namespace lamella
     {}
 
     /// Solves a problem with slips as ContactStrategy::solve() does. Throws
-    /// NumericsError if the final tangent has a negative determinant: no load
-    /// path leads to that solution.
+    /// NumericsError for a negative determinant (unstable solution).
     ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor);
 
@@ -74,25 +71,24 @@ namespace lamella
       std::vector<PointState> states;
     };
 
-    /// Linearized law: new force = lambda + change - sum of the terms, each its
-    /// weight times B_on du.
+    /// Linearized law: new force = lambda + change - sum of weight times B_on
+    /// du.
     struct Law
     {
       PointVectors             change;
       std::vector<PenaltyTerm> terms;
     };
 
-    /// Rounding levels of the gaps of open rows, of gaps and slips of closed
-    /// rows, and of forces; rho (force / length) of the normals, of the
-    /// tangents without slip, and, for the error measure of an iterate, of all.
+    /// Rounding of the gaps of open rows, of gaps and slips of closed rows, and
+    /// of forces; rho [force / length] of normals, of tangents without slip, of
+    /// all.
     struct Scales
     {
       double closed = 0., slip_rounding = 0., small = 0., rho = 0.;
       bool   same_rho = false;
     };
 
-    /// Returns the first iterate: the forces of the previous step and their
-    /// displacements without contact reaction.
+    /// Returns the first iterate: the previous forces without contact reaction.
     Iterate
     begin(const ContactProblem &problem);
     Scales
@@ -120,8 +116,7 @@ namespace lamella
     /// Returns the natural map of row @p r [force].
     static dealii::Tensor<1, 3>
     missed(const unsigned int r, const Iterate &at, const Trial &trial);
-    /// Returns the best iterate at several fractions of the step from @p from
-    /// to @p to.
+    /// Returns the best iterate at fractions of the step @p from - @p to.
     Iterate
     shortened(const ContactProblem &problem,
               const Iterate        &from,

@@ -10,15 +10,14 @@
 namespace lamella
 {
   /**
-   * Friction variables of a state, per gap row, as scene vectors so that no
-   * frame is stored. Empty without friction and before the first load step.
+   * Friction variables of a state, per gap row, as scene vectors. Empty without
+   * friction and before the first load step.
    *
    * Coulomb's law of a step, with the slip s_0 at the end of the previous one:
    *   v = s(u) + a lambda_t - s_0,   |lambda_t| <= mu lambda_n,
    *   v = 0 where |lambda_t| < mu lambda_n,
    *   lambda_t = -mu lambda_n v / |v| where v is not zero.
-   * The compliance a of the normal law (law_compliance()) also acts
-   * tangentially.
+   * The compliance a (law_compliance()) also acts tangentially.
    */
   struct FrictionState
   {
@@ -29,16 +28,15 @@ namespace lamella
     /// Slip s_0 [length], also of open rows.
     std::vector<dealii::Tensor<1, 3>> before;
     /// Accumulated slip length, and dissipated energy: mu (lambda_n,0 +
-    /// lambda_n,1) / 2 |v| per step, which is nonnegative and of second order
-    /// in the step.
+    /// lambda_n,1) / 2 |v| >= 0 per step, of second order in the step.
     std::vector<double> length, dissipated;
     /// g + a lambda_n [length].
     std::vector<double> contact_gap;
     /// Accumulated defect of the contact work over all rows [energy]: per step
     ///   - mean lambda . (change of (g, s) + a lambda) - dissipated,
-    /// with the mean of the forces at both ends. For linear bodies, the
-    /// external work is the sum of strain energy, penalty energy a |lambda|^2 /
-    /// 2, dissipation and this defect, which vanishes as steps get shorter.
+    /// with the mean of the forces at both ends. For linear bodies, external
+    /// work = strain energy + penalty energy a |lambda|^2 / 2 + dissipation +
+    /// this defect, which vanishes as steps get shorter.
     double path_gap = 0.;
 
     bool
@@ -51,8 +49,7 @@ namespace lamella
     double
     all_dissipated() const;
 
-    /// Returns the state of @p rows without force or slip, for undeformed
-    /// bodies.
+    /// Returns the state of @p rows of undeformed bodies, without forces.
     static FrictionState
     unloaded(const GapConstraints &rows);
   };
@@ -71,15 +68,15 @@ namespace lamella
   dealii::Tensor<1, 3>
   in_scene(const GapConstraint &row, const dealii::Tensor<1, 2> &components);
 
-  /// Returns the slip s(u) of @p row at load factor @p factor, in components
-  /// along its tangents.
+  /// Returns the slip s(u) of @p row at load factor @p factor along its
+  /// tangents.
   dealii::Tensor<1, 2>
   slip_of(const GapConstraint &row,
           const BlockVector   &u,
           const LoadFactor    &factor);
 
-  /// Adds B^T lambda of @p row to @p f: its force @p normal and, with friction,
-  /// @p shear, a scene vector.
+  /// Adds B^T lambda of @p row to @p f, of @p normal and, with friction, @p
+  /// shear.
   void
   add_force(const GapConstraint        &row,
             const double                normal,

@@ -10,21 +10,18 @@
 
 namespace lamella
 {
-  /// Returns the normal force and the shear force along the tangents of each
-  /// row.
+  /// Returns the normal force and the shear force along the tangents by rows.
   std::vector<dealii::Tensor<1, 3>>
   forces_by_rows(const GapConstraints &rows, const State &state);
 
-  /// Returns the slip v of row number @p r in the step, including the
-  /// compliance of the law.
+  /// Returns the slip v of row @p r in the step, with the law's compliance.
   dealii::Tensor<1, 2>
   slip_in_step(const GapConstraint &row,
                const unsigned int   r,
                const State         &state,
                const LoadFactor    &factor);
 
-  /// Adds slips and shear forces to the @p problem about @p state, which has
-  /// friction. The search starts from the forces of the state.
+  /// Adds slips and shear forces to @p problem about @p state, its start.
   void
   add_friction(const GapConstraints &rows,
                const State          &state,
@@ -41,32 +38,30 @@ namespace lamella
   ActiveConstraints
   active_equations(const GapConstraints &rows, const State &state);
 
-  /// Adds @p dlambda to the forces of @p state; the shear forces of slipping
-  /// rows follow.
+  /// Adds @p dlambda to the forces of @p state; slipping shear forces follow.
   void
   add_forces(const GapConstraints    &rows,
              const ActiveConstraints &closed,
              const Vector            &dlambda,
              State                   &state);
 
-  /// Returns the friction error of row @p r in @p state [length]; the row has a
-  /// force. |v| if it sticks, |v + |v| e| if it slips along -e.
+  /// Returns the friction error of the active row @p r in @p state [length]:
+  /// |v| if it sticks, |v + |v| e| if it slips along -e.
   double
   friction_error(const GapConstraint &row,
                  const unsigned int   r,
                  const State         &state,
                  const LoadFactor    &factor);
 
-  /// Ends the load step from @p before to @p state at @p factor by updating the
-  /// FrictionState. No effect without friction.
+  /// Ends the load step from @p before at @p factor by updating FrictionState.
   void
   end_step(const GapConstraints &rows,
            const State          &before,
            const LoadFactor     &factor,
            State                &state);
 
-  /// Ends the load step of moving contacts: the slips of the next step start at
-  /// zero, and no work balance is kept.
+  /// Ends the load step of moving contacts: the slips of the next start at
+  /// zero.
   void
   end_moved_step(const GapConstraints &rows,
                  const State          &before,

@@ -17,19 +17,18 @@ namespace lamella
    *   (K + K^p) du = r_u + B_A^T r_lambda / d,   K^p = B_A^T diag(1/d) B_A,
    *   dlambda      = (r_lambda - B_A du) / d
    * (Eqs. 22 and 23) with the residuals r_u and r_lambda = -(g(u) + a lambda)
-   * at the state. (Eq. 22 is in total form; residuals at the state count the
-   * gaps once, whatever Eqs. 25 and 26 add on the right.) Each round factorizes
-   * the whole scene (PenaltyMatrix) and uses the previous forces as estimates.
-   *
+   * at the state. (Eq. 22 is in total form; residuals count the gaps once,
+   * whatever Eqs. 25 and 26 add on the right.) Each round factorizes the whole
+   * scene (PenaltyMatrix) and uses the previous forces as estimates.
    * Globalization: tensile rows are deactivated; of the penetrating ones the
    * worst are activated, at most eight or as many as are active. If an active
-   * set returns, the step is cut at the lowest energy along it. FrictionNewton
-   * replaces this with friction.
+   * set returns, the step is cut at the lowest energy along it. With friction:
+   * FrictionNewton.
    */
   class FullStrategy : public ContactStrategy
   {
   public:
-    /// Assembles K of @p linearization, which needs no solvers.
+    /// Assembles K of @p tangent_operator, which needs no solvers.
     FullStrategy(const TangentOperator &tangent_operator,
                  const GapConstraints  &rows);
 
@@ -63,8 +62,7 @@ namespace lamella
                                    "a softer penalty, the condensed strategy";
     }
 
-    /// Returns a warning if the penalties are too hard for doubles
-    /// (PenaltyMatrix::warnings()).
+    /// Returns a warning on too hard penalties (PenaltyMatrix::warnings()).
     std::vector<std::string>
     warnings() const override
     {
@@ -75,8 +73,7 @@ namespace lamella
     /// An iterate, relative to the state of the problem.
     struct Iterate
     {
-      /// Displacement increment, and K du from strains, as penalties cost
-      /// digits of the matrix.
+      /// Displacement increment, and K du from strains.
       BlockVector du, K_du;
       /// Force of each row.
       std::vector<double> force;
@@ -84,46 +81,42 @@ namespace lamella
       std::vector<unsigned int> active;
     };
 
-    /// Returns the forces and active rows that @p problem starts from, with
-    /// zero displacement.
+    /// Returns the forces and active rows to start from, undisplaced.
     Iterate
     begin(const ContactProblem &problem) const;
-    /// Performs the Newton step on the active rows of @p at; the forces of
-    /// other rows become zero. Returns the largest change of a displacement.
+    /// Performs the Newton step on the active rows of @p at; others have no
+    /// force. Returns the largest change of a displacement.
     double
     step(const ContactProblem &problem, Iterate &at);
     /// Returns d lambda - (g + a lambda) of each row [length]: d times the
-    /// force of its law if positive, or the penetration -g for penalties, where
-    /// d = a.
+    /// positive force of its law, or the penetration -g for penalties.
     std::vector<double>
     overlaps(const ContactProblem &problem, const Iterate &at) const;
     /// Returns true if @p row is active and not tensile.
     static bool
     stays_active(const Iterate &at, const unsigned int row);
-    /// Returns the tensile active rows, and the inactive rows that overlap by
-    /// more than @p closed.
+    /// Returns tensile active rows, and inactive ones overlapping by @p closed.
     static Round
     violating_rows(const Iterate             &at,
                    const std::vector<double> &overlap,
                    const double               closed);
     /// Returns the next active set, ascending: the rows that stay, and the
-    /// worst of those that overlap by more than @p closed, at most eight or as
-    /// many as are active.
+    /// worst that overlap by more than @p closed, eight or as many as active.
     static std::vector<unsigned int>
     next_active_set(const Iterate             &at,
                     const std::vector<double> &overlap,
                     const double               closed);
-    /// Returns the point at the fraction @p t from @p from to @p to, with the
-    /// forces of the law there.
+    /// Returns the point at @p t between @p from and @p to with its law's
+    /// forces.
     Iterate
     interpolate_iterate(const ContactProblem &problem,
                         const Iterate        &from,
                         const Iterate        &to,
                         const double          t) const;
     /// Returns the minimum of the convex energy between @p from and @p to,
-    /// whose active set was there before: the point where the forces do no more
-    /// work, by bisection to a hundredth of the initial work. The energy falls,
-    /// so no set returns forever.
+    /// whose active set was there before, where the forces do no more work, by
+    /// bisection to 1 % of the initial work. The energy falls, so no set
+    /// returns forever.
     Iterate
     energy_minimum(const ContactProblem &problem,
                    const Iterate        &from,

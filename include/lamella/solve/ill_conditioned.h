@@ -7,9 +7,8 @@
 
 namespace lamella
 {
-  /// Exception: a problem that double precision cannot solve, such as a
-  /// stiffness that is not positive definite, corrections that do not converge,
-  /// or unbalanced forces. Other fields for the same body may succeed.
+  /// Exception: a problem that double precision cannot solve, such as an
+  /// indefinite stiffness or unbalanced forces. Other fields may succeed.
   class IllConditioned : public NumericsError
   {
   public:

@@ -14,60 +14,52 @@
 namespace lamella
 {
   /// Kuhn-Tucker conditions (Eq. 18) and resultants of one contact at the end
-  /// of a load step,
+  /// of a load step, row by row,
   ///   g >= 0,  lambda >= 0,  g lambda = 0   (for penalty with g + lambda / eps
-  ///                                          in the place of g),
-  /// row by row. The force lambda of a row is positive in compression, where
-  /// p_N of Eq. 18 is negative. Units and axes of the scene.
+  ///                                          in the place of g).
+  /// lambda is positive in compression, where p_N of Eq. 18 is negative.
   struct KktResidual
   {
     /// Number of rows with a force.
     unsigned int active = 0;
-    /// Resultant on the second body or obstacle, and its moment about the
-    /// origin of the scene, scene components. Computed as work on the rigid
-    /// motions of a body, hence exact for all kinds of rows.
+    /// Resultant on the second side, and its moment about the origin, as work
+    /// on the rigid motions of a body, hence exact for all kinds of rows.
     dealii::Tensor<1, 3> force, moment;
     /// Contribution of each row; they sum to the resultant up to rounding.
     std::vector<Wrench> of_rows;
-    /// Point on the line of action of the force, nearest to the force-weighted
-    /// mean of the active points. The origin if there is no force.
+    /// Point on the line of action, nearest to the mean of the active points.
     dealii::Point<3> center_of_pressure;
-    /// |sum of the forces on both bodies| over the sum of the row forces: zero
-    /// up to rounding. Not evaluated against an obstacle.
+    /// |sum of the forces on both bodies| over the sum of row forces, rounding.
     double imbalance = 0.;
     /// Largest -g, zero without penetration; F / eps by design for penalty.
     double max_penetration = 0.;
-    /// Smallest force of an active row, which is not negative. Zero without
-    /// active rows.
+    /// Smallest force of an active row, not negative; zero without any.
     double min_force = 0.;
     /// Largest lambda max(0, g) [energy]: zero.
     double complementarity = 0.;
-    /// Largest |g + a lambda| of active rows and -g of all others [length],
-    /// with a = 1/eps for penalty, else zero: the violation of the contact law.
+    /// Largest |g + a lambda| of active rows, -g of others [length], a = 1/eps
+    /// for penalty, else zero.
     double law_error = 0.;
-    /// Difference between the initial gaps of active rows, possibly element
-    /// averages, and those between their points: surface curvature that the
-    /// mesh does not resolve.
+    /// Difference between the initial gaps of active rows and those of their
+    /// points: curvature that the mesh does not resolve.
     double unresolved_curvature = 0.;
-    /// Friction: resultant on the second side, scene components; areas of the
-    /// sticking and slipping rows [length^2]; dissipated energy so far.
+    /// Friction: resultant on the second side; areas of sticking and slipping
+    /// rows [length^2]; dissipated energy.
     dealii::Tensor<1, 3> shear;
     double               sticking = 0., slipping = 0., dissipated = 0.;
     /// Largest of law error over displacement, tension over force and
-    /// complementarity over both. Zero without active rows.
+    /// complementarity over both.
     double violation = 0.;
   };
 
-  /// Adds the resultants of @p part, at the ends of a body, to those of the
-  /// contact @p whole: forces, moments, areas and energies.
+  /// Adds the resultants, areas and energies of @p part to those of @p whole.
   void
   add_resultants(KktResidual &whole, const KktResidual &part);
 
   /// Views of the row forces of one contact in a state.
   struct ConstraintForces
   {
-    /// Views contact number @p contact of @p rows in @p state, which must
-    /// outlive this object.
+    /// Views contact number @p contact of @p rows in @p state.
     ConstraintForces(const GapConstraints &rows,
                      const unsigned int    contact,
                      const State          &state);
@@ -92,9 +84,8 @@ namespace lamella
   };
 
   /// Checks the contact law of @p contact with @p forces at the displacements
-  /// @p u and load factor @p factor, and returns it with the resultants. Adds
-  /// the forces to those @p on_body of every body. @p displacement, the largest
-  /// one, is the reference of the gaps.
+  /// @p u and load factor @p factor. Adds the forces to those @p on_body of
+  /// every body. The largest @p displacement is the reference of gaps.
   KktResidual
   check_contact(const ContactInterface  &contact,
                 const ConstraintForces  &forces,

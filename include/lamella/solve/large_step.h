@@ -8,14 +8,13 @@
 
 namespace lamella
 {
-  /// Load step with finite rotations: Newton's method from the previous state
-  /// with moving contacts, and checks in the current configuration. A step that
-  /// fails is divided internally.
+  /// Load step with finite rotations: Newton's method with moving contacts, and
+  /// checks in the current configuration. A step that fails is divided.
   class LargeStep : public Step
   {
   public:
     /// Refers to all arguments. @p progress reports iterations, @p monitor
-    /// factorizations. @p n_supports is the number of supports in the scene.
+    /// factorizations of a scene with @p n_supports.
     LargeStep(const Structure                    &structure,
               const MovingContacts               &contacts,
               const unsigned int                  n_supports,

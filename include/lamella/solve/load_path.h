@@ -25,8 +25,7 @@ namespace lamella
     LoadFactor load_factor;
     State      state;
     Checks     checks;
-    /// Number of substeps; for automatic substeps also the change by the last
-    /// doubling (change_of()).
+    /// Number of substeps; automatic ones with the last change (change_of()).
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
     /// Number of bisections on the way.
@@ -37,7 +36,7 @@ namespace lamella
    * Returns the distance of @p one from @p other, two solutions from @p before
    * to the same load factor: the largest relative difference of the forces of
    * supports and contacts, the friction forces alone, the displacements, and
-   * the dissipated energy. Each is relative to the largest of its kind;
+   * the dissipated energy. Each is relative to the largest of its kind,
    * friction to at least a hundredth of the largest force or of the strain
    * energy. The largest force @p before_force and displacement of @p before
    * count too, as after unloading little is left.
@@ -48,16 +47,16 @@ namespace lamella
             const State      &before,
             const double      before_force = 0.);
 
-  /// Interface of a load step, from a state to the state at a load factor with
-  /// its checks, independent of the kinematics. Collective.
+  /// Interface of a load step, from a state to the checked state at a load
+  /// factor, independent of the kinematics. Collective.
   class Step
   {
   public:
     virtual ~Step() = default;
 
     /// Solves from @p before (empty if none), at the factors @p from, to @p to.
-    /// Throws NumericsError if the solution fails or is not reliable. Only the
-    /// @p last substep of a load step is checked for large deflections.
+    /// Throws NumericsError without a reliable solution. Only the @p last
+    /// substep of a load step is checked for large deflections.
     virtual SolvedStep
     operator()(const State      &before,
                const LoadFactor &from,
@@ -70,8 +69,7 @@ namespace lamella
           const LoadFactor &factor,
           const bool        last = true) = 0;
 
-    /// Continues from @p last, a state at @p factor from another run. No effect
-    /// for linear kinematics.
+    /// Continues from @p last, a state at @p factor from another run.
     virtual void
     resume_from(const State &, const LoadFactor &)
     {}
@@ -79,22 +77,19 @@ namespace lamella
 
   /**
    * Load step of linear kinematics:
-   *   1. The linear solution without contact (ContactSolver::solve_free()),
+   *   1. the linear solution without contact (ContactSolver::solve_free()),
    *   2. the solution with contact, starting from the previous active set, and
    *      the release of stabilizing springs,
    *   3. checks, which throw if the state is not reliable, or if the search
    *      distance of a contact was too short.
    * Without friction the previous state affects the number of rounds only.
-   *
-   * Refers to all constructor arguments, including `timer`, which counts the
-   * seconds of each Phase.
+   * Refers to all constructor arguments; `timer` counts seconds by Phase.
    */
   class LinearStep : public Step
   {
   public:
-    /// Creates a step with all @p contacts of the scene. @p contact_objects,
-    /// paired once, check the search distances. @p n_supports is the number of
-    /// supports.
+    /// Creates a step with all @p contacts and @p n_supports supports of the
+    /// scene. @p contact_objects, paired once, check the search distances.
     LinearStep(ContactSolver                       &solver,
                const std::vector<ContactInterface> &contacts,
                const Contacts                      &contact_objects,
@@ -124,21 +119,20 @@ namespace lamella
     dealii::TimerOutput                 &timer;
   };
 
-  /// Sequence of the load factors of a scene, increasing or decreasing, and the
-  /// progress along it. Each step starts from the previous state. Branches end
-  /// at other factors, within a step or beyond the last one; they start from a
-  /// stored state and do not affect the path.
+  /// Sequence of the load factors of a scene, and the progress along it. Each
+  /// step starts from the previous state. Branches end at other factors, within
+  /// a step or beyond the last one; they do not affect the path.
   class LoadPath
   {
   public:
-    /// Additional measure of the distance between two results of a load step,
-    /// beside change_of(), such as a quantity of interest.
+    /// Additional distance between two results of a load step, beside
+    /// change_of().
     using ChangeMeasure = std::function<double(const SolvedStep &one,
                                                const SolvedStep &other,
                                                const State      &before)>;
 
-    /// Starts from the unloaded state with the load @p factors, each reached in
-    /// @p substeps. @p branches enables the storage of states for branches.
+    /// Starts unloaded with the load @p factors, each reached in @p substeps.
+    /// @p branches enables the storage of states for branches.
     LoadPath(std::shared_ptr<Step>          step,
              const std::vector<LoadFactor> &factors,
              const Substeps                &substeps = {},
@@ -151,8 +145,8 @@ namespace lamella
       change_measure = std::move(more);
     }
 
-    /// Resumes after the first @p n_done >= 1 steps, of which the last gave
-    /// @p last. Checks are not stored with a state and are evaluated again.
+    /// Resumes after the first @p n_done >= 1 steps, of which the last gave @p
+    /// last.
     void
     resume(const unsigned int n_done, State last);
 
@@ -206,15 +200,13 @@ namespace lamella
                    const LoadFactor  &from,
                    const LoadFactor  &to,
                    const unsigned int n) const;
-    /// Solves from @p before, at @p from, to @p to in the number of substeps
-    /// that the scene requests.
+    /// Solves from @p before, at @p from, to @p to in the requested substeps.
     SolvedStep
     solve_requested_substeps(const State      &before,
                              const LoadFactor &from,
                              const LoadFactor &to) const;
 
-    /// Stored state from which branches start: its factor, and the first step
-    /// with that factor.
+    /// Stored state from which branches start: its factor and first step.
     struct StoredState
     {
       double       factor    = 0.;
@@ -222,18 +214,16 @@ namespace lamella
       State        state;
     };
 
-    /// Stores @p state if branches are enabled; the first one per factor and
-    /// step.
+    /// Stores @p state if branches are enabled and it is the first.
     void
     store(const double       factor,
           const unsigned int load_step,
           const State       &state);
-    /// Returns the stored state nearest to @p factor; the newer of two equally
-    /// near ones, whose rows are known.
+    /// Returns the stored state nearest to @p factor, the newer of two.
     StoredState
     nearest(const double factor) const;
-    /// Returns the stored state nearest to @p factor of those that step @p
-    /// load_step has passed there.
+    /// Returns the stored state nearest to @p factor passed by step @p
+    /// load_step.
     StoredState
     nearest_passed(const double factor, const unsigned int load_step);
     /// Returns the state at the end of step @p load_step.

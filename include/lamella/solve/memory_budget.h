@@ -9,35 +9,31 @@
 
 namespace lamella
 {
-  /**
-   * Estimate of the memory of matrices before assembly and of factors before
-   * factorization. Throws an InputError on all processes if it exceeds the
-   * limit, as the system would end the run without a message.
-   *
-   * A matrix takes 24 bytes per nonzero (value, column, initial pattern, and
-   * the half in the format of the solver), shared evenly by the processes; a
-   * factor takes the size of its symbolic analysis. Sums over the processes of
-   * a machine are compared with its free memory. Collective.
-   */
+  /// Estimate of the memory of matrices before assembly and of factors before
+  /// factorization. Throws an InputError on all processes if it exceeds the
+  /// limit. A matrix takes 24 bytes per nonzero (value, column, initial
+  /// pattern, and the half in the format of the solver), shared evenly by the
+  /// processes; a factor takes the size of its symbolic analysis. Sums over the
+  /// processes of a machine are compared with its free memory. Collective.
   class MemoryBudget
   {
   public:
     /// Sets @p limit bytes per machine, or the available memory if it is 0.
     explicit MemoryBudget(const double limit = 0.);
 
-    /// Returns a text on the matrices of @p structure: DoFs, nonzeros, required
-    /// and available gigabytes. Throws InputError if they do not fit.
+    /// Returns a text on the matrices of @p structure: DoFs, nonzeros,
+    /// gigabytes. Throws InputError if they do not fit.
     std::string
     check_matrix_memory(const Structure &structure) const;
 
-    /// Returns a text on the factor of @p body and the total of the run. Throws
-    /// InputError if it does not fit. @p size holds the bytes of this process.
+    /// Returns a text on the factor of @p body, @p size bytes on this process.
+    /// Throws InputError if it does not fit.
     std::string
     check_factor_memory(const Body &body, const FactorSize &size) const;
 
   private:
-    /// Throws InputError if the processes of a machine lack @p bytes each;
-    /// @p what begins the message, @p remedy ends it.
+    /// Throws InputError if the processes of a machine lack @p bytes each, with
+    /// @p what first and @p remedy last.
     void
     require(const double       bytes,
             const std::string &what,

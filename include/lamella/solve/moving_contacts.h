@@ -14,9 +14,8 @@
 
 namespace lamella
 {
-  /// Transfer of contact forces and friction variables when contacts are paired
-  /// anew and rows get other numbers. The key is the position of a point on the
-  /// body that carries it, per contact.
+  /// Transfer of contact forces and friction variables to rows paired anew, by
+  /// the position of a point on the slave body, per contact.
   class MultiplierTransfer
   {
   public:
@@ -24,8 +23,8 @@ namespace lamella
     MultiplierTransfer(const std::vector<ContactInterface> &contacts,
                        const State                         &state);
 
-    /// Assigns the stored values to the rows of @p contacts in @p state; zero
-    /// for points that are not stored.
+    /// Assigns the stored values to the rows of @p contacts in @p state, else
+    /// zero.
     void
     transfer_to(const std::vector<ContactInterface> &contacts,
                 State                               &state) const;
@@ -44,7 +43,7 @@ namespace lamella
       double               length = 0., dissipated = 0.;
     };
     /// Adds the dissipation of rows that are no longer in @p contacts to the
-    /// first row of their contact, so that its sum is kept.
+    /// first row of their contact.
     void
     preserve_dissipation(const std::vector<ContactInterface> &contacts,
                          FrictionState                       &of) const;
@@ -60,9 +59,8 @@ namespace lamella
     bool         of_second;
   };
 
-  /// Exception: ends of bodies press in contacts whose discretization is
-  /// automatic and has no constraints at the nodes there. It is no
-  /// NumericsError, since more load steps do not help.
+  /// Exception: ends of bodies press in automatic contacts that have no
+  /// constraints at the nodes there. More load steps do not help.
   struct MissingEnds : public std::runtime_error
   {
     MissingEnds(const std::string &message, std::vector<EndInContact> ends)
@@ -76,8 +74,7 @@ namespace lamella
   /// Contacts with finite motion: gap rows move with the surfaces, and surfaces
   /// are paired anew when they come to face each other. With friction, slips
   /// are measured from the beginning of the step, and shear forces rotate with
-  /// the frames of their rows. Refers to the lists of the scene and modifies
-  /// them (Contact).
+  /// the frames of their rows. Modifies the lists of the scene (Contact).
   class MovingContacts
   {
   public:
@@ -102,8 +99,8 @@ namespace lamella
       return numbered;
     }
 
-    /// Returns the history of each contact, or restores it in the state @p u at
-    /// @p factor (Contact::restore()).
+    /// Returns the history of each contact, or restores it
+    /// (Contact::restore()).
     std::vector<ContactHistory>
     memory() const;
     void
@@ -114,19 +111,17 @@ namespace lamella
     /// Moves the rows to @p state at @p factor (Contact::move()). An active
     /// constraint whose projection leaves the other surface, past an end or
     /// through it, is deactivated if that end has its own constraints (`edge to
-    /// surface`). Otherwise throws MissingEnds if the discretization is
-    /// automatic, else NumericsError.
+    /// surface`). Otherwise throws MissingEnds if automatic, else
+    /// NumericsError.
     void
     move(State &state, const LoadFactor &factor);
 
-    /// Begins a step in @p state at @p factor, to which the rows belong, and
-    /// clears reason_of_loss().
+    /// Begins a step in @p state at @p factor and clears reason_of_loss().
     void
     begin_step(State &state, const LoadFactor &factor);
 
     /// Returns a sentence on why a contact was lost since begin_step(), or
-    /// would be unless others replace the deactivated constraints; empty if
-    /// none was.
+    /// would be without replacements of deactivated constraints; else empty.
     const std::string &
     reason_of_loss() const
     {
@@ -138,8 +133,7 @@ namespace lamella
     add_forces(const State &state, BlockVector &f) const;
 
     /// Adds B^T lambda of @p state with its active rows moved to @p u; the
-    /// stored rows are unchanged. Returns true if all of them have a projection
-    /// there.
+    /// stored rows are unchanged. Returns true if all have a projection there.
     bool
     add_forces_at(const State       &state,
                   const BlockVector &u,
@@ -147,20 +141,19 @@ namespace lamella
                   BlockVector       &f) const;
 
     /// Returns the largest of |g + a lambda| of active rows of @p state, -g of
-    /// all others, and friction_error() at @p factor [length]. The rows must be
-    /// those of the state.
+    /// all others, and friction_error() at @p factor [length].
     double
     law_error(const State &state, const LoadFactor &factor) const;
 
-    /// Pairs contacts anew whose surfaces touch without a row in @p state at
-    /// @p factor, and transfers the forces. Returns true if there were any.
-    /// Throws NumericsError if nothing faces the other side anymore.
+    /// Pairs contacts anew whose surfaces close without a row in @p state at @p
+    /// factor, and transfers the forces. Returns true if there were any. Throws
+    /// NumericsError if nothing is paired.
     bool
     find_loads(State &state, const LoadFactor &factor);
 
-    /// Throws NumericsError if between @p before at @p from and @p state at
-    /// @p to a body passed through a roller, so that nothing touches it, or if
-    /// constraints were deactivated and none between their bodies has a force.
+    /// Throws NumericsError if between @p before at @p from and @p state at @p
+    /// to a body passed through a roller, or if constraints were deactivated
+    /// and none between their bodies has a force.
     void
     check_kept(const BlockVector &before,
                const LoadFactor  &from,
@@ -174,16 +167,15 @@ namespace lamella
     /// Throws NumericsError: @p how contact @p c was lost.
     [[noreturn]] void
     lose(const unsigned int c, const std::string &how);
-    /// Throws MissingEnds or NumericsError: a constraint of contact @p c has a
-    /// force and faces nothing.
+    /// Throws MissingEnds or NumericsError: an active constraint of @p c faces
+    /// nothing.
     [[noreturn]] void
     release_facing(const unsigned int c);
-    /// Returns true if another contact has rows for the ends of the body that
-    /// faces the points of contact @p c.
+    /// Returns true if another contact has rows for the body's ends that face
+    /// @p c.
     bool
     ends_have_constraints(const unsigned int c) const;
-    /// Returns true if a row between the bodies of contact @p c has a force in
-    /// @p state.
+    /// Returns true if a row between the bodies of contact @p c is active.
     bool
     has_contact_force(const unsigned int c, const State &state) const;
     /// Pairs contact @p c anew.
@@ -193,8 +185,7 @@ namespace lamella
     const std::vector<ContactInterface> &all;
     const Contacts                      &contact_objects;
     GapConstraints                       numbered;
-    /// Contacts with a deactivated row, and reason_of_loss(), since
-    /// begin_step().
+    /// Contacts with a deactivated row, and reason_of_loss().
     std::set<unsigned int> release;
     std::string            lost;
   };

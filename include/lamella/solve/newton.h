@@ -20,50 +20,44 @@ namespace lamella
   struct NewtonParameters
   {
     unsigned int max_iterations = 30;
-    /// Tolerance of equilibrium: Euclidean norm of the unbalanced forces over
-    /// the larger one of internal forces and loads.
+    /// Tolerance of equilibrium: norm of unbalanced forces over internal or
+    /// loads.
     double force_tolerance = arithmetic::rounding_of_solutions;
     /// Limits for slender bodies, whose forces have a rounding of about (L /
-    /// h)^3 1e-16. Below `floor`, iterations end once two successive ones leave
-    /// more than `stalls` of the residual; below `near`, if the correction is
-    /// at most `still` of the size of the scene.
+    /// h)^3 1e-16. Below `stagnation_level`, two iterations that leave more
+    /// than `stall_ratio` of the residual end it; below `near_equilibrium`, a
+    /// correction of at most `negligible_correction` of the scene's size.
     double stagnation_level = arithmetic::same_value, stall_ratio = 0.5,
            near_equilibrium      = 1e-3,
            negligible_correction = arithmetic::same_position;
-    /// Residual growth, relative to the start of the step, that is a failure;
-    /// below `nothing` of that start, forces are rounding.
+    /// Residual growth over the step's start that is a failure; below `nothing`
+    /// of that start, forces are rounding.
     double divergence_ratio = 1e12, nothing = arithmetic::rounding_of_sums;
     /// Tolerance of the contact law: the larger of `law` times the largest
-    /// displacement and `touching` times the size of the scene. With more rows
-    /// than surface DoFs it may be finer than the accuracy of the forces: below
-    /// `floor` of the displacement the iterations end as for forces.
+    /// displacement and `touching` times the scene's size; forces of lower
+    /// accuracy end it below `stagnation_level` of the displacement.
     double law = arithmetic::negligible, touching = arithmetic::rounding;
-    /// Relative step of the differences in Newton::rotation_of_constraints(),
-    /// and the share of a correction at which its iteration ends, in at most
-    /// `max_rotation_corrections` back substitutions.
+    /// Relative step of differences in Newton::rotation_of_constraints(), and
+    /// share of a correction that ends its iteration, within a limit.
     double       difference = arithmetic::same_value, rotation_tolerance = 1e-3;
     unsigned int max_rotation_corrections = 20;
     /// Largest factor between corrections without and with stabilizing springs.
     double max_spring_influence = 10.;
-    /// Correction, relative to the size of the scene, that is small if springs
-    /// determine it.
+    /// Correction over the scene's size that is small if springs determine it.
     double converged_change = 1e-7;
-    /// A motion held by springs is unstable if its stiffness is below minus
+    /// A motion against springs is unstable if its stiffness is below minus
     /// this share of the contact force over the size of the scene, else
     /// neutral.
     double instability_share = 0.2;
     /// Limit of the new pairings in a step.
     unsigned int max_pairings = 3;
-    /// Last correction, as a share of the increment of the step, that needs no
-    /// final check of the tangent.
+    /// Last correction over the step's increment that needs no check of K.
     double converged_step = 0.01;
-    /// Largest rotation increment of an iteration [rad]; longer ones are
-    /// shortened.
+    /// Largest rotation of an iteration [rad]; longer ones are shortened.
     double spin = 1.;
     /// Limit of the bisections of a step.
     unsigned int max_bisections = 6;
-    /// Largest rotation of a support in a step [rad], since a position does not
-    /// determine the number of revolutions.
+    /// Largest rotation of a support in a step [rad], below a revolution.
     double rotation = 2.;
   };
 
@@ -75,11 +69,9 @@ namespace lamella
     LoadFactor factor;
     /// Number of bisections on the way.
     unsigned int cuts = 0;
-    /// Unbalanced forces over internal forces or loads, and violation of the
-    /// contact law [length].
+    /// Unbalanced forces over internal ones or loads, violation of the law.
     double residual = 0., law_error = 0.;
-    /// Length of the last correction if all forces are rounding, for bodies
-    /// moved by supports; else 0.
+    /// Last correction if all forces are rounding (moved by supports), else 0.
     double rounding = 0.;
   };
 
@@ -99,20 +91,17 @@ namespace lamella
    * The geometric part of K uses the stress predicted by the last correction
    * (FiniteStrainSectionOperator): 7 instead of 17 iterations in a cantilever
    * that rolls up in one step. If a step fails, it is repeated with the actual
-   * stress, then in halves.
-   *
-   * Stabilizing springs contribute to K only: they have no force at the
-   * iterate, and limit corrections of motions that only contact restrains.
+   * stress, then in halves. Stabilizing springs contribute to K only: they have
+   * no force at the iterate, and limit corrections of motions that only contact
+   * restrains.
    *
    * Iterations end if forces balance, gaps satisfy the law, and no unpaired
-   * surfaces touch; otherwise these are paired anew. (The active set may
-   * change, as dependent constraints are exchangeable.) The Cholesky factor of
-   * K then proves a minimum of the energy. (Couples have no energy except in
-   * their plane; a positive definite symmetric part of K is sufficient for
-   * stability.) For bodies held by an obstacle only, K with
-   * ActiveConstraintShift takes its place.
-   *
-   * Refers to the structure and the contacts. Collective.
+   * surfaces are in contact; otherwise these are paired anew. The Cholesky
+   * factor of K then proves a minimum of the energy. (Couples have no energy
+   * except in their plane; a positive definite symmetric part of K is
+   * sufficient for stability.) For bodies supported by an obstacle only, K with
+   * ActiveConstraintShift takes its place. Refers to structure and contacts.
+   * Collective.
    */
   class Newton
   {
@@ -140,17 +129,16 @@ namespace lamella
     Equilibrium
     unloaded(const LoadFactor &factor = 1.) const;
 
-    /// Restores the contacts of @p state at @p factor
-    /// (MovingContacts::restore()).
+    /// Restores the contacts of @p state at @p factor.
     void
     restore(const State &state, const LoadFactor &factor)
     {
       contacts.restore(state.pairings, state.u, factor);
     }
 
-    /// Returns the equilibrium at load factor @p to, from @p start, to which
-    /// the current rows of the contacts belong. Throws NumericsError with the
-    /// last factor reached if it fails in 2^max_bisections parts.
+    /// Returns the equilibrium at load factor @p to, from @p start, the state
+    /// of the current rows. Throws NumericsError with the last factor reached
+    /// if it fails in 2^max_bisections parts.
     Equilibrium
     advance(const Equilibrium &start, const LoadFactor &to);
 
@@ -162,8 +150,7 @@ namespace lamella
     }
 
   private:
-    /// Start of a step: support motion, unbalanced forces including its effect,
-    /// and reference force.
+    /// Start of a step: support motion, unbalanced forces, reference force.
     struct StepStart
     {
       BlockVector moved, r;
@@ -176,29 +163,27 @@ namespace lamella
     double
     largest_rotation(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Updates the friction history at the end of a step to @p state at @p to;
-    /// the step @p began with these forces.
+    /// Updates the friction history at the end of a step, which @p began with
+    /// these forces, to @p state at @p to.
     void
     update_friction(const MultiplierTransfer &began,
                     const LoadFactor         &to,
                     State                    &state) const;
 
-    /// Performs one step from the forces @p pressed, with predicted stresses if
-    /// @p predicted. Returns true on convergence. Counts its iterations in
-    /// @p at.
+    /// Performs one step with the forces @p transfer, with predicted stresses
+    /// if @p predicted. Returns true on convergence; @p at counts iterations.
     bool
     step(const LoadFactor         &to,
          const MultiplierTransfer &transfer,
          const bool                predicted,
          Equilibrium              &at);
 
-    /// Tries step() with and without prediction; on failure only the count in
-    /// @p at changes.
+    /// Tries step() with and without prediction; failure changes only @p at's
+    /// count.
     bool
     attempt(const LoadFactor &to, Equilibrium &at);
 
-    /// Result of an iteration: the increment, whether active constraints were
-    /// used to make K definite, and whether friction is unstable.
+    /// Result of an iteration: increment, regularization, unstable friction.
     struct Correction
     {
       BlockVector du;
@@ -207,8 +192,7 @@ namespace lamella
 
     /// Performs one iteration: adds to @p state the correction due to the
     /// unbalanced forces @p r, with the support motion @p moved and the contact
-    /// constraints, and returns it. The last @p correction predicts stresses
-    /// unless it is empty.
+    /// constraints, and returns it. The last @p correction predicts stresses.
     Correction
     correct(const BlockVector &r,
             const BlockVector &moved,
@@ -216,8 +200,8 @@ namespace lamella
             const LoadFactor  &to,
             State             &state) const;
 
-    /// Regularization of an indefinite tangent: active constraints, or
-    /// stabilizing springs scaled by `regularization_factor`.
+    /// Regularization of an indefinite tangent: active constraints, or springs
+    /// scaled by `regularization_factor`.
     struct Regularization
     {
       std::unique_ptr<const ActiveConstraintShift> shift;
@@ -225,8 +209,7 @@ namespace lamella
     };
 
     /// Returns the tangent of @p state at @p to, after the last @p correction,
-    /// with a regularization @p aid if needed. Throws IllConditioned if none
-    /// suffices.
+    /// regularized if needed. Throws IllConditioned if that does not suffice.
     TangentOperator
     tangent(const State       &state,
             const BlockVector &correction,
@@ -234,10 +217,10 @@ namespace lamella
             Regularization    &regularization) const;
 
     /// Throws IllConditioned if the tangent of @p state at @p to, with the
-    /// active constraints, is not definite. The tangent of the last correction
-    /// was; it is not checked again if this correction was small beside the
-    /// increment from @p before and used no regularization. Throws
-    /// NumericsError if friction is unstable.
+    /// active constraints, is not definite. That of the last correction was,
+    /// and suffices if this correction was small beside the increment from @p
+    /// before and without regularization. Throws NumericsError if friction is
+    /// unstable.
     void
     check_stability(const BlockVector &before,
                     const Correction  &last,
@@ -250,19 +233,17 @@ namespace lamella
      * contact force, and with friction, which has its own criterion.
      *
      * With the spring rows R, scaled such that R^T R is their part of K, and
-     * the compliance C of K with the active constraints held, the motions V = C
-     * R^T are all that the springs hold. Their energy
+     * the compliance C of K with the active constraints fixed, springs alone
+     * restrain the motions V = C R^T. Their energy
      *   V^T (K - R^T R - H) V = G - G G - V^T H V,   G = R C R^T,
      * must not be negative beside the work of the contact forces over such a
-     * motion, relative to the size of the scene. Neutral motions, such as those
-     * of a sliding block, are accepted.
+     * motion. Neutral motions, such as those of a sliding block, are accepted.
      */
     bool
     check_supports(const State &state, const LoadFactor &to) const;
 
-    /// Solves the contact problem of @p rows in @p state at @p to by
-    /// @p strategy for forces and active set, and returns it with the
-    /// displacement increment.
+    /// Solves the contact problem of @p rows in @p state at @p to by @p
+    /// strategy, and returns forces, active set and displacement increment.
     ContactSolution
     solve_contact(ContactStrategy      &strategy,
                   const GapConstraints &rows,
@@ -271,10 +252,10 @@ namespace lamella
 
     /// Returns the correction @p du of the state @p u with the rotation of rows
     /// included and no spring force. With H = sum lambda Hess g of the forces
-    /// of @p state, which are updated, and the springs S in K, scaled by
-    /// @p regularization_factor, solves
+    /// of @p state, which are updated, and the springs S in K, scaled by @p
+    /// regularization_factor, solves
     ///   K du - B^T dlambda = r + (H + S) du
-    /// for the active rows by GMRES; returns @p du if that does not converge.
+    /// for the active rows by GMRES; returns @p du without convergence.
     BlockVector
     correct_row_rotation(ContactStrategy   &strategy,
                          const BlockVector &u,
@@ -283,31 +264,30 @@ namespace lamella
                          const LoadFactor  &to,
                          State             &state) const;
 
-    /// Adds the forces S w of the stabilizing springs, scaled by @p
-    /// regularization_factor, to @p f.
+    /// Adds the forces S w of springs, scaled by @p regularization_factor, to
+    /// @p f.
     void
     add_spring_forces(const double       regularization_factor,
                       const BlockVector &w,
                       BlockVector       &f) const;
 
-    /// Returns H @p w about the state @p u by central differences of B^T
-    /// lambda; zero if a row loses its projection.
+    /// Returns H @p w about @p u by central differences of B^T lambda; zero if
+    /// a row loses its projection.
     BlockVector
     rotation_of_constraints(const State       &state,
                             const BlockVector &u,
                             const BlockVector &w,
                             const LoadFactor  &to) const;
 
-    /// Returns the largest displacement due to @p u, for bodies with rotating
-    /// rows by the sizes of their DoFs, as warping amplitudes are no lengths.
+    /// Returns the largest displacement due to @p u, for rotating rows by sizes
+    /// of DoFs, as warping amplitudes are no lengths.
     double
     length_of(const BlockVector &u) const;
     /// Scales down the @p change of bodies that would rotate too far.
     void
     shorten(BlockVector &change) const;
 
-    /// Returns f(t) + B^T lambda - f_int of @p state, not condensed; the
-    /// contacts must be at that state.
+    /// Returns f(t) + B^T lambda - f_int of @p state, not condensed.
     BlockVector
     unbalanced(const State &state, const LoadFactor &factor) const;
 
@@ -315,10 +295,10 @@ namespace lamella
     static BlockVector
     condensed(const TangentOperator &here, BlockVector r);
 
-    /// Stores in @p at, and reports, the residuals of forces and gaps: the
+    /// Stores in @p at, and reports, the residuals of forces and gaps:
     /// condensed forces @p r at @p factor over loads or internal forces, or 0
-    /// if they are rounding of the forces that the step @p began with. Returns
-    /// true if they are within bounds.
+    /// if they are rounding of initial forces. Returns true if they are within
+    /// bounds.
     bool
     measure(const TangentOperator &here,
             const BlockVector     &r,
@@ -339,14 +319,13 @@ namespace lamella
       stagnates(const double share) const;
     };
 
-    /// Returns true if iterations end with the residual @p unbalanced and the
-    /// last correction @p change [length].
+    /// Returns true if iterations end with @p unbalanced and the last @p
+    /// change.
     bool
     is_equilibrium(const ResidualHistory &unbalanced,
                    const double           change) const;
 
-    /// Returns true if the forces @p r on each body are within the rounding of
-    /// the displacements @p u.
+    /// Returns true if the forces @p r are within the rounding of @p u.
     bool
     is_rounding(const TangentOperator &here,
                 const BlockVector     &r,
@@ -356,13 +335,12 @@ namespace lamella
     [[noreturn]] void
     throw_not_converged(const LoadFactor &reached, const LoadFactor &to) const;
 
-    /// Returns true if a displacement @p way, remaining support motion or a
-    /// correction, is negligible.
+    /// Returns true if the displacement @p way is negligible.
     bool
     is_negligible(const BlockVector &way) const;
 
-    /// Returns true if the gap violations @p missed [length] satisfy the
-    /// contact law at displacements of that @p size.
+    /// Returns true if gap violations @p missed satisfy the law at that @p
+    /// size.
     bool
     satisfies_contact_law(const ResidualHistory &missed,
                           const double           size) const;
@@ -371,8 +349,7 @@ namespace lamella
     /// Body::dof_scales() of bodies with rotating rows, empty for all others.
     std::vector<std::vector<double>> sizes;
     MovingContacts                   contacts;
-    /// Message of the last failed attempt, and why a contact was lost in it;
-    /// empty if none was.
+    /// Message of the last failed attempt, and why a contact was lost in it.
     std::string            last_failure, lost_contact;
     const SolverKind       requested;
     const NewtonParameters parameters;

@@ -13,8 +13,7 @@
 
 namespace lamella
 {
-  /// Treatment of a linear result beyond the range of linear kinematics
-  /// (`Beyond linear range`).
+  /// Treatment of results beyond linear kinematics (`Beyond linear range`).
   enum class OutOfRange
   {
     undefined,
@@ -67,7 +66,7 @@ namespace lamella
   struct Substeps
   {
     /// Fixed number, or 0: doubled until forces, displacements and dissipation
-    /// change by less than `tolerance`, relatively.
+    /// change by less than `tolerance`.
     unsigned int number    = 1;
     double       tolerance = 0.01;
     /// Number for each load step, in place of `number`, from another run.
@@ -76,12 +75,10 @@ namespace lamella
     static constexpr unsigned int most = 64;
   };
 
-  /// Solution parameters at the top level of a scene. The values here apply
-  /// before a scene is read; its defaults are in declare().
+  /// Solution parameters at the top level of a scene, defaults in declare().
   struct SolveParameters
   {
-    /// Load factor t of each load step, in order, at least one. Multiplies all
-    /// loads and prescribed displacements, those of obstacles included.
+    /// Load factor t of each step, on all loads and prescribed displacements.
     std::vector<LoadFactor> load_factors;
     Substeps                substeps;
     Rotations               rotations   = Rotations::undefined;
@@ -94,13 +91,12 @@ namespace lamella
     SolverKind solver = SolverKind::automatic;
     /// Bytes per machine; 0: the available memory.
     double memory_limit = 0.;
-    /// Largest rotation for linear kinematics (Eq. 5) [rad]; a larger one is an
+    /// Largest rotation for linear kinematics (Eq. 5) [rad]; beyond is an
     /// error.
     double     rotation_limit = 0.;
     OutOfRange beyond_linear  = OutOfRange::refuse;
-    /// Enables the estimates of large-deflection effects and the check for
-    /// inconsistent units. Not an entry of the scene; reference models disable
-    /// it.
+    /// Enables estimates of large deflections and the check of units; reference
+    /// models disable it.
     bool computes_estimates = true;
 
     /// Declares the entries with their defaults and documentation.
@@ -108,8 +104,8 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Reads the top level of a scene. Throws InputError without a load factor,
-    /// for numbers out of range, and for a linear solver that `full` cannot use
-    /// (it factorizes with MUMPS).
+    /// for numbers out of range, and for a linear solver that `full` cannot
+    /// use.
     static SolveParameters
     parse(const Entries &in);
   };

@@ -17,8 +17,8 @@
 
 namespace lamella
 {
-  /// A term of K^p, weight times b_of^T b_on: the penalty of a gap or slip, or,
-  /// with friction, a coupling within the same row.
+  /// A term of K^p, weight times b_of^T b_on: the penalty of a gap or slip, or
+  /// a frictional coupling within a row.
   struct PenaltyTerm
   {
     /// Numbers of gaps or slips (GapConstraints).
@@ -41,43 +41,38 @@ namespace lamella
    * couple gaps and slips, and the matrix is not symmetric (FullStrategy).
    *
    * K and K^p are assembled through the supports' AffineConstraints into a
-   * Trilinos matrix. Its pattern includes all rows that were ever active (all
-   * candidates would fill it many times over), and is analyzed again when
-   * others join. MUMPS factorizes it on all processes whenever the terms
-   * change, with the time and memory of a factor of the whole scene. A hard
-   * penalty costs digits, as K drowns in the rounding of K^p: see warnings().
-   *
-   * Collective. Each process owns a contiguous part of the DoFs of all bodies,
-   * and these matrix rows. Refers to the structure and views the contact rows.
+   * Trilinos matrix. Its pattern includes all rows that were ever active and is
+   * analyzed again when others join. MUMPS factorizes it on all processes
+   * whenever the terms change. A hard penalty costs digits, as K drowns in the
+   * rounding of K^p: see warnings(). Each process owns a contiguous part of the
+   * DoFs of all bodies, and these matrix rows. Refers to the structure and
+   * views the contact rows. Collective.
    */
   class PenaltyMatrix
   {
   public:
-    /// Assembles K of @p linearization, which needs no solvers.
+    /// Assembles K of @p tangent_operator, which needs no solvers.
     PenaltyMatrix(const TangentOperator &tangent_operator,
                   const GapConstraints  &rows);
 
-    /// Factorizes K + K^p of @p terms unless already done. Throws NumericsError
-    /// if it is not positive definite in doubles or, with friction, singular.
+    /// Factorizes K + K^p of new @p terms. Throws NumericsError if it is not
+    /// positive definite in doubles or, with friction, singular.
     void
     factorize(const std::vector<PenaltyTerm> &terms);
 
-    /// Returns the sign of the determinant of the last factorization
-    /// (RepeatedFactorization).
+    /// Returns the sign of the last determinant (RepeatedFactorization).
     int
     sign_of_determinant() const
     {
       return factor->sign_of_determinant();
     }
 
-    /// Returns (K + K^p)^-1 @p f of the last factorization. The forces @p f
-    /// need not be condensed; displacements are expanded, zero in prescribed
-    /// DoFs.
+    /// Returns (K + K^p)^-1 @p f of the last factorization, zero in prescribed
+    /// DoFs. The forces @p f need not be condensed.
     BlockVector
     solve(BlockVector f) const;
 
-    /// Returns the rows in the pattern, ascending; they affect the elimination
-    /// order of MUMPS.
+    /// Returns the rows in the pattern, which affect MUMPS's elimination order.
     std::vector<unsigned int>
     known_rows() const;
     /// Includes @p known_rows in the pattern of the next factorization.
@@ -86,36 +81,32 @@ namespace lamella
 
     /// Returns a sentence if the hardest penalty so far leaves an error above
     /// 1e-4 by the estimate eps N t / k of Nour-Omid and Wriggers (1987; N
-    /// DoFs, t the rounding of doubles), the basis of Eq. 24
-    /// (doc/theory/penalty.md).
+    /// DoFs, t the rounding of doubles), the basis of Eq. 24.
     std::vector<std::string>
     warnings() const;
 
   private:
-    /// Returns the constraints u = G v by supports and theories of all bodies,
-    /// in the numbering of the scene: body after body.
+    /// Returns the constraints u = G v of all bodies, numbered body after body.
     Constraints
     constraints_of_all() const;
     /// Assembles K of all bodies with their springs, condensed.
     void
     assemble_stiffness(const TangentOperator &tangent_operator);
-    /// Sets the diagonal entries of eliminated DoFs to the largest of all
-    /// others, and stores the diagonal.
+    /// Sets diagonal entries of eliminated DoFs to the largest of all others.
     void
     fill_diagonal();
-    /// Includes the rows of @p terms with their slips in the pattern of K +
-    /// K^p; drops the factor and its symbolic analysis if some are new.
+    /// Includes the rows of @p terms with their slips in the pattern; new ones
+    /// drop the factor and its symbolic analysis.
     void
     extend_pattern(const std::vector<PenaltyTerm> &terms);
     /// Adds @p term to K^p (Eq. 23 with the row b in the place of n).
     void
     add_penalty(const PenaltyTerm &term);
-    /// Returns this process's entries of K + K^p for MUMPS, the upper half if
-    /// symmetric.
+    /// Returns this process's entries for MUMPS, the upper half if symmetric.
     MatrixEntries
     entries() const;
-    /// Updates the hardest penalty of @p terms relative to the stiffness of the
-    /// DoFs of its row, k = 1 / sum(b_i^2 / K_ii).
+    /// Updates the hardest penalty of @p terms relative to its row's stiffness
+    /// k = 1 / sum(b_i^2 / K_ii).
     void
     update_penalty_ratio(const std::vector<PenaltyTerm> &terms);
 

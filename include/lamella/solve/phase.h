@@ -35,8 +35,7 @@ namespace lamella
                                             {Phase::output, "output"}};
   };
 
-  /// Returns the names of all phases, in order; a static that lives as long as
-  /// the program.
+  /// Returns the static names of all phases, in order.
   const std::vector<std::string> &
   phase_names();
 } // namespace lamella

@@ -9,8 +9,7 @@
 
 namespace lamella
 {
-  /// Components (n, t_1, t_2) of each contact point: forces or lengths. Missing
-  /// tangents are zero.
+  /// Components (n, t_1, t_2) of each contact point: forces or lengths.
   using PointVectors = std::vector<dealii::Tensor<1, 3>>;
 
   /// Returns the length of the tangential part of @p x.
@@ -29,9 +28,8 @@ namespace lamella
   double
   largest_component(const PointVectors &x);
 
-  /// The dense compliance W = B K^-1 B^T of candidate contact points. Each
-  /// point has consecutive rows, the normal one and zero to two tangential
-  /// ones. Forces lambda displace the points by W lambda.
+  /// The dense compliance W = B K^-1 B^T of candidate contact points, with
+  /// consecutive rows of each, the normal one and up to two tangential ones.
   struct PointCompliance
   {
     /// First row of each point, and one past the last of all.
@@ -76,8 +74,7 @@ namespace lamella
     PointVectors
     times(const PointVectors &lambda) const;
 
-    /// Adds W_(.,i) change to @p v, the displacement due to the force of
-    /// @p point alone.
+    /// Adds W_(.,i) change to @p v, the effect of @p point alone.
     void
     add_of_point(const unsigned int          point,
                  const dealii::Tensor<1, 3> &change,

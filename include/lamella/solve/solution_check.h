@@ -11,15 +11,12 @@
 
 namespace lamella
 {
-  /**
-   * Throws NumericsError if the state is not reliable, checked in this order:
-   * stabilizing springs with more than a tenth of the energy; last corrections
-   * above 1e-6 of the displacements; balance of forces or moments, residual or
-   * energy balance above 1e-3; a contact force below zero or gaps off the
-   * contact law by more than 1e-6 of the displacements; values that are not
-   * finite; a rotation above @p rotation_limit [rad]. A check that is not a
-   * number fails.
-   */
+  /// Throws NumericsError if the state is not reliable, checked in this order:
+  /// stabilizing springs with more than a tenth of the energy; last corrections
+  /// above 1e-6 of the displacements; balance of forces or moments, residual or
+  /// energy balance above 1e-3; a tensile contact force or gaps off the contact
+  /// law by more than 1e-6 of the displacements; values that are not finite; a
+  /// rotation above @p rotation_limit [rad].
   void
   check_solution(const State  &state,
                  const Checks &checks,
@@ -27,18 +24,17 @@ namespace lamella
 
   /// Throws NumericsError if a support of rotating sections misses its
   /// prescribed position at load factor @p at in the state of @p here, because
-  /// other supports hold the same points and agree with it to first order only.
-  /// (With warping, dependent rows deviate to second order: ten times the
-  /// effect of rotated warping on the displacements is accepted.)
+  /// others prescribe the same points and agree to first order only. (With
+  /// warping, ten times the effect of rotated warping is accepted.)
   void
   check_followed(const TangentOperator &here, const LoadFactor &at);
 
-  /// Returns warnings about a reliable state, one sentence each without a full
-  /// stop: penetrations above 1e-3 of the displacements; gap averages that miss
-  /// more than 1e-2 of them; initial overlaps; rotations beyond 0.1 rad;
-  /// stabilizing springs with more than 1e-3 of the energy; balances worse than
-  /// 1e-7; and digits lost by the assembled matrix (a first correction above
-  /// 1e-7). @p contacts are those of check_state().
+  /// Returns warnings about a reliable state, one sentence each: penetrations
+  /// above 1e-3 of the displacements; gap averages that miss more than 1e-2 of
+  /// them; initial overlaps; rotations beyond 0.1 rad; springs with more than
+  /// 1e-3 of the energy; balances worse than 1e-7; and digits lost by the
+  /// matrix (a first correction above 1e-7). @p contacts are those of
+  /// check_state().
   std::vector<std::string>
   warnings_of(const State                         &state,
               const Checks                        &checks,

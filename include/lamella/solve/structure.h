@@ -21,9 +21,8 @@
 
 namespace lamella
 {
-  /// Offsets r_0 of the stabilizing springs in f = -k (r(u) - r_0): the value
-  /// of each spring row at zero force [length], as [body][spring]. Empty: all
-  /// zero.
+  /// Offsets r_0 of the springs in f = -k (r(u) - r_0) [length], as
+  /// [body][spring]. Empty: all zero.
   using SpringOffsets = std::vector<std::vector<double>>;
 
   /**
@@ -38,11 +37,8 @@ namespace lamella
    * condensed stiffness
    *   G^T (K + sum_k s_k r_k^T r_k) G,
    * with the stabilizing springs of stiffness s_k and row r_k. A
-   * TangentOperator is the tangent at a state with its solvers.
-   *
-   * Shares ownership of the bodies, and owns the reductions and springs.
-   * Strategies, checks and reports refer to it, so it must outlive them. Each
-   * process holds all of it and whole vectors; the element work is distributed.
+   * TangentOperator is the tangent at a state with its solvers. Each process
+   * holds all of it and whole vectors; the element work is distributed.
    */
   class Structure
   {
@@ -50,13 +46,12 @@ namespace lamella
     /**
      * Creates and eliminates the prescribed rows of @p supports, creates the
      * springs and integrates @p loads; assembles no matrix. @p bodies must not
-     * be empty; regions of supports and loads refer to bodies by index.
-     * @p stabilizations has one entry per body, or none. Temperatures among
-     * @p loads heat the bodies; their weight under @p gravity (scene axes,
-     * length / s^2) is an additional last load, unless zero. Throws InputError
-     * if a region is not in its body, if supports contradict each other, or if
-     * a body has a free rigid motion and no stabilization (the message names
-     * the motion). Collective.
+     * be empty. @p stabilizations has one entry per body, or none. Temperatures
+     * among @p loads heat the bodies; their weight under @p gravity (scene
+     * axes, length / s^2) is an additional last load, unless zero. Throws
+     * InputError if a region is not in its body, if supports contradict each
+     * other, or if a body has a free rigid motion (which the message names) and
+     * no stabilization. Collective.
      */
     Structure(Bodies                            bodies,
               const std::vector<Support>       &supports,
@@ -78,8 +73,8 @@ namespace lamella
       return *reductions[body];
     }
 
-    /// Returns the prescribed rows R u = t d of all supports on all bodies;
-    /// RowReduction::multipliers() gives indices into them.
+    /// Returns the prescribed rows R u = t d of all supports, the indices of
+    /// RowReduction::multipliers().
     const std::vector<PrescribedFunctional> &
     prescribed() const
     {
@@ -95,36 +90,33 @@ namespace lamella
       });
     }
 
-    /// Returns the stabilizing springs of @p body, one per free rigid motion;
-    /// none without a Stabilization.
+    /// Returns the stabilizing springs of @p body, one per free rigid motion.
     const std::vector<Spring> &
     springs(const unsigned int body) const
     {
       return all_springs[body];
     }
 
-    /// Returns the resultant of each load at load factor 1: force and moment
-    /// about the origin of the scene, scene axes, in the order of the loads,
-    /// then weight.
+    /// Returns the resultant of each load, then weight, at load factor 1: force
+    /// and moment about the origin, scene axes.
     const std::vector<LoadResultant> &
     load_resultants() const
     {
       return resultants;
     }
 
-    /// Returns true if any body has springs, so that its solution must be
-    /// released from them (ContactSolver::release_springs()).
+    /// Returns true if any body has springs (ContactSolver::release_springs()).
     bool
     has_springs() const;
 
-    /// Returns r_k(u) of the springs of all bodies at @p u: offsets that make
-    /// them free of force there.
+    /// Returns r_k(u) of all springs, offsets that make them free of force at
+    /// @p u.
     SpringOffsets
     spring_lengths(const BlockVector &u) const;
 
-    /// Returns the load vector f(t, u) at load factor t = @p factor, not
-    /// condensed: f . v is the work of all loads on the virtual displacement v
-    /// (Eq. 10). Only follower loads (FollowerLoad) depend on @p u.
+    /// Returns the load vector f(t, u) at t = @p factor, not condensed: f . v
+    /// is the work of all loads on v (Eq. 10). Only follower loads depend on @p
+    /// u.
     BlockVector
     load(const LoadFactor &factor, const BlockVector &u) const;
 
@@ -150,9 +142,8 @@ namespace lamella
                             const BlockVector &w,
                             BlockVector       &f) const;
 
-    /// Calls @p use with the contributions of the follower loads to the tangent
-    /// stiffness of @p body at load factor @p factor and its displacement @p u
-    /// (FollowerLoad).
+    /// Calls @p use with the tangent contributions of the follower loads on @p
+    /// body at load factor @p factor and its displacement @p u (FollowerLoad).
     void
     for_each_block_of_loads(
       const unsigned int                                 body,
@@ -161,9 +152,8 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// Returns the thermal load vector f_0 (Body::add_thermal_load()), which is
-    /// independent of the load factor. Zero without heat, and for bodies with
-    /// finite rotations, where load() includes it.
+    /// Returns the thermal load vector f_0 (Body::add_thermal_load()). Zero
+    /// without heat, and for finite rotations, where load() includes it.
     const BlockVector &
     thermal_load() const
     {
@@ -174,13 +164,11 @@ namespace lamella
     bool
     is_heated() const;
 
-    /// Returns true if any body has finite rotations
-    /// (Body::has_finite_rotations()).
+    /// Returns true if any body has finite rotations.
     bool
     has_finite_rotations() const;
 
-    /// Returns integral epsilon_0 . C epsilon_0 / 2 dV over all bodies: the
-    /// energy if they were heated and fully constrained.
+    /// Returns integral epsilon_0 . C epsilon_0 / 2 dV over all bodies.
     double
     thermal_energy() const
     {
@@ -207,8 +195,8 @@ namespace lamella
     DofIndex
     n_dofs() const;
 
-    /// Returns the diagonal of the bounding box of all bodies in scene axes,
-    /// the reference of lengths.
+    /// Returns the diagonal of all bodies' bounding box, the reference of
+    /// lengths.
     double
     size() const;
 
@@ -216,39 +204,36 @@ namespace lamella
     BlockVector
     zero() const;
 
-    /// Returns u_p(t) at load factor t = @p factor: the prescribed values, and
-    /// zero in free DoFs. For small rotations; see
-    /// TangentOperator::support_increment() for finite ones.
+    /// Returns u_p(t) at t = @p factor, zero in free DoFs, for small rotations
+    /// (see TangentOperator::support_increment()).
     BlockVector
     particular(const LoadFactor &factor) const;
 
-    /// Returns true if supports and theory constrain @p row to zero in all
-    /// states, up to rounding.
+    /// Returns true if supports and theory constrain @p row to zero always.
     bool
     holds(const BodyFunctional &row) const;
 
-    /// Returns the stabilizing springs of @p body as terms s_k r_k^T r_k of its
-    /// stiffness: pairs of row and stiffness (force / length).
+    /// Returns the springs of @p body as terms s_k r_k^T r_k of its stiffness.
     std::vector<SpringTerm>
     spring_terms(const unsigned int body) const;
 
     /**
-     * Returns the unbalanced forces without contact,
+     * Returns the unbalanced forces without contact, not condensed,
      *   r = f(t) + f_0 - integral B^T C (B u) dV
      *       - sum_k s_k (r_k(u) - r_0k) r_k^T,
-     * with t = @p factor, f_0 = thermal_load() and the spring offsets @p rest;
-     * not condensed. Strains B u are formed at each quadrature point and their
-     * stresses integrated, instead of K u: unlike an assembled K, this loses no
-     * digits to cancellation in slender bodies, so solutions are refined
-     * against it. Costs a loop over all elements; collective.
+     * with t = @p factor, f_0 = thermal_load() and the spring offsets @p rest.
+     * Strains B u are formed at each quadrature point, which unlike an
+     * assembled K loses no digits to cancellation in slender bodies, so
+     * solutions are refined against it. Costs a loop over all elements;
+     * collective.
      */
     BlockVector
     residual(const BlockVector   &u,
              const LoadFactor    &factor,
              const SpringOffsets &rest = {}) const;
 
-    /// Returns integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T,
-    /// evaluated as in residual(); linear in @p u without @p rest.
+    /// Returns integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T, as in
+    /// residual().
     BlockVector
     internal_forces(const BlockVector &u, const SpringOffsets &rest = {}) const;
 
@@ -256,22 +241,20 @@ namespace lamella
     BlockVector
     retract(const BlockVector &u, const BlockVector &change) const;
 
-    /// Computes G^T r in place, zero in the eliminated DoFs: the residual of
-    /// equilibrium. (The entries of eliminated DoFs before that are the
-    /// reactions.)
+    /// Computes G^T r in place, zero in the eliminated DoFs (whose entries are
+    /// the reactions before).
     void
     condense(BlockVector &r) const;
 
   private:
-    /// Returns u_p of the rows with load history @p history, at load factor 1.
-    /// Throws InputError if dependent rows have different histories; @p names
-    /// are those of supports.
+    /// Returns u_p of the rows of @p history at load factor 1. Throws
+    /// InputError with support @p names if dependent rows have different
+    /// histories.
     BlockVector
     prescribed_in(const unsigned int              history,
                   const std::vector<std::string> &names) const;
 
-    /// Adds @p load to its history, or to the follower loads, and its
-    /// resultant.
+    /// Adds @p load to its history or the follower loads, and its resultant.
     void
     take(const Load &load);
     void
@@ -280,13 +263,12 @@ namespace lamella
     void
     assemble_thermal_load();
 
-    /// Throws InputError, with the @p names of supports, if one prescribes a
-    /// finite rotation of points that another holds elsewhere.
+    /// Throws InputError with support @p names if one prescribes a finite
+    /// rotation of points that another prescribes otherwise.
     void
     check_rotations(const std::vector<std::string> &names) const;
 
-    /// Throws InputError for the first body with a free rigid motion and no
-    /// stabilization.
+    /// Throws InputError for the first free rigid motion without stabilization.
     void
     check_rigid_motions(const std::vector<Stabilization> &stabilizations) const;
 
@@ -296,8 +278,7 @@ namespace lamella
     /// Reduction and springs of each body.
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;
-    /// Load and prescribed displacements of each history at load factor 1, that
-    /// of the scene first.
+    /// Load and prescribed displacements of each history at load factor 1.
     struct OfHistory
     {
       BlockVector load, particular;

@@ -11,22 +11,17 @@
 
 namespace lamella
 {
-  /**
-   * The tangent stiffness of a structure at one state u,
-   *   K(u) = d f_int / du,
-   * springs included: as terms for assembly, as a product, and optionally as
-   * solvers of each body. It is immutable; another state needs another object.
-   * If all bodies are linear, that at u = 0 is valid for all states.
-   *
-   * Refers to the structure, which must outlive it. Collective.
-   */
+  /// The tangent stiffness of a structure at one state u,
+  ///   K(u) = d f_int / du,
+  /// springs included: as terms for assembly, as a product, and optionally as
+  /// solvers of each body. It is immutable. If all bodies are linear, that at u
+  /// = 0 is valid for all states. Refers to the structure. Collective.
   class TangentOperator
   {
   public:
-    /// Callbacks for each body: at the beginning and end of its work, after the
-    /// assembly of its stiffness, and with the size of its factor before memory
-    /// is allocated. Each may be empty. An exception of `sized` prevents the
-    /// factorization.
+    /// Callbacks for each body, each optional: at the beginning and end of its
+    /// work, after assembly, and with the size of its factor before memory is
+    /// allocated. An exception of `sized` prevents the factorization.
     struct BodyMonitor
     {
       std::function<void(const Body &)>                     begins, assembled;
@@ -34,19 +29,17 @@ namespace lamella
       std::function<void(const Body &, const FactorSize &)> factor_sized;
     };
 
-    /// Creates the tangent at @p u without solvers, for assembly by the `full`
-    /// strategy.
+    /// Creates the tangent at @p u without solvers, for the `full` strategy.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
                     const LoadFactor  &factor = LoadFactor());
 
     /// Creates the tangent at @p u with solvers of the kind @p requested for
     /// the condensed stiffness of each body, after the @p correction that led
-    /// to u, if any (Body::make_tangent_solver()). Follower loads at load
-    /// factor @p factor and additional @p springs of each body contribute to
-    /// the solvers only. Throws IllConditioned if a stiffness is not positive
-    /// definite in doubles, InputError as Body::solver_kind() does, and what @p
-    /// monitor throws.
+    /// to u, if any. Follower loads at load factor @p factor and additional @p
+    /// springs of each body contribute to the solvers only. Throws
+    /// IllConditioned if a stiffness is not positive definite in doubles,
+    /// InputError as Body::solver_kind() does, and what @p monitor throws.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
                     const SolverKind   requested,
@@ -62,8 +55,7 @@ namespace lamella
     }
 
     /// Returns the prescribed rows of all supports, and G of @p body, for
-    /// increments of the state: those of the structure, except for bodies with
-    /// finite-rotation rows.
+    /// increments of the state: the structure's, except for rotating rows.
     const std::vector<PrescribedFunctional> &
     prescribed() const
     {
@@ -82,22 +74,21 @@ namespace lamella
     condense(BlockVector &r) const;
 
     /// Returns the prescribed displacements from load factor @p from, that of
-    /// the state, to @p to. With finite rotations of rows or supports
-    /// (RigidRotation) this is the first-order increment to the new supports:
-    /// second-order terms would compress a beam that has not bent yet.
+    /// the state, to @p to. With finite rotations this is the first-order
+    /// increment: second-order terms would compress a beam that has not bent
+    /// yet.
     BlockVector
     support_increment(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Point of a support that misses its prescribed value, with the error as a
-    /// share of the tolerance.
+    /// Point of a support off its prescribed value, with its error / tolerance.
     struct SupportError
     {
       dealii::Point<3> place;
       double           share = 0.;
     };
-    /// Returns the largest error at load factor @p at of the rows that no
-    /// correction follows. The tolerance accounts for the effect of rotations
-    /// on warping.
+    /// Returns the largest error at load factor @p at of rows that no
+    /// correction follows, with a tolerance for the effect of rotations on
+    /// warping.
     SupportError
     largest_support_error(const LoadFactor &at) const;
 
@@ -105,32 +96,29 @@ namespace lamella
     StiffnessTerms
     terms(const unsigned int body) const;
 
-    /// Returns K(u) @p w of all bodies and springs, not condensed, evaluated
-    /// from strains as Structure::internal_forces() is.
+    /// Returns K(u) @p w of all bodies and springs, not condensed, from
+    /// strains.
     BlockVector
     apply(const BlockVector &w) const;
 
-    /// Returns the solver for the condensed stiffness of @p body. Asserts that
-    /// there are solvers.
+    /// Returns the solver for the condensed stiffness of @p body, if there is
+    /// one.
     const LinearSolver &
     solver(const unsigned int body) const;
 
     /// Returns K(u)^-1 @p r, zero in prescribed DoFs; r need not be condensed.
-    /// Requires solvers. Follower loads may add an unsymmetric part A to the
-    /// tangent, outside the factors: then solves
+    /// Requires solvers. With an unsymmetric part A of follower loads, solves
     ///   (1 + K^-1 A) x = K^-1 r
     /// by GMRES, or returns K^-1 r if that does not converge.
     BlockVector
     solve(BlockVector r) const;
 
-    /// Returns the largest diagonal entry of the condensed stiffness of @p body
-    /// (force over length for displacement DoFs). Without solvers (`full`) the
-    /// first call assembles the matrix of the body.
+    /// Returns the largest diagonal entry of the condensed stiffness of @p
+    /// body. Without solvers the first call assembles its matrix.
     double
     largest_stiffness(const unsigned int body) const;
 
-    /// Returns the largest estimate, a lower bound, of the condition numbers of
-    /// the stiffnesses; 0 if unknown.
+    /// Returns the largest estimate (lower bound) of condition numbers, or 0.
     double
     condition_estimate() const;
 
@@ -158,8 +146,8 @@ namespace lamella
     const BlockVector                          state;
     const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
-    /// Moved rows, and the value of each in the state; empty without
-    /// finite-rotation rows.
+    /// Moved rows, and the value of each in the state; empty unless they
+    /// rotate.
     std::vector<PrescribedFunctional>          moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;
@@ -167,7 +155,7 @@ namespace lamella
     mutable std::vector<double> stiffest;
   };
 
-  /// Returns the tangent at u = 0 with solvers, valid for all states of linear
+  /// Returns the tangent at u = 0 with solvers, for all states of linear
   /// bodies.
   std::shared_ptr<const TangentOperator>
   linearized(const Structure &structure,
