@@ -12,16 +12,16 @@
 namespace lamella
 {
   /// Returns @p scene with the elements @p marked of its beams bisected. The
-  /// axes have to be made (grade_axes()). Bodies whose nodes a contact pairs
-  /// (node to node) need all of their elements marked or none.
+  /// axes have to be made. Bodies whose nodes a contact pairs need all or none
+  /// marked.
   Scene
   bisected(Scene scene, const std::vector<ElementError> &marked);
 
-  /// Returns the elements to bisect for @p goals. For each goal they are the
-  /// elements with the largest |error| per DoF: at least @p share of the sum of
-  /// |error|, and as many as leave at most @p left of the tolerance to all
-  /// others. Returns nothing if a goal has no LocalErrors or a contact pairs
-  /// nodes: all elements are to be halved then.
+  /// Returns the elements to bisect for @p goals: for each goal those with the
+  /// largest |error| per DoF, at least @p share of the sum of |error|, and as
+  /// many as leave at most @p left of the tolerance to all others. Nothing if a
+  /// goal has no LocalErrors or a contact pairs nodes: all are to be halved
+  /// then.
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,
@@ -37,8 +37,8 @@ namespace lamella
    * (LocalErrors::of_pairs). Pairs, also of merged elements, are merged in
    * order of increasing error while the sum is below @p left of each tolerance.
    * Element ends at @p kept (one list per body) stay. Nothing is merged if a
-   * contact pairs nodes, if a goal has no LocalErrors, or if their parts
-   * without an element (contact, remainder) exceed @p left of the tolerance.
+   * contact pairs nodes, or if a goal has no LocalErrors or too large parts
+   * without an element (contact, remainder).
    */
   Scene
   merged(Scene                                   scene,

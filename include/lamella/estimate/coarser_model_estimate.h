@@ -21,14 +21,12 @@ namespace lamella
   /// Constants of CoarserModelEstimate.
   struct CoarserModelRules
   {
-    /// Least degree N of LE-N that has bars: the change from LE-1 to LE-2 does
-    /// not bound the error of LE-2.
+    /// Least degree N of LE-N with bars: LE-1 does not bound the error of LE-2.
     unsigned int min_degree = 3;
-    /// Least value of the last change, as a share of the change before: it may
-    /// be small by accident, as between odd and even degrees.
+    /// Least last change over the change before, as it may be small by
+    /// accident.
     double min_share_of_previous = 1. / 8.;
-    /// Least error, as a share of the sum of |contributions| of nodes, which
-    /// may cancel.
+    /// Least error over the sum of |contributions| of nodes, which may cancel.
     double min_share_of_sizes = 1. / 4.;
   };
 
@@ -37,31 +35,28 @@ namespace lamella
    *
    * Goals with a derivative in scenes without contacts: the surpluses of the
    * run's highest functions (Surpluses) approximate the change from a poorer
-   * model; two levels of section and axis give the bar
-   * (coarser_model_bar(), CoarserModelRules).
+   * model; two levels of section and axis give the bar (coarser_model_bar(),
+   * CoarserModelRules).
    *
    * All others: the goals J_1 on half of the elements with one degree less and
    * J_2 on a quarter with two less. With J_0 of the run and the surpluses s of
    * goals that have any,
    *   d = max(|s_section| + |s_axis|, |J_0 - J_1|)
    * and e likewise for the levels before; the error is at least |J_1 - J_2| /
-   * 8. Each model has gap rows of its own mesh and its own active set, so
-   * errors of the run's active set are included.
-   *
-   * ContactShares adds the effect of penalties and load steps.
+   * 8. Each model has its own gap rows and active set, so errors of the run's
+   * active set are included. ContactShares adds penalties and load steps.
    */
   class CoarserModelEstimate
   {
   public:
-    /// Returns why @p run has no such bars, as a sentence without a full stop;
-    /// empty if it has.
+    /// Returns why @p run has no such bars; empty if it has.
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Solves poorer models if goals need them. @p run is referred to; its last
-    /// step has to be solved and unavailable_reason() empty. Prints a line per
-    /// model to @p out; @p cache keeps the models. Throws what Simulation
-    /// throws. Collective, as goals() is.
+    /// Solves poorer models if goals need them. The last step of @p run has to
+    /// be solved and unavailable_reason() empty. Prints a line per model to @p
+    /// out; @p cache keeps the models. Throws what Simulation throws.
+    /// Collective.
     CoarserModelEstimate(const Simulation &run,
                          std::ostream     &out,
                          ModelCache       &cache);
@@ -84,8 +79,7 @@ namespace lamella
     by_models(const NamedQuantity               &goal,
               const std::optional<SurplusParts> &own) const;
     using Shares = std::vector<std::pair<std::string, double>>;
-    /// Returns the part of each source in @p bar, with the sign of its last
-    /// change.
+    /// Returns the part of each source in @p bar, signed by its last change.
     Shares
     shares_of(const NamedQuantity               &goal,
               const ErrorBar                    &bar,

@@ -11,23 +11,20 @@
 
 namespace lamella
 {
-  /// Returns @p axis with about half as many elements, of given lengths (no
-  /// fineness). Neighbors are merged two by two within each piece; of an odd
-  /// number, three at the longest element are merged. A single element in a
-  /// piece is kept. If all pieces are single elements, as on graded axes, the
-  /// piece ends are replaced by the places toward which elements get shorter
+  /// Returns @p axis with about half as many elements, of given lengths.
+  /// Neighbors are merged two by two within each piece; of an odd number, three
+  /// at the longest element are merged. If all pieces are single elements, as
+  /// on graded axes, pieces end at the places toward which elements get shorter
   /// from both sides. All element ends are element ends of @p axis.
   AxisMesh
   halved(const AxisMesh &axis);
 
-  /// Returns the elements of @p axis after halving it @p times (at least once),
-  /// with polynomials of its degree, reduced by one (1 at least) for each time
-  /// that an element was not merged.
+  /// Returns the elements of @p axis after halving it @p times, with its degree
+  /// reduced by one (1 at least) for each time an element was not merged.
   std::vector<AxisSpan>
   coarser_spans(AxisMesh axis, const unsigned int times);
 
-  /// Returns @p scene with the axes of its beams halved(). The axes have to be
-  /// made (grade_axes()).
+  /// Returns @p scene with the (made) axes of its beams halved().
   Scene
   with_halved_axes(Scene scene);
 

@@ -39,7 +39,6 @@ namespace lamella
   };
 
   /// Solver of further models of the scene of a run, one after the other.
-  /// Refers to the run, the stream and the cache.
   class ComparisonModels
   {
   public:
@@ -49,9 +48,8 @@ namespace lamella
                      ModelCache       &cache);
 
     /// Returns the model of @p scene; solves it, with the line @p what, unless
-    /// it is known. The solved simulation is passed to @p look if given; the
-    /// model is solved in any case then. Throws what Simulation throws.
-    /// Collective.
+    /// it is known or @p look is given, which gets the solved simulation.
+    /// Throws what Simulation throws. Collective.
     Model
     solved(const Scene                                   &scene,
            const std::string                             &what,

@@ -13,16 +13,14 @@
 
 namespace lamella
 {
-  /// Factors from a change by contact to a bar, from measurements
+  /// Measured factors from a change by contact to a bar
   /// (doc/theory/friction.md).
   struct ContactShareRules
   {
-    /// Factor of the change by exact contact: no error is left then; doubled
-    /// since a poorer model may give the change.
+    /// Factor of the change by exact contact, perhaps of a poorer model.
     double of_penalties = 2.;
     /// Factor of the change by twice as many substeps: the error left is once
-    /// the change at first order, and 3.4 times at order 1/2, as where the
-    /// contact zone grows.
+    /// the change at first order, and 3.4 times at order 1/2 (growing contact).
     double of_path = 4.;
     /// Factor of that change in the estimate: first order.
     double left_of_path = 2.;
@@ -35,15 +33,11 @@ namespace lamella
    * factorized stiffness and with an active set of its own. A goal changes by
    *   J'_u . (u_exact - u) + J'_lambda . (lambda_exact - lambda).
    * For a goal without a derivative, and with friction, it is the change by
-   * exact contact in a poorer model (compare()). Zero if no contact has a
-   * penalty.
+   * exact contact in a poorer model (compare()). Zero without penalties.
    *
-   * Load steps, with friction: the change by twice as many substeps in a
-   * poorer model. The law is integrated by backward Euler in the slip, of
-   * first order at most.
-   *
-   * Refers to the run. Throws NumericsError if the exact problem has no
-   * solution. Collective.
+   * Load steps, with friction: the change by twice as many substeps in a poorer
+   * model. The law is integrated by backward Euler in the slip, of first order
+   * at most. Throws NumericsError without an exact solution. Collective.
    */
   class ContactShares
   {
@@ -51,17 +45,15 @@ namespace lamella
     explicit ContactShares(const Simulation &run);
 
     /// Solves @p poorer, whose numbers are @p numbers, without penetration and
-    /// in twice as many substeps, by means of @p others, as far as @p goals
-    /// need it.
+    /// in twice as many substeps, by @p others, as far as @p goals need it.
     void
     compare(const std::vector<NamedQuantity> &goals,
             ComparisonModels                 &others,
             const Scene                      &poorer,
             const ResultNumbers              &numbers);
 
-    /// Adds the effects to @p result, the result of @p goal, by
-    /// ContactShareRules: signed to the estimate, by size to the bar and the
-    /// shares. @p goal has to be one of those given to compare().
+    /// Adds the effects to @p result of @p goal, one of compare(), by
+    /// ContactShareRules: signed to the estimate, by size to bar and shares.
     void
     add_to(const NamedQuantity &goal, GoalResult &result) const;
 
@@ -77,8 +69,7 @@ namespace lamella
     std::vector<double> force;
     /// Dual of all rows that are active in either state.
     std::unique_ptr<const GoalDual> dual;
-    /// Numbers of the poorer model: as it is, without penetration, and in twice
-    /// as many substeps.
+    /// Numbers of the poorer model, without penetration, and in more substeps.
     std::optional<ResultNumbers> poor, exact, shorter;
   };
 } // namespace lamella

@@ -39,8 +39,7 @@ namespace lamella
   std::vector<BodySize>
   sizes_of(const BuiltScene &model);
 
-  /// Returns whether a body of LE-N could use its section's own fields instead
-  /// (SV-N), and these would be fewer.
+  /// Returns whether SV-N would have fewer fields for a body of LE-N.
   bool
   may_have_responses(const BodyDescription &body,
                      const BodySize        &size,
@@ -52,19 +51,18 @@ namespace lamella
    *   fields    EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6; all
    *             of these become LE-2 where that has at most cheap_dofs or
    *             contacts cover more than max_contact_share of the body
-   * (PlanRules). SV-N gets four wave numbers more. LE-N has all fields already;
+   *             (PlanRules). SV-N gets four wave numbers more;
    *   section   the degree of LE-N and the section order of SV-N grow by one.
-   *             Where it is 8 already (PlanRules::highest_degree,
-   *             corner_degree) a layer of cells is added at the corners of the
-   *             section, or without corners each cell is divided in four.
-   *             (Degrees come first: they converge at twice the rate of equal
-   *             cells where plies end, Szabo and Babuska 1991.) solid-1 becomes
-   *             solid-2, whose hexahedra are divided in eight;
+   *             At 8 (PlanRules::highest_degree, corner_degree) a layer of
+   *             cells is added at the corners of the section, or without
+   *             corners each cell is divided in four. (Degrees converge at
+   *             twice the rate of equal cells where plies end, Szabo and
+   *             Babuska 1991.) solid-1 becomes solid-2, whose hexahedra are
+   *             divided in eight;
    *   contact   penalties become exact;
    *   path      substeps are doubled (for_estimates() sets their number).
-   * LE-N becomes SV-10 with the same functions if the body, of the size in
-   * @p sizes, would exceed max_layerwise_dofs and may_have_responses() holds.
-   * The scene is returned unchanged without such a source (has_source()). The
+   * LE-N becomes SV-10 with the same functions if the body, of the size in @p
+   * sizes, would exceed max_layerwise_dofs and may_have_responses() holds. The
    * axes of @p scene have to be made (grade_axes()).
    */
   Scene
@@ -77,9 +75,8 @@ namespace lamella
   bool
   has_source(const Scene &scene, const Source source);
 
-  /// Returns the scene of the solved @p run for estimates: its last load step
-  /// only, and no output but probes. With friction it has all load steps, each
-  /// in as many substeps as the run took.
+  /// Returns the scene of the solved @p run for estimates: only its last load
+  /// step (with friction all, in the run's substeps), and only probes.
   Scene
   for_estimates(const Simulation &run);
 } // namespace lamella

@@ -19,12 +19,10 @@ namespace lamella
     /// Number of wave numbers that the model with poorer fields lacks.
     unsigned int fewer_waves = 3;
     /// Section order below which runs with tolerances are compared with a
-    /// richer section: a comparison with order 1 does not bound the error of
-    /// order 2.
+    /// richer section, as order 1 does not bound the error of order 2.
     unsigned int min_order = 3;
     /// Factors from a change to a bar: for poorer fields and sections; for
-    /// halved axes, whose error falls by two or more per halving, also at
-    /// corners; for richer models.
+    /// halved axes, whose error falls by two or more; for richer models.
     double of_fields = 2., of_axis = 1., enriched_factor = 2.;
     /// Largest sum of |changes|, as a share of the scale, that has a bar.
     double max_change_share = 0.1;
@@ -32,8 +30,7 @@ namespace lamella
 
   /**
    * Error bars of the goals of a run with bodies of SV-N, from three models
-   * that differ from the run in one source each and share its end fields,
-   * which dominate the cost:
+   * that differ from the run in one source each and share its end fields:
    *   axis      half of the elements; with tolerances twice as many
    *   fields    three wave numbers less; with tolerances four more
    *   section   one order or degree less; with tolerances one more if the
@@ -46,13 +43,11 @@ namespace lamella
   class EnrichmentEstimate
   {
   public:
-    /// Returns why @p run has no such bars, as a sentence without a full stop;
-    /// empty if it has.
+    /// Returns why @p run has no such bars; empty if it has.
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Solves the other models; arguments, exceptions and collectivity are
-    /// those of CoarserModelEstimate().
+    /// Solves the other models, as CoarserModelEstimate() does.
     EnrichmentEstimate(const Simulation &run,
                        std::ostream     &out,
                        ModelCache       &cache);
@@ -61,8 +56,8 @@ namespace lamella
     goals() const;
 
   private:
-    /// Numbers of a model that differs in one source, and the factor of its
-    /// change in the bar.
+    /// Numbers of a model that differs in one source, and its factor in the
+    /// bar.
     struct Other
     {
       Source        source;
@@ -77,8 +72,7 @@ namespace lamella
     compare_with_enriched(ComparisonModels &models, const Scene &scene);
     void
     compare_sections(ComparisonModels &models, const Scene &scene);
-    /// Returns the change of @p goal between the run and @p other: richer less
-    /// poorer.
+    /// Returns the change of @p goal by @p other: richer less poorer.
     double
     change_by(const Other &other, const NamedQuantity &goal) const;
     ErrorBar
@@ -91,8 +85,8 @@ namespace lamella
     RunGoals           of_run;
     ContactShares      of_contact;
     std::vector<Other> others;
-    /// Local errors of each quantity, from the model with more elements; empty
-    /// without tolerances.
+    /// Local errors of each quantity, from more elements; empty without
+    /// tolerances.
     std::vector<std::optional<LocalErrors>> local;
   };
 } // namespace lamella

@@ -8,52 +8,44 @@
 
 namespace lamella
 {
-  /// Constants of error bars. With these 411 of the 414 bars of
-  /// doc/theory/error-bars.md hold; most are several times too long.
+  /// Constants of error bars. With these 411 of 414 bars of
+  /// doc/theory/error-bars.md are correct; most are several times too long.
   struct BarRules
   {
     /// Largest ratio of successive changes that is extrapolated.
     double max_remaining_share = 2. / 3.;
-    /// Share of the scale below which the spread of the values is taken for the
-    /// error.
+    /// Share of the scale below which the spread of the values is the error.
     double small = 1e-2;
     /// Share of the scale below which differences are rounding.
     double digits = 1e-8;
-    /// Ratio of successive changes above which a value is reported to grow: a
-    /// value with a limit changes less from one refinement to the next.
+    /// Ratio of successive changes above which a value is reported to grow.
     double growth = 0.9;
-    /// Bar over |change|, and bar over the sum of |shares|, which may cancel in
-    /// the change.
+    /// Bar over |change|, and over the sum of |shares|, which may cancel.
     double of_change = 2., of_shares = 0.5;
-    /// Least error after a pass, as a share of the bars that the refined
-    /// sources had before.
+    /// Least error after a pass over the bars of the refined sources before.
     double of_pass = 1. / 8.;
   };
 
-  /// Values of a quantity from a run, a richer and a still richer model, in its
-  /// unit.
+  /// Values of a quantity from a run, a richer and a still richer model.
   struct Refinements
   {
     double run = 0., richer = 0., richest = 0.;
     /// Sum of |share| over the sources of error (GoalResult::shares).
     double shares = 0.;
-    /// Reference size of errors: the value, or the largest of its kind in the
-    /// scene if the value is near zero.
+    /// Reference size of errors: the value, or the largest of its kind.
     double scale = 0.;
     /// Error of the value by rounding.
     double rounding = 0.;
   };
 
-  /// Returns the end of the sentence "it changes by so many per cent" for
-  /// values without a limit: where they occur, and the remedy.
+  /// Returns the end of the sentence "it changes by so many per cent".
   std::string
   describe_growth();
 
   /// Estimated error of a run's value.
   struct ErrorBar
   {
-    /// Signed estimate eta = richest - run; the value plus eta is the better
-    /// one.
+    /// Signed estimate eta = richest - run, to be added to the value.
     double estimate = 0.;
     /// Bound of |error|: the length of the bar to either side.
     double bar = 0.;
@@ -72,17 +64,16 @@ namespace lamella
    *   bar       max(2 |eta|, 1/2 sum |shares|, rounding, 1e-8 scale).
    * If each refinement multiplies the error by q, then v_2 - v_1 = q (v_1 -
    * v_0), and eta misses q^2 of the error. The bar is trusted if q <= 2/3, or
-   * if all three values agree to 1e-2 of the scale (the bar is at least twice
-   * their spread then). Agreement to 1e-8 is rounding, for instance in slender
-   * cantilevers in bending with condition numbers of 1e10 and more. A value
-   * that changes as much again in the same direction is reported to grow
-   * without limit. (Becker and Rannacher, Acta Numerica 10 (2001) 1-102.)
+   * if all three values agree to 1e-2 of the scale. Agreement to 1e-8 is
+   * rounding. A value that changes as much again in the same direction is
+   * reported to grow without limit. (Becker and Rannacher, Acta Numerica 10
+   * (2001) 1-102.)
    */
   ErrorBar
   error_bar(const Refinements &values, const BarRules &rules = {});
 
   /// Changes of a quantity over the last two levels below a run in one source
-  /// of error, in its unit: the last change and the one before it, signed.
+  /// of error: the last change and the one before it, signed.
   struct Levels
   {
     double last = 0., before = 0.;
@@ -91,15 +82,15 @@ namespace lamella
   };
 
   /**
-   * Returns the bar of a value from poorer models. With d = |last|,
-   * e = |before| of a source, q = d / e, and an error that goes on to fall by
-   * q, its error is at most
+   * Returns the bar of a value from poorer models. With d = |last|, e =
+   * |before| of a source, q = d / e, and an error that goes on to fall by q,
+   * its error is at most
    *   max(d, 2 d q / (1 - q), least),
-   * where d covers a q that is small by accident and `least` a d that is. If
-   * q > 2/3, the part is at least twice the larger of d and e, and the bar is
-   * not trusted if that larger one exceeds a hundredth of @p scale. The bar is
-   * the sum over @p sources, at least @p rounding and 1e-8 of the scale. The
-   * estimate is the sum of last q / (1 - q), an extrapolation.
+   * where d covers a q that is small by accident and `least` a d that is. If q
+   * > 2/3, the part is at least twice the larger of d and e, and the bar is not
+   * trusted if that exceeds a hundredth of @p scale. The bar is the sum over @p
+   * sources, at least @p rounding and 1e-8 of the scale. The estimate is the
+   * sum of last q / (1 - q), an extrapolation.
    */
   ErrorBar
   coarser_model_bar(const std::vector<Levels> &sources,

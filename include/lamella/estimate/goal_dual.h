@@ -12,8 +12,8 @@
 
 namespace lamella
 {
-  /// Dual solutions of goals on the factorization that a solved model leaves
-  /// behind. With its K and the gap rows B that are active at its last step,
+  /// Dual solutions of goals on the factorization of a solved model. With its K
+  /// and the gap rows B that are active at its last step,
   ///   K z - B^T nu = J'_u,   B z + a nu = -J'_lambda,
   /// so that a load f and gaps s change the goal J by f . z - nu . s.
   class GoalDual
@@ -26,30 +26,28 @@ namespace lamella
       Vector      force;
     };
 
-    /// Displacement that is 1 in a direction (0, 1, 2) at the support of a
+    /// Displacement that is 1 in a direction (0, 1, 2) at a support of a
     /// number.
     using Influence =
       std::function<BlockVector(const unsigned int, const unsigned int)>;
 
-    /// Refers to @p model, which is solved. @p influence is that of its own
-    /// supports by default. Collective, as all members.
+    /// Refers to the solved @p model; @p influence is that of its supports by
+    /// default. Collective, as all members.
     explicit GoalDual(const Simulation &model, Influence influence = {});
-    /// Provides derivatives with respect to the forces of @p rows; solve() must
-    /// not be called.
+    /// Provides derivatives with respect to the forces of @p rows, without
+    /// solve().
     GoalDual(const Simulation &model, std::vector<unsigned int> rows);
 
-    /// Returns J'_u, and J'_lambda of the active rows. Returns nothing for a
-    /// jump, a moment, pressure, width and strips of a contact, and with
-    /// friction for any goal, since it depends on the steps before. The
-    /// derivative of recovered stresses is that of the elements' own stresses.
+    /// Returns J'_u, and J'_lambda of the active rows. Nothing for a jump, a
+    /// moment, pressure, width and strips of a contact, and with friction. Of
+    /// recovered stresses it is that of the elements' own.
     std::optional<Pair>
     derivative(const NamedQuantity &goal) const;
 
-    /// Returns w, to be subtracted from z in products that give the change of J
-    /// from one space to another: for a force of a support, whose derivative K
-    /// w has a w of each space's own, that w; for others nothing. (With L w of
-    /// the poorer space and the change e of u, which vanishes at supports, J
-    /// changes by a(e, L w) = a(e, (1 - L)(z - w)).)
+    /// Returns w, to be subtracted from z in changes of J from one space to
+    /// another: for a force of a support, whose derivative K w has a w of each
+    /// space's own, that w. (With L w of the poorer space and the change e of
+    /// u, which vanishes at supports, J changes by a(e, (1 - L)(z - w)).)
     std::optional<BlockVector>
     lifting(const NamedQuantity &goal) const;
 
@@ -79,8 +77,8 @@ namespace lamella
     /// Returns the derivative of a column of a probe.
     std::optional<Pair>
     at_probe(const NamedQuantity &goal) const;
-    /// Returns the derivative of a force component of a support: w . (f_int - t
-    /// f - B^T lambda) with the displacement w that is 1 at the support.
+    /// Returns the derivative of a support's force component: w . (f_int - t f
+    /// - B^T lambda) with the displacement w that is 1 there.
     std::optional<Pair>
     of_support(const NamedQuantity &goal) const;
     std::optional<Pair>

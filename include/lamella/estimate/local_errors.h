@@ -13,8 +13,7 @@
 
 namespace lamella
 {
-  /// Returns @p errors of the elements of a coarser model divided equally among
-  /// the elements of @p finer inside each of them.
+  /// Returns @p errors divided equally among the elements of @p finer inside.
   LocalErrors
   distribute_to_finer(const LocalErrors &errors, const Simulation &finer);
 
@@ -29,12 +28,11 @@ namespace lamella
    * for any forces l in the rows; here lambda, scaled to the resultants of the
    * coarser model. Except for contact, r is orthogonal to the interpolant I z
    * in the coarser model. The error of an element is therefore the sum of r_k
-   * (z - I z)_k over its nodes k, with half of the contribution where two
-   * elements share a node.
+   * (z - I z)_k over its nodes k, half of it where two elements share a node.
    *
    * Both models have the same bodies: beams of the same section with different
-   * axes, and identical solids. Both are solved and referred to. (Becker and
-   * Rannacher, Acta Numerica 10 (2001), sec. 3; deal.II's step-14.)
+   * axes, and identical solids. (Becker and Rannacher, Acta Numerica 10 (2001),
+   * sec. 3; deal.II's step-14.)
    */
   class Localization
   {
@@ -46,9 +44,8 @@ namespace lamella
     /// Computes the residual on the finer model. Collective, as errors() is.
     Localization(const Simulation &coarse, const Simulation &fine);
 
-    /// Returns the errors of @p goal, whose values differ by @p change between
-    /// the models; nothing without GoalDual::derivative(). Costs one solution
-    /// with the factorization of the finer model.
+    /// Returns the errors of @p goal, whose values differ by @p change; nothing
+    /// without GoalDual::derivative(). Costs one solution on the finer model.
     std::optional<LocalErrors>
     errors(const NamedQuantity &goal, const double change) const;
 
@@ -57,15 +54,14 @@ namespace lamella
     LocalErrors
     of_elements(const BlockVector &z) const;
 
-    /// Returns displacements of the coarser model on the nodes of the finer
-    /// one.
+    /// Returns displacements of the coarser model on the finer nodes.
     BlockVector
     interpolate_to_fine(const BlockVector &u) const;
     BlockVector
     interpolate_to_coarse(const BlockVector &u) const;
 
-    /// Adds the errors of the elements of @p body, from the products @p share
-    /// of its DoFs.
+    /// Adds the errors of elements of @p body from products @p share of its
+    /// DoFs.
     void
     add_elements(const unsigned int body,
                  const Vector      &share,
@@ -79,8 +75,8 @@ namespace lamella
     Vector mismatch;
   };
 
-  /// Returns the local errors of each of @p goals of @p run by comparison with
-  /// the model @p finer; empty if Localization is not possible.
+  /// Returns the local errors of @p goals of @p run by comparison with @p
+  /// finer; empty without Localization.
   std::vector<std::optional<LocalErrors>>
   errors_of(const RunGoals   &goals,
             const Simulation &run,

@@ -8,22 +8,18 @@
 
 namespace lamella
 {
-  /// Returns the multiplications that @p run spent on factorizations: at least
-  /// z^2 / n for a factor with n columns and z non-zeros, the sum of the
-  /// squares of its columns if these are alike. 0 without factorizations (`cg`,
-  /// strategy `full`).
+  /// Returns the multiplications of @p run for factorizations: at least z^2 / n
+  /// for a factor with n columns and z non-zeros. 0 without factorizations
+  /// (`cg`, strategy `full`).
   double
   operations(const Simulation &run);
 
-  /**
-   * Returns the estimated multiplications of the richer models of Estimation
-   * (CostRules): of_block m^3 per axis node with m = fields_of_responses, for
-   * `axes` times the nodes, where SV-10 replaces LE-N; products and
-   * eigenvectors of the responses, two per wave number and load vector on the
-   * body; and the pieces for its end fields, as a share of the run's
-   * factorization (nodes_of_pieces()). Infinite if SV-10 replaces LE-N in not
-   * every body: richer models of the same kind always cost more than the run.
-   */
+  /// Returns the estimated multiplications of the richer models of Estimation
+  /// (CostRules): of_block m^3 per axis node with m = fields_of_responses, for
+  /// `axes` times the nodes, where SV-10 replaces LE-N; products and
+  /// eigenvectors of the responses, two per wave number and load vector; and
+  /// the pieces for its end fields, as a share of the run's factorization
+  /// (nodes_of_pieces()). Infinite if SV-10 replaces LE-N in not every body.
   double
   operations_of_bars(const Simulation &run,
                      const PlanRules  &rules = {},

@@ -16,23 +16,20 @@ namespace lamella
   /// Constants of a run to a tolerance.
   struct PassRules
   {
-    /// Share of a goal's largest error that may be left to sources that are not
-    /// refined.
+    /// Share of a goal's largest error left to sources that are not refined.
     double max_unrefined_share = 0.5;
-    /// Bounds for dropping a goal: `patience` passes in succession without a
-    /// bar while it still changes by more than its tolerance, or `slow_passes`
-    /// in which bar over tolerance did not fall by the factor `min_progress`.
+    /// Bounds for dropping a goal: `patience` passes without a bar while it
+    /// still changes by more than its tolerance, or `slow_passes` in which bar
+    /// over tolerance did not fall by `min_progress`.
     unsigned int patience = 2, slow_passes = 3;
     double       min_progress = 0.5;
     /// Largest ratio of the section's shares from one degree to the next for
-    /// raising the degree further: with a higher one a corner limits
-    /// convergence.
+    /// raising it further; above, a corner limits convergence.
     double max_degree_ratio = 0.5;
     /// Largest number of passes; more indicate that none would suffice.
     unsigned int max_passes = 8;
-    /// Shares of a tolerance for the errors of elements that stay and of
-    /// elements that are merged; least share of the total error for bisected
-    /// elements.
+    /// Shares of a tolerance for the errors of remaining and merged elements;
+    /// least share of the total error for bisected ones.
     double max_remaining_share = 0.25, max_merged_share = 0.05,
            min_bisected_share = 0.65;
     /// Relative difference allowed between the loads of successive passes.
@@ -56,8 +53,7 @@ namespace lamella
     std::optional<std::vector<ElementError>> marked = {};
   };
 
-  /// Results of a goal in the two passes before, and the refinements of the
-  /// last two passes.
+  /// Results of a goal in the two passes before, and last two refinements.
   struct PassHistory
   {
     const GoalResult     &first, &before;
@@ -67,29 +63,26 @@ namespace lamella
   /// Shortens the bar of @p goal by the changes of the last two passes, d_1 and
   /// then d, if both refined the same sources R and all bars are trusted. With
   /// the shares P before the pass, b = sum of |P| over R, and q the larger of d
-  /// / b and d / d_1, the part of R becomes
-  ///   max(d, 2 d q / (1 - q), b / 8) + errors of elements not bisected
-  /// if that is less and q <= 2/3. The parts of other sources are added.
+  /// / b and d / d_1, the part of R becomes, if that is less and q <= 2/3,
+  ///   max(d, 2 d q / (1 - q), b / 8) + errors of elements not bisected.
   void
   shorten(GoalResult        &goal,
           const PassHistory &course,
           const BarRules    &rules = {});
 
-  /// Raises the share of @p source in the bar of @p goal to @p least, if it is
-  /// less.
+  /// Raises the share of @p source in @p goal's bar to at least @p least.
   void
   raise_share(GoalResult &goal, const Source source, const double least);
 
   /**
-   * Passes of a run to a tolerance, and the refinement that the next one
-   * needs. Goals of the last pass are
-   *   met     within their tolerance, and changed since the pass before by no
-   *           more than the bar of that pass;
-   *   left    not refined any further: a number without a limit, as at a point
-   *           load, grows forever and would take all elements
-   *           (PassRules::patience, min_progress);
-   *   open    all others. The next pass is for those with a bar, or for all if
-   *           none has one.
+   * Passes of a run to a tolerance, and the refinement that the next one needs.
+   * Goals of the last pass are
+   *   met      within their tolerance, and changed since the pass before by no
+   *            more than the bar of that pass;
+   *   dropped  not refined any further: a number without a limit, as at a point
+   *            load, would take all elements (PassRules::patience);
+   *   open     all others. The next pass is for those with a bar, or for all if
+   *            none has one.
    */
   class Passes
   {
@@ -119,34 +112,31 @@ namespace lamella
     std::vector<GoalResult>
     open_goals() const;
 
-    /// Returns the goals that have not left.
+    /// Returns the goals that have not been dropped.
     std::vector<GoalResult>
     active_goals() const;
 
-    /// Returns a sentence for each goal that has left in the last pass.
+    /// Returns a sentence for each goal that the last pass has dropped.
     std::vector<std::string>
     dropped_goals() const;
 
     /// Returns the sources of error to refine for open_goals(): the largest of
-    /// each goal, and others until the rest is at most
-    /// PassRules::max_unrefined_share of its tolerance.
+    /// each goal, and others down to PassRules::max_unrefined_share of its
+    /// tolerance.
     std::vector<Source>
     wanted() const;
 
-    /// Returns whether raising degrees does not reduce the section's share: for
-    /// one of open_goals() the ratio of shares exceeds
-    /// PassRules::max_degree_ratio after a pass that refined the section.
+    /// Returns whether raising degrees stalls: for one of open_goals() the
+    /// ratio of section shares exceeds PassRules::max_degree_ratio.
     bool
     degrees_stall() const;
 
-    /// Returns whether an additional error @p lost of each goal is acceptable:
-    /// at most PassRules::max_unrefined_share of the largest error of each goal
-    /// that has not left.
+    /// Returns whether an additional error @p lost of each goal is at most
+    /// PassRules::max_unrefined_share of the largest error of active_goals().
     bool
     is_loss_acceptable(const std::vector<double> &lost) const;
 
-    /// Returns the largest change of a goal since the last pass, over its
-    /// tolerance (a plain mesh check); 0 in the first pass.
+    /// Returns the largest change of a goal over its tolerance; 0 at first.
     double
     largest_change() const;
 
@@ -155,8 +145,7 @@ namespace lamella
     reason_to_stop() const;
 
   private:
-    /// Returns the size of the change of the goal @p number since the last
-    /// pass.
+    /// Returns the change of the goal @p number since the last pass.
     double
     change(const unsigned int number) const;
     bool
@@ -168,7 +157,7 @@ namespace lamella
     std::vector<Pass> made;
     /// Refinement of each pass.
     std::vector<PassRefinement> refinements;
-    /// Pass, from 1 on, in which each goal has left; 0 if it has not.
+    /// Pass, from 1 on, in which each goal was dropped; 0 if it was not.
     std::vector<unsigned int> dropped_in_pass;
   };
 } // namespace lamella

@@ -12,13 +12,11 @@
 
 namespace lamella
 {
-  /// Goals of a solved run: their values and the reference sizes of their
-  /// errors. Refers to the run.
+  /// Goals of a solved run: values and reference sizes of errors.
   class RunGoals
   {
   public:
-    /// Returns why no goals of @p run need bars, as a sentence without a full
-    /// stop; empty if some do.
+    /// Returns why no goals of @p run need bars; empty if some do.
     static std::string
     unavailable_reason(const Simulation &run);
 
@@ -42,30 +40,27 @@ namespace lamella
     }
 
     /// Returns why @p quantity, a strain or stress of a probe or a measure of
-    /// such, has no limit at its place (lamella::singularity_reason()); empty
-    /// for all others. The mean over a box has a limit.
+    /// such, has no limit at its place; empty for all others and for means over
+    /// boxes.
     std::string
     singularity_reason(const NamedQuantity &quantity) const;
 
     /// Returns |value| of @p quantity, or if it is near zero the largest of its
-    /// kind, of strains and stresses the largest in its material
-    /// (ResultNumbers::largest_in_material()).
+    /// kind (of its material: ResultNumbers::largest_in_material()).
     double
     scale_of(const NamedQuantity &quantity) const;
 
     /// Returns the rounding error of @p quantity: the relative last correction
-    /// of the displacements times the largest value of its kind in all
-    /// materials.
+    /// of displacements times the largest value of its kind.
     double
     rounding_of(const NamedQuantity &quantity) const;
 
     /// Returns the goal @p number with @p bar. A goal without a limit is not
-    /// checked; a goal that is zero since no contact touches is not met.
+    /// checked; one that is zero without contact is not met.
     GoalResult
     with_error_bar(const unsigned int number, const ErrorBar &bar) const;
 
-    /// Returns the goal @p number without a bar: name, value, unit, scale,
-    /// tolerance, and the reason if it has no limit.
+    /// Returns the goal @p number without a bar, with the reason if unlimited.
     GoalResult
     without_error_bar(const unsigned int number) const;
 

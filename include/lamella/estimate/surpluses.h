@@ -13,16 +13,13 @@
 
 namespace lamella
 {
-  /// Approximate change of a goal from poorer models to the run, in its unit,
-  /// signed.
+  /// Approximate signed change of a goal from poorer models to the run.
   struct Surplus
   {
-    /// Change from a model that is poorer in one source to the run, and from a
-    /// still poorer one to that: one and two degrees less of the section,
-    /// halves and quarters of the elements along the axis (coarser_spans()).
+    /// Changes from poorer models by one source: one and two degrees less of
+    /// the section, halves and quarters of the elements (coarser_spans()).
     double last = 0., before = 0.;
-    /// Sum of the sizes of the contributions to `last` of nodes and active
-    /// rows, which do not cancel.
+    /// Sum of |contributions| to `last` of nodes and active rows.
     double by_nodes = 0.;
   };
 
@@ -42,24 +39,21 @@ namespace lamella
    * first by orthogonality, then since the surplus of u approximates its
    * change. For z = u it is an upper bound; otherwise the strengthened Cauchy
    * inequality bounds it by the factor 1 / (1 - gamma^2) (Bank and Smith, SIAM
-   * J. Numer. Anal. 30 (1993) 921-935; Deuflhard, Leinen and Yserentant,
-   * IMPACT Comput. Sci. Eng. 1 (1989) 3-35).
+   * J. Numer. Anal. 30 (1993) 921-935; Deuflhard, Leinen and Yserentant, IMPACT
+   * Comput. Sci. Eng. 1 (1989) 3-35).
    *
    * In active rows B the part (1 - L) u has the jump B (1 - L) u, which the
    * change of u has not. The forces phi = -(C + a)^-1 B (1 - L) u, with the
-   * compliance C of the rows and of the law, a, remove it and add -phi . B
-   * (1 - L) z to the surplus.
-   *
-   * Costs one solution with refinement per goal, and four solutions and
-   * products with the stiffness in all. The active set is the run's; its error
-   * is not included. Refers to the run, whose last step is solved. Collective.
+   * compliance C of the rows and of the law, a, remove it and add -phi . B (1 -
+   * L) z to the surplus. The error of the active set is not included. Costs one
+   * solution with refinement per goal, and four solutions and products with the
+   * stiffness in all. Collective.
    */
   class Surpluses
   {
   public:
-    /// Returns why @p run has no surpluses, as a sentence without a full stop;
-    /// empty if it has. Every body has to be a beam of LE-N, N >= 2 and
-    /// N >= @p min_degree, with all fields of the section at all nodes.
+    /// Returns why @p run has no surpluses; empty if every body is a beam of
+    /// LE-N, N >= 2 and N >= @p min_degree, with all fields at all nodes.
     static std::string
     unavailable_reason(const Simulation &run, const unsigned int min_degree);
 
@@ -70,8 +64,7 @@ namespace lamella
     of(const BlockVector &z) const;
 
   private:
-    /// Parts of a vector: beyond the space of one degree less, and of the rest
-    /// beyond that of two.
+    /// Parts of a vector beyond one degree less, and of the rest beyond two.
     struct Parts
     {
       BlockVector section, section_before, axis, axis_before;
@@ -79,8 +72,7 @@ namespace lamella
     Parts
     parts_of(const BlockVector &v) const;
 
-    /// Forces of a part v of the displacements: K v in the bodies and phi in
-    /// the active rows.
+    /// Forces of a part v: K v in the bodies and phi in the active rows.
     struct PartForces
     {
       BlockVector bodies;
@@ -91,15 +83,13 @@ namespace lamella
     /// Returns the work of @p answer along @p z.
     double
     work(const PartForces &part_forces, const BlockVector &z) const;
-    /// Returns the sum of the sizes of the contributions to work() of nodes and
-    /// rows.
+    /// Returns the sum of |contributions| of nodes and rows to work().
     double
     sizes(const PartForces &part_forces, const BlockVector &z) const;
     /// Returns work() by elements, which share that of their span.
     LocalErrors
     by_elements(const PartForces &part_forces, const BlockVector &z) const;
-    /// Adds the parts of the spans of @p body in the products @p products of
-    /// its DoFs.
+    /// Adds the parts of the spans of @p body in the @p products of its DoFs.
     void
     add_spans(const unsigned int body,
               const Vector      &products,

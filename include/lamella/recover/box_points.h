@@ -14,8 +14,7 @@ namespace lamella
   /// Points of a body with weights that sum to 1. The mean of f is sum w f(X).
   using BoxPoints = std::vector<std::pair<double, Location>>;
 
-  /// Returns the eight corners of the box around @p middle with the edges
-  /// @p edges along the scene's axes. Corners coincide if an edge is zero.
+  /// Returns the corners of the box around @p middle with the @p edges.
   std::vector<dealii::Point<3>>
   box_corners(const dealii::Point<3>     &middle,
               const dealii::Tensor<1, 3> &edges);
@@ -27,16 +26,12 @@ namespace lamella
    * point. Integrals are iterated over x, y and z. Each is split where its
    * lines pass from element to element (Body::line_breaks()), so kinks and
    * jumps at ply interfaces lie between pieces. A piece has p / 2 + 2 Gauss
-   * points along displacements of degree p (exact to degree p + 2). Means of
-   * displacements, strains and stresses are exact if the elements are bricks
-   * along the box's edges. Pieces of skewed elements are divided into four; the
-   * quadrature error at element sides that cross a piece remains.
-   *
-   * Returns one list of points. A box without thickness in a ply interface, or
-   * a point there, has two lists, the lower ply first.
-   *
-   * Throws InputError, under the path @p path, if a corner or a point is not in
-   * the body, or for more than 200,000 points. Not collective.
+   * points along displacements of degree p (exact to degree p + 2). Pieces of
+   * skewed elements are divided into four; the quadrature error at element
+   * sides that cross a piece remains. A box without thickness in a ply
+   * interface, or a point there, has two lists, the lower ply first. Throws
+   * InputError, under the path @p path, if a corner or a point is not in the
+   * body, or for more than 200,000 points. Not collective.
    */
   std::vector<BoxPoints>
   box_points(const Body                 &body,

@@ -19,12 +19,10 @@ namespace lamella
    * Tractions t on plane faces of bodies in one state [force/length^2]:
    *   t = factor sum_loads t_load - p n + q,
    * with the surface loads t_load, the contact pressure p and the friction
-   * traction q. Loads on lines and points have no traction and are left out, as
-   * are the forces of supports, of which only resultants are known.
-   *
-   * A contact with points on the face contributes the values of its
-   * ContactTraction on the line through the point along the face normal,
-   * whichever side carries the contact points.
+   * traction q, without loads on lines and points and the forces of supports,
+   * of which only resultants are known. A contact with points on the face, on
+   * either side, contributes the values of its ContactTraction on the line
+   * through the point along the face normal.
    */
   class FaceTractions
   {
@@ -32,22 +30,21 @@ namespace lamella
     /// Constructs a state without tractions.
     FaceTractions() = default;
 
-    /// Stores @p loads at load factor @p factor, and the regions of
-    /// @p supports, whose forces are unknown. Throws InputError for expressions
-    /// that do not parse.
+    /// Stores @p loads at load factor @p factor, and the regions of @p
+    /// supports, whose forces are unknown. Throws InputError for wrong
+    /// expressions.
     FaceTractions(const std::vector<Load>    &loads,
                   const LoadFactor           &factor,
                   const std::vector<Support> &supports = {});
 
-    /// Adds the traction of @p contact, to which a reference is kept, with the
-    /// @p forces in its rows and, with friction, the @p shears.
+    /// Adds the traction of @p contact, which is referred to, with row @p
+    /// forces and, with friction, @p shears.
     void
     add_contact(const ContactInterface                              &contact,
                 const dealii::ArrayView<const double>               &forces,
                 const dealii::ArrayView<const dealii::Tensor<1, 3>> &shears);
 
-    /// A plane face of a body: its name, one of its points, and its outward
-    /// unit normal in scene axes.
+    /// A plane face: name, one of its points, and outward unit normal (scene).
     struct Face
     {
       unsigned int         body = 0;
@@ -59,20 +56,18 @@ namespace lamella
     };
 
     /// Returns whether no part of @p face of @p body has a surface load, a
-    /// support of a surface or of the whole body, or a contact.
+    /// surface or body support, or a contact.
     bool
     is_free(const Body &body, const Face &face) const;
 
-    /// The traction at points of one face. Keeps a reference to its
-    /// FaceTractions.
+    /// The traction at points of one face, by reference to FaceTractions.
     class OnFace
     {
     public:
       /// Finds the points of contacts that lie on @p face.
       OnFace(const FaceTractions &all, const Face &face);
 
-      /// Returns the traction at the point @p x of the face, scene components
-      /// [force/length^2].
+      /// Returns the traction at the face point @p x, scene components.
       dealii::Tensor<1, 3>
       operator()(const dealii::Point<3> &x) const;
 
@@ -84,7 +79,7 @@ namespace lamella
       }
 
     private:
-      /// A contact with points on the face: the distance of its two sides there
+      /// A contact with points on the face: distance of its sides there
       /// [length], and its side (1: second, -1: first).
       struct ContactOnFace
       {

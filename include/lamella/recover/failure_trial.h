@@ -23,17 +23,15 @@ namespace lamella
     std::vector<std::vector<FieldRow>> probes;
   };
 
-  /// Result of the search for the load at which the smallest reserve factor is
-  /// 1.
+  /// Result of the search for the load with the smallest reserve factor 1.
   struct FirstFailure
   {
-    /// Bracket of load factors: no ply fails at `safe`, one fails at `failing`,
-    /// if a failure was found.
+    /// Bracket of load factors: no ply fails at `safe`, one at `failing`, if
+    /// any.
     double safe = 0., failing = 0.;
     /// The ply that fails at `failing`; none if no failure was found.
     std::optional<PlyReserve> where;
-    /// Trials in the order in which they were examined, without load steps and
-    /// without load factors that have no state.
+    /// Trials in order, without load steps and factors that have no state.
     std::vector<FailureTrial> trials;
     /// Warnings about the state at `failing`, as for a load step.
     std::vector<std::string> warnings;

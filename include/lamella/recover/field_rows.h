@@ -11,12 +11,10 @@
 
 namespace lamella
 {
-  /// Ply number of a mean over several plies. It is -1, which tables, counting
-  /// plies from 1, show as 0.
+  /// Ply number of a mean over several plies: -1, shown as 0 in tables from 1.
   constexpr unsigned int several_plies = dealii::numbers::invalid_unsigned_int;
 
-  /// The fields at a point of a body, on one side of its ply interfaces: a row
-  /// of the tables of probes, lines and cuts.
+  /// The fields at a point on one side of ply interfaces: a row of tables.
   struct FieldRow
   {
     /// Name of the body.
@@ -37,8 +35,8 @@ namespace lamella
     FieldRow fields;
   };
 
-  /// A row of a cut: point (i, j) of the grid on cell @p cell of the section,
-  /// from 0. Points on a side between two cells occur once per cell.
+  /// A row of a cut: point (i, j) of the grid on cell @p cell of the section;
+  /// points between two cells occur once per cell.
   struct CutRow
   {
     unsigned int cell = 0, i = 0, j = 0;
@@ -52,18 +50,15 @@ namespace lamella
     unsigned int interfaces = 0;
     /// Largest jump of the traction sigma . d, d the line's direction, over the
     /// largest stress component on the line. Equilibrium makes it zero where
-    /// the line is normal to the plies; the rest is discretization error of the
-    /// section.
+    /// the line is normal to the plies; the rest is discretization error.
     double of_stress = 0.;
-    /// Largest jump over the largest traction on the line: the error relative
-    /// to the transverse stresses. 0 if these are rounding.
+    /// Largest jump over the largest traction on the line; 0 for rounding.
     double of_traction = 0.;
   };
 
   /// Relative closure errors of stresses by equilibrium for each probe, line
   /// and cut: the largest difference from the traction on the upper face over
-  /// the largest transverse stress, before it is distributed
-  /// (recover/interlaminar.h). None for other stresses.
+  /// the largest transverse stress (recover/interlaminar.h).
   struct EquilibriumDefects
   {
     std::vector<std::optional<double>> probes, lines, cuts;

@@ -14,8 +14,8 @@ namespace lamella
   /// Contribution of an element along a beam to the error of a goal.
   struct ElementError
   {
-    /// Number of the body in the scene, and the ends of the element, from the
-    /// start of the axis [length].
+    /// Number of the body, and ends of the element from the axis's start
+    /// [length].
     unsigned int body  = 0;
     double       begin = 0., end = 0.;
     /// Signed contribution, in the unit of the goal.
@@ -24,19 +24,17 @@ namespace lamella
     unsigned int dofs = 0;
   };
 
-  /// Change of a goal from one model to a finer one, by source. Elements,
-  /// contact and remainder sum to it.
+  /// Change of a goal to a finer model: elements, contact and remainder.
   struct LocalErrors
   {
     std::vector<ElementError> elements;
-    /// True if the run is the finer model. If so, each element has half the
-    /// contribution of its pair merged into one.
+    /// True if the run is the finer model: elements have half of their pair's.
     bool of_pairs = false;
-    /// Contribution of contact: gaps of the finer model's active rows at the
-    /// coarser displacements, and the difference of the models' contact forces.
+    /// Contribution of contact: gaps of the finer model's active rows at
+    /// coarser displacements, and the difference of contact forces.
     double contact = 0.;
-    /// Rest of the change. Zero to rounding if the finer model contains all
-    /// displacements of the coarser one, under the same material law.
+    /// Rest of the change, rounding if the finer model contains the coarser
+    /// one.
     double remainder = 0.;
   };
 
@@ -63,16 +61,13 @@ namespace lamella
     /// True if the bar is reliable; if not, `why` is the reason.
     bool        trusted = false;
     std::string why;
-    /// True if refinement converges to a limit. False for, say, stresses at an
-    /// edge of a clamp (singularity_reason()).
+    /// True if refinement converges to a limit (singularity_reason()).
     bool has_limit = true;
-    /// Reference of percentages: |value|, or if that is near zero the largest
-    /// value of its kind (RunGoals::scale_of()).
+    /// Reference of percentages: |value|, or if near zero RunGoals::scale_of().
     double scale = 0.;
     /// Tolerance, if the scene has one.
     std::optional<Tolerance> tolerance;
-    /// Shares of the bar by source of the error, signed as the change behind
-    /// them. With richer models, they sum to the estimate.
+    /// Signed shares of the bar by source; of richer models, of the estimate.
     std::vector<std::pair<std::string, double>> shares;
     /// Share of the axis, by elements; none if it is not known.
     std::optional<LocalErrors> local;
@@ -84,8 +79,7 @@ namespace lamella
       return scale != std::abs(value);
     }
 
-    /// Returns the largest admissible error in the unit of the goal. Requires a
-    /// tolerance.
+    /// Returns the largest admissible error by the tolerance, which must exist.
     double
     allowed_error() const
     {

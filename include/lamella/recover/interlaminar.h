@@ -23,22 +23,21 @@ namespace lamella
   /// A body whose section is a laminate: a rectangle of rectangular cells.
   struct LaminateBox
   {
-    /// Frame at the lower left corner of the start: x across, y along, z
-    /// through the plies.
+    /// Frame at the lower left corner of the start: x across, z through the
+    /// plies.
     Placement frame;
     /// Width, length and height.
     dealii::Point<3> size;
   };
 
-  /// Returns @p body as a laminate. Throws InputError under the path @p path if
-  /// it is a solid or its section is no rectangle of rectangular cells.
+  /// Returns @p body as a laminate. Throws InputError under @p path unless it
+  /// is a beam whose section is a rectangle of rectangular cells.
   LaminateBox
   laminate_box(const Body &body, const std::string &path);
 
-  /// Closure error of the integration of equilibrium [force/length^2]: the
-  /// difference of stresses and traction on the upper face, the largest
-  /// transverse stress of the columns (norms of {xz, yz, zz}), and the largest
-  /// in-plane stress that was integrated.
+  /// Closure error of the integration of equilibrium [force/length^2]:
+  /// difference from the upper face's traction, largest transverse stress
+  /// (norms of {xz, yz, zz}), and largest in-plane stress.
   struct EquilibriumDefect
   {
     double error = 0., largest = 0., in_plane = 0.;
@@ -47,8 +46,7 @@ namespace lamella
     void
     add(const EquilibriumDefect &other);
 
-    /// Returns error / largest, or 0 if the error is below 1e-6 of the in-plane
-    /// stresses: in pure bending only their rounding is integrated.
+    /// Returns error / largest, or 0 for rounding of in-plane stresses (1e-6).
     double
     relative() const;
   };
@@ -56,12 +54,14 @@ namespace lamella
   /**
    * Transverse stresses by equilibrium, `Stress = equilibrium`
    * (doc/theory/interlaminar-stress.md). In the column over each point (x, y)
-   * of a laminate, sigma_xz,z = -(sigma_xx,x + sigma_xy,y) sigma_yz,z =
-   * -(sigma_xy,x + sigma_yy,y) sigma_zz,z = -(sigma_xz,x + sigma_yz,y) are
-   * integrated upwards from the traction on the lower face, with the in-plane
-   * stresses of the displacements (Rolfes and Rohwer, Int. J. Numer. Meth. Eng.
-   * 40 (1997) 51-60). The results are continuous between plies. All other
-   * components are those of `recovered`.
+   * of a laminate,
+   *   sigma_xz,z = -(sigma_xx,x + sigma_xy,y)
+   *   sigma_yz,z = -(sigma_xy,x + sigma_yy,y)
+   *   sigma_zz,z = -(sigma_xz,x + sigma_yz,y)
+   * are integrated upwards from the traction on the lower face, with the
+   * in-plane stresses of the displacements (Rolfes and Rohwer, Int. J. Numer.
+   * Meth. Eng. 40 (1997) 51-60), continuous between plies. All other components
+   * are those of `recovered`.
    *
    * *Derivatives.* In-plane stresses are sampled at the p Gauss points of each
    * element, along the axis and (layer-wise) across, in the elements at the
@@ -90,24 +90,19 @@ namespace lamella
    * the slowest decay of warping by torsion (Timoshenko and Goodier, Theory of
    * Elasticity, Art. 109, for one material). G_xy is the mean of the plies' Q,
    * 1 / G_yz that of their compliances. The resultant of the change is exact
-   * for any phi. If elements resolve the layer, e is a few per cent. Layers
-   * between different plies, as of an angle-ply laminate in tension, are as
-   * thin as a ply and are not described.
+   * for any phi. Layers between different plies, as of an angle-ply laminate in
+   * tension, are as thin as a ply and are not described.
    *
    * *Closure.* The difference between the integrated stresses and the traction
-   * on the upper face is stored as closure error. It is then subtracted in
-   * proportion to the height above the lower face.
-   *
-   * An object belongs to one state of one body. A column takes about a hundred
-   * Body::sample() per layer of cells; columns and samples are cached, and
-   * columns of the same elements share samples. Not collective.
+   * on the upper face is stored as closure error, then subtracted in proportion
+   * to the height. An object belongs to one state of one body. A column takes
+   * about a hundred Body::sample() per layer of cells, cached. Not collective.
    */
   class EquilibriumStress
   {
   public:
-    /// Stores references to @p body (number @p number of the scene, a
-    /// laminate), its displacements @p u and the @p tractions of that state.
-    /// Throws as laminate_box() does.
+    /// Stores references to @p body (number @p number, a laminate), its
+    /// displacements @p u and @p tractions. Throws as laminate_box() does.
     EquilibriumStress(const Body          &body,
                       const unsigned int   number,
                       const Vector        &u,
@@ -139,8 +134,8 @@ namespace lamella
       unsigned int ply;
     };
 
-    /// A function of z over a column: values at the nodes of its layers, layer
-    /// by layer; first xz, then yz, or zz alone.
+    /// A function of z over a column at the nodes of its layers, layer by
+    /// layer; first xz, then yz, or zz alone.
     using Profile = dealii::Vector<double>;
 
     /// Transverse stresses over a point of the lower face.
@@ -164,7 +159,7 @@ namespace lamella
     /// Integrands of a column.
     struct Sources
     {
-      /// tau,z of {xz, yz} with its derivatives along y up to the third;
+      /// tau,z of {xz, yz} with derivatives along y up to the third;
       /// -sigma_zz,zz; second and third derivative of gamma.
       std::array<Profile, 4> shear;
       Profile                normal;
@@ -186,12 +181,11 @@ namespace lamella
     column_at(const double x, const double y);
     Column
     make_column(const double x, const double y);
-    /// Subtracts @p missed from @p column in proportion to the height, so that
-    /// it vanishes on the upper face.
+    /// Subtracts @p missed from @p column in proportion to the height.
     void
     distribute(const dealii::Tensor<1, 3> &missed, Column &column) const;
     /// Returns {sigma_xz, sigma_yz, sigma_zz} of @p column at the height @p z,
-    /// in the layer of @p ply that contains it or is nearest to it.
+    /// in or next to the layer of @p ply.
     dealii::Tensor<1, 3>
     transverse_stress(const Column      &column,
                       const unsigned int ply,
@@ -199,8 +193,8 @@ namespace lamella
     /// Returns the cells over (x, y), bottom to top.
     std::vector<Layer>
     layers_at(const double x, const double y) const;
-    /// Returns the stencil at the point @p through of the body for derivatives
-    /// along its coordinate @p d (0 or 1), up to the fourth.
+    /// Returns the stencil at @p through for derivatives along coordinate @p d
+    /// (0 or 1), up to the fourth.
     Stencil
     stencil(const unsigned int d, const dealii::Point<3> &through) const;
     Sources
@@ -212,8 +206,8 @@ namespace lamella
     };
     FreeEdgeDecay
     free_edge_decay(const unsigned int side, const double x) const;
-    /// Corrections at free sides of sigma_xy and of its derivative along x,
-    /// each with derivatives along y.
+    /// Corrections at free sides of sigma_xy and sigma_xy,x, with those along
+    /// y.
     struct FreeEdgeCorrection
     {
       dealii::Tensor<1, 5> of_value, of_slope;
@@ -224,7 +218,7 @@ namespace lamella
                           const double              x,
                           const double              y);
     /// Returns e at a side less its mean through the thickness, with
-    /// derivatives along y, at the sampling points.
+    /// derivatives.
     const std::vector<dealii::Tensor<1, 5>> &
     free_edge_stress(const unsigned int        side,
                      const std::vector<Layer> &layers,
@@ -241,44 +235,39 @@ namespace lamella
     using Sampled = std::array<double, 5>;
     /// Derivatives of Sampled, by their order along x and along y.
     using Derivatives = std::array<std::array<dealii::Tensor<1, 5>, 5>, 3>;
-    /// Returns the derivatives at the height @p z of @p ply. Raises @p in_plane
-    /// to the largest stress used.
+    /// Returns the derivatives at height @p z of @p ply; raises @p in_plane.
     Derivatives
     derivatives_at(const double       z,
                    const unsigned int ply,
                    const Stencil     &along_x,
                    const Stencil     &along_y,
                    double            &in_plane);
-    /// Returns the fields at @p x of the body, inside an element of @p ply.
-    /// Each point is sampled once.
+    /// Returns the cached fields at @p x of the body, inside an element of @p
+    /// ply.
     const Sampled &
     sampled_at(const dealii::Point<3> &x, const unsigned int ply);
-    /// Returns @p start + int f dz from the lower face, of a profile of one or
-    /// two components. @p start has one entry each.
+    /// Returns @p start + int f dz from the lower face of a profile.
     Profile
     integral(const std::vector<Layer>  &layers,
              const Profile             &f,
              const std::vector<double> &start) const;
-    /// Returns the plane stresses {xy, yy} = Q of the strains @p displacement
-    /// (per length along y), {x, y}.
+    /// Returns the plane stresses {xy, yy} = Q of the strains @p displacement.
     Profile
     plane_stress(const std::vector<Layer> &layers,
                  const Profile            &displacement) const;
     /// Returns int sigma dz of {xy, yy}, then int sigma z / H dz.
     std::array<double, 4>
     resultants(const std::vector<Layer> &layers, const Profile &stress) const;
-    /// Returns @p stress plus that of a displacement a + b z which makes its
-    /// resultants zero.
+    /// Returns @p stress plus that of a + b z which makes its resultants zero.
     Profile
     without_resultants(const std::vector<Layer> &layers, Profile stress) const;
     /// Returns the correction delta of shear stresses and its derivative along
-    /// y; zero if there is none. @p shear: tau_0 with its derivatives.
+    /// y; @p shear: tau_0 with its derivatives.
     std::array<Profile, 2>
     correction(const std::vector<Layer>     &layers,
                const std::array<Profile, 4> &shear,
                const std::array<Profile, 2> &strain) const;
-    /// Applies P above: returns delta for tau'' = @p shear, gamma'' =
-    /// @p strain.
+    /// Returns delta by P above for tau'' = @p shear, gamma'' = @p strain.
     Profile
     warped(const std::vector<Layer> &layers,
            const Profile            &shear,
@@ -305,13 +294,12 @@ namespace lamella
     /// Rotations of strains, and so of stresses, between scene and body axes.
     ElasticTensor to_body, to_scene;
 
-    /// Points through a layer, in [0, 1]: sampling points and nodes, with their
-    /// weights; matrices from samples to nodes, and from nodes to int_0^t
-    /// there.
+    /// Points through a layer, in [0, 1]: sampling points and nodes, with
+    /// weights; matrices from samples to nodes, and from nodes to int_0^t.
     std::vector<double>        samples, sample_weights, nodes, node_weights;
     dealii::FullMatrix<double> to_nodes, integrate;
-    /// Transverse compliances {xz, yz} and plane-stress stiffnesses {xy, yy}
-    /// (sigma_zz fixed), by ply.
+    /// Transverse compliances {xz, yz}, plane-stress stiffnesses {xy, yy} by
+    /// ply.
     std::vector<dealii::Tensor<2, 2>> shear_compliance, plane_stiffness;
     /// Axes of the plies in the body's frame.
     std::vector<Triad> ply_frames;

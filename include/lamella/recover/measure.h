@@ -22,17 +22,16 @@ namespace lamella
 
     /// Returns the measure @p name of columns of @p probes. Of is PROBE[/PLY]:
     /// COLUMN - PROBE[/PLY]: COLUMN, Over a number or `distance`. Throws
-    /// InputError for other forms, for columns of different kinds, for a
-    /// difference that is always zero, and if Over is zero or the distance of
-    /// coincident probes.
+    /// InputError for other forms, columns of different kinds, a difference
+    /// that is always zero, and if Over is zero or the distance of coincident
+    /// probes.
     static Measure
     parse(const Entries            &in,
           const std::string        &name,
           const std::vector<Probe> &probes);
   };
 
-  /// Throws InputError of the list `Measures` if a measure in @p names has the
-  /// name of a probe, a support or a contact.
+  /// Throws InputError of `Measures` if one has the name of another object.
   void
   check_names_of_measures(const QuantityNames &names);
 } // namespace lamella

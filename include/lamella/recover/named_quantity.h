@@ -17,10 +17,9 @@
 
 namespace lamella
 {
-  /// A number of a run's results at the last load step, requested by name: a
-  /// column of probes.csv, a difference of two (a measure), a resultant
-  /// component of a support or contact, or the mean pressure, width or
-  /// dissipation of a contact or a strip of it (ContactTraction, ContactPatch).
+  /// A number of the last load step, requested by name: a column of probes.csv,
+  /// a difference of two (a measure), a resultant of a support or contact, or
+  /// the mean pressure, width or dissipation of a contact or a strip of it.
   struct NamedQuantity
   {
     /// Kind of object that the quantity belongs to.
@@ -37,9 +36,9 @@ namespace lamella
     std::string name;
     /// Ply of a probe on an interface, from 1 at the bottom; 0 if not given.
     unsigned int ply = 0;
-    /// Column: of a probe `uz`, `syy`, ...; of a resultant `fx`, `fy`, `fz`,
-    /// `mx`, `my`, `mz`; of a contact also `pressure`, `width`, `width x`,
-    /// `width y`, `width z`, `dissipated`; of a measure `value`.
+    /// Column: of a probe `uz`, `syy`, ...; of a resultant `fx` to `fz`, `mx`
+    /// to `mz`; of a contact also `pressure`, `width`, `width x` to `width z`,
+    /// `dissipated`; of a measure `value`.
     std::string column;
     /// First of the scene's References of this quantity.
     std::optional<double> given;
@@ -53,19 +52,19 @@ namespace lamella
     /// True if `over` is 1 and no distance, so that the unit is unchanged.
     bool keeps_unit = true;
 
-    /// Returns the scene's text: `upper_top: uz`, with a ply `middle/2: syz`,
-    /// with a strip `roller: fz in y 40 60`.
+    /// Returns the scene's text: `upper_top: uz`, `middle/2: syz` with a ply,
+    /// `roller: fz in y 40 60` with a strip.
     std::string
     label() const;
 
-    /// Returns the letter of its kind; only equal kinds can be compared. u
+    /// Returns the letter of its kind; only equal kinds compare: u
     /// displacement, e strain, s stress, j jump of a probe, f force, m moment,
     /// p pressure, w width, d dissipation. A measure has the kind of its terms.
     char
     kind() const;
 
-    /// Returns the unit's label in @p units: `mm`, `MPa`, `N`, `N mm`. Empty
-    /// for strains, jumps, measures that are divided, and scenes without units.
+    /// Returns the unit's label in @p units: `mm`, `MPa`, `N`, `N mm`; empty
+    /// for strains, jumps, divided measures, and scenes without units.
     std::string
     unit(const Units &units) const;
   };
@@ -74,8 +73,7 @@ namespace lamella
   char
   kind_of_column(const std::string &column);
 
-  /// A difference of a column at two probes, over a number or their distance: a
-  /// twist, an indentation, an opening.
+  /// A difference of a column at two probes, over a number or their distance.
   struct Measure
   {
     /// Name in `subsection Measure NAME`.
@@ -86,14 +84,14 @@ namespace lamella
     std::vector<Reference> references;
   };
 
-  /// Throws InputError with the entry of @p quantity, of a probe in @p plies
-  /// (from 1; "0" for a mean over several), if it names another ply.
+  /// Throws InputError with the entry of @p quantity if it names another ply
+  /// than @p plies (from 1; "0" for a mean).
   void
   check_ply(const NamedQuantity            &quantity,
             const std::vector<std::string> &plies);
 
-  /// Throws InputError: the probe of @p quantity has several values in
-  /// @p plies.
+  /// Throws InputError: the probe of @p quantity has values in several @p
+  /// plies.
   [[noreturn]] void
   refuse_interface(const NamedQuantity            &quantity,
                    const std::vector<std::string> &plies);
@@ -108,25 +106,22 @@ namespace lamella
 
   /// Returns the quantity in @p text: NAME: COLUMN, of a contact also NAME:
   /// COLUMN in AXIS FROM TO. Throws InputError unless a probe, a measure, or
-  /// exactly one support or contact has that name and such a column, for
-  /// another form of the strip, and unless FROM < TO. check_strip() checks the
-  /// strip's position.
+  /// exactly one support or contact has that name and column, for another form
+  /// of the strip, and unless FROM < TO. check_strip() checks the position.
   NamedQuantity
   parse_quantity(const Entry &text, const QuantityNames &names);
 
-  /// Returns the quantities that @p text lists between '|'. Throws as
-  /// parse_quantity() does.
+  /// Returns the quantities in @p text between '|', as parse_quantity().
   std::vector<NamedQuantity>
   parse_quantities(const Entry &text, const QuantityNames &names);
 
   /// Returns the column of one of @p probes in @p text, PROBE: COLUMN or
-  /// PROBE/PLY: COLUMN. Throws InputError for anything else.
+  /// PROBE/PLY: COLUMN. Throws InputError for others.
   NamedQuantity
   parse_probe_quantity(const Entry &text, const std::vector<Probe> &probes);
 
-  /// Throws InputError, with the path of @p quantity, unless the contact with
-  /// @p points has its strip and its width: across the axis that the contact
-  /// faces along, and within its extent.
+  /// Throws InputError, with the path of @p quantity, unless strip and width
+  /// are across the facing axis of the contact with @p points, and within it.
   void
   check_strip(const NamedQuantity                        &quantity,
               const std::vector<ContactInterface::Point> &points);
@@ -134,8 +129,8 @@ namespace lamella
   /// Path of quantities that no entry requests by name.
   inline const char *const references_path = "References";
 
-  /// Returns every quantity with References in the scene, each once. Appends
-  /// the names of probes without any to @p others.
+  /// Returns every quantity with References once. Appends probes without to @p
+  /// others.
   std::vector<NamedQuantity>
   quantities_with_references(const QuantityNames      &names,
                              std::vector<std::string> &others);
@@ -145,19 +140,19 @@ namespace lamella
   traction_of(const ContactSummary          &contact,
               const std::vector<ContactRow> &rows);
 
-  /// Thresholds for the scale of a number, which is its magnitude or the
-  /// largest of its kind.
+  /// Thresholds for the scale of a number: its magnitude or largest of its
+  /// kind.
   struct GoalRules
   {
     /// Values below this share of the largest of their kind take that as scale.
     double near_zero = 1e-3;
-    /// A material whose largest value is below this share of the scene's holds
-    /// rounding errors only, which are no scale.
+    /// A material whose largest value is below this share of the scene's is no
+    /// scale.
     double nothing = arithmetic::negligible;
   };
 
   /// The numbers of a run, at its last load step, that any NamedQuantity may
-  /// request. Independent of the run, so that they can be sent and stored.
+  /// request, independent of the run.
   class ResultNumbers
   {
   public:
@@ -167,47 +162,41 @@ namespace lamella
     /// Throws InputError if no step was solved.
     explicit ResultNumbers(const Results &results);
 
-    /// Reads what to_json() wrote. Throws nlohmann::json::exception for
-    /// anything else.
+    /// Reads what to_json() wrote. Throws nlohmann::json::exception otherwise.
     explicit ResultNumbers(const nlohmann::json &json);
 
     /// Returns a JSON object from which doubles are restored exactly.
     nlohmann::json
     to_json() const;
 
-    /// Returns the value of @p quantity of the scene. Throws InputError if a
-    /// probe lies on an interface whose plies differ (by more than 1e-9 of the
-    /// larger value) and the quantity names none, or one that is not there.
+    /// Returns the value of @p quantity. Throws InputError on an interface
+    /// whose plies differ (by 1e-9) if the quantity names none or another one.
     double
     value(const NamedQuantity &quantity) const;
 
     /// Returns the displacement and the stress component (scene axes) of
-    /// largest magnitude at the probe @p name. On an interface the stress is
-    /// that of the first ply.
+    /// largest magnitude at the probe @p name, in the first ply.
     std::vector<NamedQuantity>
     largest_at(const std::string &name) const;
 
     /// Returns the largest magnitude of the kind of @p quantity: any
     /// displacement, strain or stress of any probe, any force or moment of
-    /// supports and contacts, any contact's pressure at a point, width along an
-    /// axis, or dissipation. For a measure, that of its terms over its divisor.
+    /// supports and contacts, any contact's pressure at a point, width, or
+    /// dissipation. For a measure, that of its terms over its divisor.
     double
     largest_of_kind(const NamedQuantity &quantity) const;
 
-    /**
-     * Returns the largest strain or stress of the probes in the material of the
-     * ply of @p quantity, in any body: a stiff face is no scale for a soft
-     * core. If no other probe is in the material, the six components at the
-     * point are compared. An interface without a named ply uses the material
-     * with the least value. A box over several plies is compared with itself.
-     * Returns largest_of_kind() for other kinds, which are continuous between
-     * materials.
-     */
+    /// Returns the largest strain or stress of the probes in the material of
+    /// the ply of @p quantity, in any body: a stiff face is no scale for a soft
+    /// core. If no other probe is in the material, the six components at the
+    /// point are compared. An interface without a named ply uses the material
+    /// with the least value, a box over several plies its own. Returns
+    /// largest_of_kind() for other kinds, which are continuous.
     double
     largest_in_material(const NamedQuantity &quantity) const;
 
-    /// Returns the scale for changes and errors of @p quantity: its magnitude,
-    /// or if that is near zero the largest of its kind in its material.
+    /// Returns the scale of @p quantity: its magnitude, or if that is near zero
+    /// the largest of its kind in its material.
     double
     scale_of(const NamedQuantity &quantity, const GoalRules &rules = {}) const;
 
@@ -235,8 +224,7 @@ namespace lamella
     double
     value_of_resultant(const NamedQuantity &quantity) const;
 
-    /// Forces and moments, six components each: reactions on the bodies, and
-    /// resultants on the second side.
+    /// Forces and moments on bodies by supports, on second sides by contacts.
     std::map<std::string, std::vector<double>> supports, contacts;
     /// Traction of each contact.
     std::map<std::string, ContactTraction> tractions;

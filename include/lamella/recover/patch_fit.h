@@ -10,8 +10,7 @@
 
 namespace lamella
 {
-  /// Strain, stress, and stress in ply axes: six components each, in the order
-  /// of Eq. 4, in ply axes 11, 22, 33, 12, 13, 23.
+  /// Strain, stress (order of Eq. 4), and stress in ply axes, six each.
   using FieldValues = dealii::Tensor<1, 18>;
 
   /// Values at a superconvergent point of an element of a patch, scene axes.
@@ -23,17 +22,13 @@ namespace lamella
 
   /**
    * Least-squares polynomial through values at points, with a degree for each
-   * of three local coordinates.
-   *
-   * Terms are products of Legendre polynomials over the points' box, added by
-   * total degree. A term of which less than a tenth is independent of earlier
-   * ones at the points is omitted: two Gauss points across an element cannot
-   * separate a parabola from a constant. Polynomials of degrees that the points
-   * resolve are reproduced exactly.
-   *
-   * A fit of m points and n terms costs m n^2 operations, by orthogonalization
-   * and without normal equations. Values far outside the points' box are
-   * extrapolated.
+   * of three local coordinates. Terms are products of Legendre polynomials over
+   * the points' box, added by total degree. A term of which less than a tenth
+   * is independent of earlier ones at the points is omitted: two Gauss points
+   * across an element cannot separate a parabola from a constant. Polynomials
+   * of degrees that the points resolve are reproduced exactly. A fit of m
+   * points and n terms costs m n^2 operations, by orthogonalization and without
+   * normal equations. Values far outside the points' box are extrapolated.
    */
   class PatchFit
   {
@@ -41,16 +36,12 @@ namespace lamella
     /// Constructs the constant @p values.
     explicit PatchFit(const FieldValues &values);
 
-    /**
-     * Fits @p points with local coordinates along the columns of @p frames, the
-     * edges of elements. The result is the mean of the fits in all frames, so
-     * it is independent of the elements' order.
-     *
-     * The terms are those of degree degrees[d] at most in coordinate d,
-     * (degrees[0] + 1)(degrees[1] + 1)(degrees[2] + 1) in all. @p points and
-     * @p frames must not be empty. Columns of a frame are linearly independent,
-     * of any length.
-     */
+    /// Fits @p points with local coordinates along the columns of @p frames,
+    /// the edges of elements. The result is the mean of the fits in all frames,
+    /// so it is independent of the elements' order. The terms are those of
+    /// degree degrees[d] at most in coordinate d, (degrees[0] + 1)(degrees[1] +
+    /// 1)(degrees[2] + 1) in all. @p points and @p frames must not be empty.
+    /// Columns of a frame are linearly independent, of any length.
     PatchFit(const std::vector<PatchPoint>           &points,
              const std::vector<dealii::Tensor<2, 3>> &frames,
              const std::array<unsigned int, 3>       &degrees);
@@ -59,8 +50,8 @@ namespace lamella
     FieldValues
     operator()(const dealii::Point<3> &x) const;
 
-    /// Returns the number of terms that the points determine, in the poorest
-    /// frame; 1 for a constant.
+    /// Returns the number of terms that the points determine in the poorest
+    /// frame.
     unsigned int
     rank() const
     {
@@ -94,9 +85,9 @@ namespace lamella
     static std::vector<Term>
     terms_of(const std::array<unsigned int, 3> &degrees);
 
-    /// Returns the terms and the box of @p points in the coordinates of
-    /// @p frame, without coefficients. The box may be flat along coordinates of
-    /// degree 0.
+    /// Returns the terms and the box of @p points in the coordinates of @p
+    /// frame, without coefficients. It may be flat along coordinates of degree
+    /// 0.
     static Polynomial
     in_frame(const std::vector<PatchPoint>     &points,
              const dealii::Tensor<2, 3>        &frame,

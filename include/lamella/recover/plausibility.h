@@ -19,13 +19,11 @@ namespace lamella
    * Checks for results that suggest a mistake in the scene:
    * - in the units of the scene: strains above 2 %, displacements above the
    *   length of a body, loads that cause strains below 1e-9;
-   * - bodies that penetrate each other at the end of a load step, although no
-   *   contact joins them and they were apart at the start;
+   * - bodies that penetrate each other at the end of a load step without a
+   *   contact, although they were apart at the start;
    * - bodies that move without strain and without a moving support.
-   *
    * Strains and displacements are sampled at a thousand points of the surface
-   * of each body, where bending strains are largest. Few of these points are
-   * near stress singularities.
+   * of each body, few of them near stress singularities.
    */
   class Plausibility
   {
@@ -35,9 +33,8 @@ namespace lamella
                  const Units                         &units,
                  const std::vector<ContactInterface> &contacts);
 
-    /// Returns a sentence for each fault, without a full stop, of the
-    /// displacements @p u and their @p checks. The @p last load step has
-    /// further checks, since no later step can close a gap.
+    /// Returns a sentence for each fault of the displacements @p u and their @p
+    /// checks. The @p last load step has further checks.
     std::vector<std::string>
     plausibility_warnings(const BlockVector &u,
                           const Checks      &checks,
@@ -60,8 +57,7 @@ namespace lamella
           }
       }
     };
-    /// Deformed points of a body, their rotations, a bounding box, and extreme
-    /// values.
+    /// Deformed points of a body, rotations, bounding box, and extreme values.
     struct CurrentBody
     {
       std::vector<dealii::Point<3>> places;
@@ -89,8 +85,7 @@ namespace lamella
     add_rigid_motion(const std::vector<CurrentBody> &moved,
                      std::vector<std::string>       &sentences) const;
     /// Returns the largest penetration of @p a into @p b, and its place. With
-    /// @p u of @p b, a point x of @p a is at the place X with
-    ///   X + u(X) = x,
+    /// @p u of @p b, a point x of @p a is at the place X with X + u(X) = x,
     /// found by Newton's method from the nearest surface point (gradient:
     /// rotation).
     Extreme
@@ -98,13 +93,11 @@ namespace lamella
             const CurrentBody &b,
             const unsigned int number_of_b,
             const Vector      &u) const;
-    /// Returns the distance of @p X, inside of body @p b, from its surface:
-    /// from the nearest of the tangent planes at the points around. Zero below
-    /// rounding.
+    /// Returns the distance of @p X, inside of body @p b, from the nearest of
+    /// the tangent planes at the points around. Zero below rounding.
     double
     depth(const dealii::Point<3> &X, const unsigned int b) const;
-    /// Returns whether the center of an element of @p a is inside of @p b from
-    /// the start, which is taken as intended.
+    /// Returns whether the center of an element of @p a starts inside of @p b.
     bool
     are_nested(const Body &a, const Body &b) const;
     /// Adds sentences on overlapping bodies without a contact.
@@ -118,8 +111,7 @@ namespace lamella
     Units            units;
     /// Pairs of bodies that a contact joins, the lower number first.
     std::set<std::pair<unsigned int, unsigned int>> contacts;
-    /// sample_nodes() and face_points() of each body, filled at their first
-    /// use, since making them takes long on large sections.
+    /// sample_nodes() and face_points() of each body, made at their first use.
     std::vector<std::vector<SurfacePoint>> nodes, faces;
   };
 } // namespace lamella

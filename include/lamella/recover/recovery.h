@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The room `recover`: better stresses than those of the elements, and values at
-// the places that a scene asks for. It owns the recovery by patches and by
-// equilibrium and the sampling of probes, lines and cuts into Results. It never
-// changes the solution and never knows what the values are for: no goals, no
-// files.
+// requested places. It owns the recovery by patches and by equilibrium and the
+// sampling of probes, lines and cuts into Results. It never changes the
+// solution.
 
 #ifndef lamella_recover_recovery_h
 #define lamella_recover_recovery_h
@@ -20,9 +19,8 @@
 
 namespace lamella
 {
-  /// Kind of strains and stresses reported where elements of one ply meet.
-  /// Elements are axis elements times section cells, or hexahedra. Values are
-  /// never averaged across ply interfaces. `undefined` fails an assertion.
+  /// Kind of strains and stresses where elements (axis elements times section
+  /// cells, or hexahedra) of one ply meet. Plies are never averaged.
   enum class StressValues
   {
     undefined,
@@ -44,8 +42,8 @@ namespace lamella
 
   /**
    * Strains and stresses that are continuous within a ply, from the
-   * discontinuous ones of the elements. Interfaces are not smoothed.
-   * Displacements and FieldSample::jump stay those of the elements.
+   * discontinuous ones of the elements. Displacements and FieldSample::jump
+   * stay those of the elements.
    *
    * `nodal`: the mean over the elements that share a node, interpolated over
    * each element's nodes (Gauss-Lobatto points of the displacements' degree p).
@@ -71,35 +69,31 @@ namespace lamella
    *   Gauss points, and the patch has the least degree.
    * - Along coordinates with zero Body::recovery_degrees(), values are those at
    *   the point: Taylor theories are recovered along the axis only.
-   *
-   * Patches are fitted on demand, each once. An object belongs to one state of
-   * one body; its cache does not notice changes of @p u. A patch of eight
-   * bricks of degree p takes 8 p^3 Body::sample().
+   * Patches are fitted on demand, each once, for one state of one body. A patch
+   * of eight bricks of degree p takes 8 p^3 Body::sample().
    */
   class StressRecovery
   {
   public:
-    /// Stores references to @p body and the displacements @p u, which must not
-    /// change. @p values must not be `equilibrium` (see EquilibriumStress).
+    /// Stores references to @p body and the constant displacements @p u. @p
+    /// values must not be `equilibrium` (see EquilibriumStress).
     StressRecovery(const Body        &body,
                    const Vector      &u,
                    const StressValues values);
 
-    /// Returns all fields at @p location, in scene and ply axes as
-    /// Body::sample(), with strains and stresses of the chosen kind. Fits
-    /// missing patches, so it is not const.
+    /// Returns all fields at @p location as Body::sample(), with strains and
+    /// stresses of the chosen kind. Fits missing patches.
     FieldSample
     sample(const Location &location);
 
   private:
     using Place = Location::Place;
 
-    /// Cell and unit coordinates of a place, rounded to 1e-9. A point in
-    /// several cells has several keys; the smallest cell's represents them.
+    /// Cell and unit coordinates of a place, rounded to 1e-9; of several keys
+    /// of a point, the smallest cell's.
     using Key = std::pair<unsigned int, std::array<long, 3>>;
 
-    /// Weighted sum of fits that gives a node's values. Weights sum to 1; the
-    /// fits belong to this object.
+    /// Weighted sum of fits of this object, a node's values; weights sum to 1.
     using Source = std::vector<std::pair<double, const PatchFit *>>;
 
     static Key
@@ -115,57 +109,49 @@ namespace lamella
     field(const unsigned int ply, const Place &place);
 
     /// Returns the nodes of the element of @p place with their shape functions
-    /// there, which sum to 1: for `recovered` the corners (trilinear N_v), for
-    /// `nodal` the Gauss-Lobatto points. Nodes keep the coordinates of @p place
-    /// that are not recovered.
+    /// there: for `recovered` the corners (trilinear N_v), for `nodal` the
+    /// Gauss-Lobatto points, along recovered coordinates.
     std::vector<std::pair<Place, double>>
     nodes(const Place &place) const;
 
-    /// Returns whether @p place is at a node of its element, to 1e-4 of the
-    /// element. A smaller element's corner on the edge of a larger one is none.
+    /// Returns whether @p place is at a node of its element, to 1e-4 of it. A
+    /// smaller element's corner on a larger one's edge is none.
     bool
     is_node(const Place &place) const;
 
-    /// Returns @p place in each element of the ply that contains the point, by
-    /// ascending cells: the patch of a corner.
+    /// Returns @p place in each element of the ply there, by ascending cells.
     const std::vector<Place> &
     meeting(const unsigned int ply, const Place &place);
 
-    /// Returns the source of the field at @p node, the same for all elements
-    /// that share it.
+    /// Returns the source of the field at @p node, equal for all its elements.
     const Source &
     source(const unsigned int ply, const Place &node);
 
-    /// Returns the fit of the patch at @p node itself; for `nodal` the mean of
-    /// its elements.
+    /// Returns the fit of the patch at @p node; for `nodal` its elements' mean.
     const PatchFit &
     own_fit(const unsigned int ply, const Place &node);
 
-    /// Returns the degrees of a patch's fit: the least of its @p elements
-    /// (Body::recovery_degrees_of()).
+    /// Returns the least degrees of @p elements (Body::recovery_degrees_of()).
     std::array<unsigned int, 3>
     degrees_of(const std::vector<Place> &elements) const;
 
     /// Returns the fits used at @p node: its own if that determines all terms;
-    /// else the richest of its elements' corners that share most elements,
-    /// averaged if there are several.
+    /// else the richest of corners that share most elements, averaged.
     Source
     best_fits(const unsigned int ply, const Place &node);
 
-    /// Returns whether @p element, linear along its coordinate @p d, has no
-    /// neighbor there in its ply.
+    /// Returns whether @p element, linear along @p d, has no neighbor there.
     bool
     is_one_linear_layer(const unsigned int ply,
                         Place              element,
                         const unsigned int d);
 
-    /// Returns the values at the reduced Gauss points of @p elements (degree
-    /// points per coordinate), where they are superconvergent.
+    /// Returns the values at the superconvergent reduced Gauss points.
     std::vector<PatchPoint>
     patch_points(const unsigned int ply, const std::vector<Place> &elements);
 
     /// Returns the distinct frames of mean element edges in a patch, in
-    /// columns. Frames with the same directions in any order count once.
+    /// columns, whatever the order of directions.
     std::vector<dealii::Tensor<2, 3>>
     frames(const std::vector<Place> &elements) const;
 
@@ -174,8 +160,8 @@ namespace lamella
     const StressValues kind;
     /// Body::recovery_degrees(): 0 along coordinates without recovery.
     const std::array<unsigned int, 3> degrees;
-    /// Unit coordinates, in [0, 1], of an element's nodes along each
-    /// coordinate; empty without recovery.
+    /// Unit coordinates in [0, 1] of an element's nodes; empty without
+    /// recovery.
     std::array<std::vector<double>, 3> node_coordinates;
 
     /// Caches: patches of corners, values at Gauss points, fits and sources.

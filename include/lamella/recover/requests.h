@@ -14,7 +14,7 @@
 namespace lamella
 {
   /// A reference value to print beside a result, as in `uz: -0.134357: C3D20R,
-  /// converged`: quantity, value, source.
+  /// converged`.
   struct Reference
   {
     /// Column of probes.csv, or fx, fy, fz of a contact or a support.
@@ -25,16 +25,14 @@ namespace lamella
   };
 
   /// Returns the references of @p entry, separated by '|', each QUANTITY:
-  /// VALUE: SOURCE (which may contain colons). Throws InputError if one has
-  /// fewer than three parts, names none of @p quantities (the message suggests
-  /// the nearest) or has no number.
+  /// VALUE: SOURCE. Throws InputError if one has fewer than three parts, names
+  /// none of @p quantities (the message suggests the nearest) or has no number.
   std::vector<Reference>
   parse_references(const Entry                    &entry,
                    const std::vector<std::string> &quantities);
 
   /// A point whose fields are reported, or a box whose mean fields are. On a
-  /// ply interface a point, or a flat box in it, is reported in each ply; any
-  /// other box once.
+  /// ply interface a point, or a flat box in it, is reported in each ply.
   struct Probe
   {
     /// Name in `subsection Probe NAME`; number of the body in Bodies.
@@ -44,13 +42,13 @@ namespace lamella
     dealii::Point<3>       position;
     StressValues           stress = StressValues::undefined;
     std::vector<Reference> references;
-    /// Edges of the box around the position along the scene's axes [length],
-    /// not negative. All zero: the point.
+    /// Edges of the box around the position, scene axes [length]; zero: a
+    /// point.
     dealii::Tensor<1, 3> box = {};
   };
 
-  /// A segment along which the fields are reported, with both sides of each ply
-  /// interface that it crosses.
+  /// A segment along which fields are reported, on both sides of ply
+  /// interfaces.
   struct Line
   {
     std::string  name;
@@ -58,8 +56,7 @@ namespace lamella
     /// Two different points in the undeformed body, scene axes [length].
     dealii::Point<3> from, to;
     StressValues     stress = StressValues::undefined;
-    /// Number of equally spaced points in each ply crossed, both ends included;
-    /// at least 2.
+    /// Number of equally spaced points, ends included, in each ply; 2 or more.
     unsigned int samples = 0;
   };
 
@@ -71,8 +68,7 @@ namespace lamella
     /// Distance from the start of the axis [length].
     double       position = 0.;
     StressValues stress   = StressValues::undefined;
-    /// Intervals in each direction of a cell, 1 to 100: (samples + 1)^2 points
-    /// per cell.
+    /// Intervals in each direction of a cell, 1 to 100.
     unsigned int samples = 0;
   };
 
@@ -84,7 +80,7 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Returns the probe @p name on one of @p bodies. Throws InputError, also
-    /// for a box with negative edges; Sampler checks that it is in the body.
+    /// for a box with negative edges.
     static Probe
     parse(const Entries                  &in,
           const std::string              &name,
@@ -99,8 +95,7 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Returns the line @p name. Throws InputError, also for coincident ends or
-    /// ends on two bodies, and unless Samples is 2 to 100,000. Sampler checks
-    /// that the ends are in the body.
+    /// ends on two bodies, and unless Samples is 2 to 100,000.
     static Line
     parse(const Entries                  &in,
           const std::string              &name,
@@ -115,7 +110,7 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Returns the cut @p name. Throws InputError, also unless Samples is 1 to
-    /// 100. Sampler checks that it is on the axis.
+    /// 100.
     static Cut
     parse(const Entries                  &in,
           const std::string              &name,

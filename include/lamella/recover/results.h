@@ -18,21 +18,19 @@
 
 namespace lamella
 {
-  /// A pair of a contact at the end of a load step: a gap row with its
-  /// geometry.
+  /// A pair of a contact at the end of a load step: a row with its geometry.
   struct ContactRow
   {
     /// Positions, normal and area of the pair.
     ContactInterface::Point point;
-    /// g_init of Eq. 17 and g of Eq. 16 [length], negative in penetration;
-    /// surface to surface, their means over the area.
+    /// g_init of Eq. 17 and g of Eq. 16 [length], or their means over the area.
     double initial_gap = 0., gap = 0.;
     /// lambda, positive in compression; over the pair's area the mean pressure.
     double force = 0.;
     /// Resultant on the second side, friction included.
     Wrench on_second = {};
-    /// Friction: lambda_t on the second side, whether the pair slips, and the
-    /// accumulated slip length and dissipation.
+    /// Friction: lambda_t on the second side, slipping, slip length,
+    /// dissipation.
     struct Friction
     {
       dealii::Tensor<1, 3> shear;
@@ -49,15 +47,13 @@ namespace lamella
     }
   };
 
-  /// Numbers of contact pairs that closed and opened in a load step. The first
-  /// step is compared with no contact.
+  /// Numbers of pairs that closed and opened in a step, at first from none.
   struct StatusChanges
   {
     unsigned int closed = 0, opened = 0;
   };
 
-  /// Results of one load step. Probes, lines, cuts and contacts are in the
-  /// order of the names in Results; resultants are in `checks`.
+  /// Results of one load step, in the order of the names in Results.
   struct StepResults
   {
     /// Number of the step, from 1.
@@ -89,8 +85,7 @@ namespace lamella
     /// Status changes of each contact.
     std::vector<StatusChanges> changes;
     /// Rows of each ply of the swept bodies, by body, ply and criterion,
-    /// without criteria that have no point (an interlaminar one of a single
-    /// ply).
+    /// without criteria that have no point.
     std::vector<PlyReserve> plies;
     /// Rows of each ply of the swept beams, by body, ply and s.
     std::vector<ReserveAlong> plies_along;
@@ -98,10 +93,9 @@ namespace lamella
     /// Warnings about this step, a sentence each.
     std::vector<std::string> warnings;
 
-    /// Drops the state's vectors, the strategy's memory and all rows (also
-    /// those of the checks), which are nearly all of its memory. Keeps number,
-    /// load factor, iterations, checks, jumps, measures, closures, changes,
-    /// reserve factors of plies and warnings.
+    /// Drops the state's vectors, the strategy's memory and all rows, which are
+    /// nearly all of its memory, but not checks, jumps, measures, closures,
+    /// changes, reserve factors of plies and warnings.
     void
     drop_fields();
   };
@@ -136,8 +130,7 @@ namespace lamella
     std::shared_ptr<const SlaveSurface> surface = {};
   };
 
-  /// Results of a run, without references to a scene, body or solver. Console,
-  /// tables, JSON and pictures are made from it.
+  /// Results of a run, without references to a scene, body or solver.
   struct Results
   {
     /// Title of the scene; units are labels, numbers are as in the scene.
@@ -165,12 +158,10 @@ namespace lamella
     std::vector<GoalResult> goals;
     /// Reason why there are no goals; empty if there are.
     std::string no_goals_reason;
-    /// Condition number of the condensed stiffnesses, the largest of all
-    /// bodies; a lower bound, 0 if unknown (only CHOLMOD estimates it).
+    /// Largest condition number of condensed stiffnesses; a lower bound, or 0.
     double condition_estimate = 0.;
 
-    /// Wall seconds by phase (phase_names(), `total`). `total` includes time
-    /// outside of all phases.
+    /// Wall seconds by phase (phase_names()), and `total`.
     std::map<std::string, double> seconds;
     /// Number of MPI processes of the run.
     unsigned int processes = 1;
@@ -181,16 +172,15 @@ namespace lamella
     unsigned int
     n_dofs() const;
 
-    /// Returns notes, the warnings of all steps, and endnotes: a sentence each,
-    /// without a full stop. Warnings name their step if there are several, or
-    /// first failure. Warnings that differ by numbers only are merged, with the
-    /// numbers of the largest load factor; those that differ by the name of a
-    /// contact or body are merged with all names.
+    /// Returns notes, the warnings of all steps, and endnotes. Warnings name
+    /// their step if there are several, or first failure. Warnings that differ
+    /// by numbers only are merged, with the numbers of the largest load factor;
+    /// those that differ by the name of a contact or body are merged with all
+    /// names.
     std::vector<std::string>
     all_warnings() const;
 
-    /// Returns the largest stiffening and smallest buckling factor of all
-    /// steps.
+    /// Returns the largest stiffening, smallest buckling factor of all steps.
     NonlinearityEstimate
     worst_nonlinearity() const;
 
@@ -198,14 +188,13 @@ namespace lamella
     const StepResults &
     last() const;
 
-    /// Returns the row of the probe @p name in the last step: of @p ply (from 1
-    /// at the bottom), or the first if 0. Throws InputError if it does not
-    /// exist.
+    /// Returns the row of the probe @p name in the last step: of @p ply (from
+    /// 1), or the first if 0. Throws InputError if it does not exist.
     const FieldRow &
     probe(const std::string &name, const unsigned int ply = 0) const;
 
-    /// Returns the force and moment of the support or contact @p name in the
-    /// last step. Throws InputError for an unknown name.
+    /// Returns the resultant of the support or contact @p name in the last
+    /// step. Throws InputError for an unknown name.
     const Resultant &
     support(const std::string &name) const;
     const KktResidual &

@@ -15,35 +15,30 @@
 
 namespace lamella
 {
-  /**
-   * Samples the fields of a state at probes, along lines and over cuts. The
-   * constructor locates all of them, so positions outside of bodies are found
-   * before solving.
-   *
-   * Lines are split into pieces of one ply each and sampled on both sides of
-   * every interface. A line in an interface is sampled in the lower ply, then
-   * in the upper one. Every process samples everything.
-   */
+  /// Samples the fields of a state at probes, along lines and over cuts. The
+  /// constructor locates all of them, so positions outside of bodies are found
+  /// before solving. Lines are split into pieces of one ply each and sampled on
+  /// both sides of every interface. A line in an interface is sampled in the
+  /// lower ply, then in the upper one. Every process samples everything.
   class Sampler
   {
   public:
-    /// Stores references to the four lists, which must live longer. Stresses of
-    /// bodies with finite rotations are in scene axes if @p in_scene_axes, else
-    /// in material axes. Throws InputError, naming the entry, for a probe, its
-    /// box or a line's end outside of its body, for a cut off its axis, and for
-    /// equilibrium of a body that is no laminate.
+    /// Stores references to the four lists. Stresses of bodies with finite
+    /// rotations are in scene axes if @p in_scene_axes, else in material axes.
+    /// Throws InputError, naming the entry, for positions outside of their
+    /// body, for a cut off its axis, and for equilibrium of a body that is no
+    /// laminate.
     Sampler(const Bodies             &bodies,
             const std::vector<Probe> &probes,
             const std::vector<Line>  &lines,
             const std::vector<Cut>   &cuts,
             const bool                in_scene_axes = false);
 
-    /// Appends the probes, lines, cuts and jumps for the displacements @p u
-    /// (one block per body) to @p results, which must not have any. A probe has
-    /// a row per ply (a box one, or two: box_points()), a line rows along its
-    /// pieces and an InterfaceJump, a cut the grids of its cells; stresses by
-    /// equilibrium add closure errors for the @p tractions on faces. Recoveries
-    /// are made anew for each state.
+    /// Appends the probes, lines, cuts and jumps for the displacements @p u to
+    /// @p results, which must not have any. A probe has a row per ply (a box
+    /// one, or two: box_points()), a line rows along its pieces and an
+    /// InterfaceJump, a cut the grids of its cells; stresses by equilibrium add
+    /// closure errors for the @p tractions on faces.
     void
     sample(const BlockVector   &u,
            StepResults         &results,
@@ -51,13 +46,11 @@ namespace lamella
 
     /// Throws InputError with the entry of @p quantity if its probe is not in
     /// the ply that it names, or lies between two plies, none named, and is not
-    /// continuous there on every mesh. Displacements are, and tractions of
-    /// stresses by equilibrium. Checks the terms of measures, too.
+    /// continuous there on every mesh. Checks the terms of measures, too.
     void
     check(const NamedQuantity &quantity) const;
 
-    /// Returns @p quantity, in the lower ply if its probe lies between two and
-    /// none is named. References of a probe are compared with it.
+    /// Returns @p quantity, in the lower ply if its probe lies between two.
     NamedQuantity
     in_lower_ply(NamedQuantity quantity) const;
 
@@ -75,8 +68,7 @@ namespace lamella
     /// Returns whether @p quantity has two values: see check().
     bool
     is_between_plies(const NamedQuantity &quantity) const;
-    /// Returns whether @p column of @p probe is a traction on ply faces from
-    /// equilibrium.
+    /// Returns whether @p column is a traction on ply faces from equilibrium.
     bool
     is_traction_by_equilibrium(const Probe       &probe,
                                const std::string &column) const;
@@ -89,7 +81,7 @@ namespace lamella
     };
 
     /// Returns Line::samples equally spaced places, ends included, in each ply
-    /// that the line crosses. Throws InputError for places outside of the body.
+    /// of the line. Throws InputError outside of the body.
     std::vector<LinePoint>
     places_of(const Line &line) const;
     /// Throws InputError if the body has no section there.
@@ -140,17 +132,17 @@ namespace lamella
    * tractions t = sigma . d / |d| on both sides are compared:
    *   of_stress   = max |t_upper - t_lower| / max |sigma_ij|,
    *   of_traction = max |t_upper - t_lower| / max |t|,
-   * with denominators over the whole line, sigma_ij in scene axes. Equilibrium
-   * makes the jump zero where the line is normal to the plies, so it estimates
-   * the error of transverse stresses. of_traction is 0 if tractions are below
-   * 1e-9 of the stresses (pure bending).
+   * with denominators over the whole line. Equilibrium makes the jump zero
+   * where the line is normal to the plies, so it estimates the error of
+   * transverse stresses. of_traction is 0 for tractions below 1e-9 of the
+   * stresses.
    */
   InterfaceJump
   interface_jump(const std::vector<LineRow> &rows,
                  const dealii::Tensor<1, 3> &d);
 
-  /// Calls @p use for each closure error in @p closures, of a load step of
-  /// @p results: with `probe`, `line` or `cut`, its name and the error.
+  /// Calls @p use with `probe`, `line` or `cut`, its name and error for each of
+  /// @p defects of a load step of @p results.
   void
   for_each_defect(const Results                           &results,
                   const EquilibriumDefects                &defects,

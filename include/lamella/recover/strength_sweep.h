@@ -39,8 +39,7 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Returns the parameters for a scene with the names @p bodies. Throws
-    /// InputError for unknown criteria and bodies, with the nearest name, for
-    /// duplicates, and for invalid boxes.
+    /// InputError for unknown or repeated names, and for invalid boxes.
     static StrengthParameters
     parse(const Entries &in, const std::vector<std::string> &bodies);
   };
@@ -59,21 +58,16 @@ namespace lamella
    * that another ply touches. A ply whose material has core strengths is a
    * core. Core shear and core crushing apply to cores, face wrinkling to plies
    * of a laminate or wall next to a core, all others to plies that are not
-   * cores.
-   *
-   * The largest 1/R at each station of a beam's axis is kept by ply
-   * (ReserveAlong).
-   *
-   * An element costs 27 stress samples, 27 evaluations of each criterion and 5
-   * kB during its evaluation. Processes share the elements; all get the same
-   * rows.
+   * cores. The largest 1/R at each station of a beam's axis is kept by ply
+   * (ReserveAlong). An element costs 27 stress samples and evaluations of each
+   * criterion. Processes share the elements; all get the same rows.
    */
   class StrengthSweep
   {
   public:
     /// Stores a reference to @p bodies. Throws InputError if a material lacks
-    /// data of a criterion, with its entry, and for stresses by equilibrium of
-    /// a body that is no laminate. Collective.
+    /// data of a criterion, and for equilibrium of a body that is no laminate.
+    /// Collective.
     StrengthSweep(const Bodies &bodies, const StrengthParameters &parameters);
 
     struct Found
@@ -83,18 +77,16 @@ namespace lamella
     };
 
     /// Returns the rows of StepResults::plies and plies_along for the
-    /// displacements @p u (one block per body) and @p tractions on faces. For
-    /// heated bodies, @p thermal_part are the displacements of heat alone:
-    /// their stresses are constant, and the reserve factor multiplies the rest.
-    /// Collective.
+    /// displacements @p u and @p tractions on faces. @p thermal_part are the
+    /// displacements of heat alone: their stresses are constant, and the
+    /// reserve factor multiplies the rest. Collective.
     Found
     sweep(const BlockVector   &u,
           const FaceTractions &tractions    = FaceTractions(),
           const BlockVector   *thermal_part = nullptr) const;
 
-    /// Returns the largest 1/R of ply @p ply of body @p body under
-    /// @p ply_stress (ply axes); 0 if no R is finite or nothing is swept. Omits
-    /// the interlaminar criterion, which applies to interfaces.
+    /// Returns the largest 1/R of ply @p ply of body @p body under @p
+    /// ply_stress; 0 if no R is finite. Omits the interlaminar criterion.
     double
     inverse_reserve(const unsigned int body,
                     const unsigned int ply,
@@ -118,8 +110,8 @@ namespace lamella
       unsigned int      body;
       std::vector<Task> tasks;
       /// Per element of this process: whether another ply touches its faces at
-      /// the start and end of the first and of the third unit coordinate, and
-      /// these lie in its ply's plane. Empty if no task needs it.
+      /// the ends of the first and the third unit coordinate, and these lie in
+      /// its ply's plane; else empty.
       std::vector<std::array<bool, 4>> touched;
     };
 
@@ -130,8 +122,8 @@ namespace lamella
     void
     require(const Criterion criterion, const Ply &ply, const Body &body) const;
 
-    /// Returns whether @p task uses point @p k of an element whose faces are
-    /// @p touched.
+    /// Returns whether @p task uses point @p k of an element with @p touched
+    /// faces.
     static bool
     uses_point(const Task                &task,
                const std::array<bool, 4> &touched,
@@ -149,8 +141,7 @@ namespace lamella
       const Vector &u;
       const Vector *thermal_part;
     };
-    /// Stresses of an element, and those of heat alone or null; its faces as in
-    /// Swept.
+    /// Stresses of an element, and those of heat alone or null; its faces.
     struct SweptCell
     {
       const OutputCell   &loaded;
@@ -159,8 +150,8 @@ namespace lamella
     };
     /// Points of a task that may be near failure.
     class Candidates;
-    /// Adds the points of @p cell, of the ply of @p task, to @p along and
-    /// @p candidates.
+    /// Adds points of @p cell, in the ply of @p task, to @p along, @p
+    /// candidates.
     void
     evaluate_cell(const SweptCell &cell,
                   const Task      &task,
@@ -171,8 +162,7 @@ namespace lamella
     find_candidates(const SweptBody     &swept,
                     const Displacements &at,
                     Along               &along) const;
-    /// Source of the stresses of a body with the displacements @p u: recovered
-    /// fields, and the recovery of those of heat alone, or null.
+    /// Source of a body's stresses with @p u, and of heat alone or null.
     struct Stresses
     {
       const Vector                                &u;
@@ -185,8 +175,8 @@ namespace lamella
               const Task                          &task,
               const std::vector<dealii::Point<3>> &points,
               const Stresses                      &stresses) const;
-    /// Adds the worst row of each task, if any, at its @p points of all
-    /// processes to @p plies. Collective.
+    /// Adds the worst row of each task at its @p points of all processes to @p
+    /// plies. Collective.
     void
     add_worst_rows(const SweptBody                                  &swept,
                    const std::vector<std::vector<dealii::Point<3>>> &points,
@@ -201,13 +191,11 @@ namespace lamella
   };
 
   /// Returns whether @p a is nearer to failure than @p b: by reserve factor,
-  /// without one by index, and if equal (to 1e-7) by position, so that the
-  /// result is independent of the number of processes.
+  /// without one by index, and if equal (to 1e-7) by position.
   bool
   is_worse(const PlyReserve &a, const PlyReserve &b);
 
-  /// Returns whether @p a comes before @p b, by x, y, z; coordinates closer
-  /// than @p same [length] are equal.
+  /// Returns whether @p a is before @p b, by x, y, z, equal within @p same.
   bool
   is_before(const dealii::Point<3> &a,
             const dealii::Point<3> &b,
@@ -217,10 +205,9 @@ namespace lamella
   const PlyReserve *
   worst_of(const std::vector<PlyReserve> &rows);
 
-  /// Returns a warning about the worst of @p rows: it lies on what @p supports
-  /// hold or where one of @p loads acts on a line or a point, or its element
-  /// and recovered stresses differ by more than a tenth. The stress may then be
-  /// singular and R decrease with each refinement. Empty if there is no doubt.
+  /// Returns a warning about the worst of @p rows: one of @p supports or of @p
+  /// loads on a line or a point acts there, or element and recovered stresses
+  /// differ by more than a tenth: perhaps a singularity. Empty without doubt.
   std::string
   worst_reserve_warning(const std::vector<PlyReserve> &rows,
                         const std::vector<Support>    &supports,

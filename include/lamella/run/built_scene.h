@@ -22,21 +22,16 @@
 
 namespace lamella
 {
-  /**
-   * A scene with all objects built from it before the solution: sections,
-   * bodies with the fields of their nodes, supports, loads, contacts with
-   * their gap rows, places of probes. All errors of a scene are found here. No
-   * stiffness matrix is assembled.
-   *
-   * It is neither movable nor copyable, since solvers refer to its parts. Each
-   * process holds all of it.
-   */
+  /// A scene with all objects built from it before the solution: sections,
+  /// bodies with the fields of their nodes, supports, loads, contacts with
+  /// their gap rows, places of probes. All errors of a scene are found here. No
+  /// stiffness matrix is assembled. Each process holds all of it. Not movable
+  /// or copyable, since solvers refer to its parts.
   class BuiltScene
   {
   public:
-    /// Builds @p scene, of which a copy is kept, with fields of SV-N by
-    /// @p rules. Progress goes to @p out, seconds to @p timer. Throws
-    /// InputError. Collective.
+    /// Builds a copy of @p scene with fields of SV-N by @p rules. Progress goes
+    /// to @p out, seconds to @p timer. Throws InputError. Collective.
     BuiltScene(const Scene         &scene,
                const FieldRules    &rules,
                std::ostream        &out,
@@ -45,16 +40,15 @@ namespace lamella
     BuiltScene &
     operator=(const BuiltScene &) = delete;
 
-    /// Returns the scene as given, with graded axes and automatic choices
-    /// resolved.
+    /// Returns the scene with graded axes and resolved automatic choices.
     const Scene &
     scene() const
     {
       return given;
     }
 
-    /// Returns scene() for other axes: contacts for which `auto` chose node to
-    /// node are set to `auto` again.
+    /// Returns scene() for other axes, with `auto` node-to-node contacts
+    /// restored.
     Scene
     with_automatic_contacts() const;
 
@@ -103,8 +97,8 @@ namespace lamella
       gap_constraints = GapConstraints(contacts);
     }
 
-    /// Updates the pairing in @p found: numbers of rows and of unpaired points,
-    /// and slave surfaces. Initial gaps stay.
+    /// Updates numbers of rows and unpaired points, and slave surfaces in @p
+    /// found.
     void
     update_pairing_facts(std::vector<ContactSummary> &found) const;
 
@@ -138,8 +132,7 @@ namespace lamella
 
     /// Returns @p quantities of the scene, as goals are; those that only
     /// References request are set to the lower ply if their probe lies between
-    /// two. Throws InputError for a ply that its probe is not in, and for a
-    /// missing one where plies differ (Sampler::check()).
+    /// two. Throws InputError for a wrong or missing ply (Sampler::check()).
     std::vector<NamedQuantity>
     with_resolved_plies(std::vector<NamedQuantity> quantities) const;
 
@@ -159,32 +152,31 @@ namespace lamella
     /// Builds section meshes, bodies, supports, loads and stabilizing springs.
     void
     build_structure(std::ostream &out);
-    /// Returns the bodies with the fields that the scene requests at each node.
-    /// If they depend on contact and supports, conditions and contacts are made
-    /// once before, to find where these are.
+    /// Returns the bodies with the fields that the scene requests at each node,
+    /// with temporary conditions and contacts if they depend on these.
     Bodies
     make_bodies_with_fields();
-    /// Finds the motions of @p bodies that isostatic supports remove. Contacts
-    /// are made once more, to find which bodies may touch.
+    /// Finds the motions of @p bodies that isostatic supports remove, with
+    /// temporary contacts.
     void
     set_isostatic_motions(const Bodies &bodies);
     /// Searches and pairs the gap rows of all contacts, without duplicates.
     void
     build_contacts();
-    /// Returns the initial overlap of contact number @p contact at @p at
-    /// [length] if supports hold both sides there, else zero.
+    /// Returns the initial overlap [length] of contact @p contact at @p at if
+    /// supports constrain both sides there, else zero.
     double
     constrained_overlap(const unsigned int             contact,
                         const ContactInterface::Point &at) const;
-    /// Throws InputError if bodies overlap from the start where supports hold
-    /// both sides, since no contact force can separate them there.
+    /// Throws InputError if bodies overlap initially where supports constrain
+    /// both sides.
     void
     check_constrained_overlaps() const;
     /// Appends the notes on the scene to @p found.
     void
     add_notes(Results &found) const;
-    /// Throws InputError for a goal or a trade quantity that requests the
-    /// pressure of a strip outside all contact surfaces.
+    /// Throws InputError for a quantity of a strip outside all contact
+    /// surfaces.
     void
     check_strips() const;
     /// Builds probes, lines, cuts, goals, criteria.

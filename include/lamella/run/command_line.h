@@ -23,11 +23,9 @@ namespace lamella
     };
     Task task = Task::run;
     /// File of the scene; for a report the folder of results, for a new scene
-    /// its name. May be empty with --help, --version and --print-parameters
-    /// only.
+    /// its name. Empty with --help, --version and --print-parameters only.
     std::string scene;
-    /// Output as given, or the default of the task: a folder; for an export the
-    /// deck, for a report the page.
+    /// Output folder, deck or page, as given, or the default of the task.
     std::string output;
     /// True if `output` was given: --validate writes its sections there then.
     bool output_is_given = false;
@@ -50,8 +48,7 @@ namespace lamella
     bool help    = false;
 
     /// Returns the parsed words after the program's name. Throws InputError for
-    /// unknown words, options without their value, options of another task or
-    /// in contradiction, and a missing scene.
+    /// unknown words, missing values and scenes, and contradicting options.
     static CommandLine
     parse(const std::vector<std::string> &words);
   };
@@ -67,8 +64,8 @@ namespace lamella
       {CommandLine::Task::new_scene, "new"}};
   };
 
-  /// Returns the text of --help, with the exit status: 0 success, 1 error in
-  /// the input (InputError), 2 failure of the numerics (NumericsError).
+  /// Returns the text of --help, with the exit status: 0 success, 1 InputError,
+  /// 2 NumericsError.
   std::string
   usage();
 } // namespace lamella

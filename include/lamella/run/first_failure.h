@@ -15,9 +15,8 @@
 
 namespace lamella
 {
-  /// Throws InputError of `Find` if nothing grows with the load factor: no
-  /// nonzero load (temperatures do not grow), weight, or displacement of a
-  /// support or an obstacle.
+  /// Throws InputError of `Find` if nothing grows with the load factor: no load
+  /// but temperatures, weight, or displacement of a support or an obstacle.
   void
   check_load_growth(const Structure                     &structure,
                     const std::vector<ContactInterface> &contacts);
@@ -27,18 +26,16 @@ namespace lamella
    * interval is between a safe load factor and an upper end, at which a ply
    * fails or no solution exists (rotations beyond their limit, contact without
    * convergence). Load steps come first; if all are safe, the largest is
-   * doubled up to ten times. The interval is then bisected to 0.1 %.
-   *
-   * The result is a failure if it comes before the loss of solutions, else the
-   * load at which solutions are lost.
+   * doubled up to ten times. The interval is then bisected to 0.1 %. The result
+   * is a failure or the load at which solutions are lost, whichever comes
+   * first.
    */
   class FirstFailureSearch
   {
   public:
-    /// Function that solves at a load factor within a load step of a number
-    /// (beyond the last one if there is none of that number) and sets the
-    /// reserve factors in the third argument. Throws NumericsError without a
-    /// solution.
+    /// Function that solves at a load factor within a load step of a number (or
+    /// beyond the last one) and sets the reserve factors in the third argument.
+    /// Throws NumericsError without a solution.
     using TrySolve = std::function<FailureTrial(const double,
                                                 const unsigned int,
                                                 std::vector<PlyReserve> &)>;
@@ -50,18 +47,16 @@ namespace lamella
     FirstFailure
     find(const std::vector<StepResults> &steps);
 
-    /// Returns a sentence without a full stop if no ply fails or solutions are
-    /// lost; else an empty string.
+    /// Returns a sentence if no ply fails or solutions are lost; else empty.
     std::string
     note() const;
 
   private:
-    /// Returns whether a ply fails at @p factor with the reserve factors
-    /// @p plies.
+    /// Returns whether a ply fails at @p factor with reserve factors @p plies.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
     /// Solves at @p factor within load step @p load_step and narrows the
-    /// interval; without a solution, @p factor is an upper end.
+    /// interval.
     void
     attempt(const double factor, const unsigned int load_step);
     /// Returns the smaller one of the two upper ends, if any.

@@ -17,11 +17,11 @@ namespace lamella
    *   theta^2  square of the largest rotation [rad], the order of the error of
    *            deflections; theta with follower loads,
    *   a        amplification by compression
-   * (NonlinearityEstimate::amplification) over all load steps. Large rotations
-   * are chosen if it exceeds `needs_finite_rotations` = 2e-3, if loads exceed
-   * buckling loads, if rotations exceed their limit, or if the linear solution
-   * fails. Linear ones are kept if large ones are refused when the scene is
-   * built.
+   *            (NonlinearityEstimate::amplification)
+   * over all load steps. Large rotations are chosen if it exceeds
+   * `needs_finite_rotations` = 2e-3, if loads exceed buckling loads, if
+   * rotations exceed their limit, or if the linear solution fails, unless the
+   * scene cannot be built with large rotations.
    */
   class LinearTrial
   {
@@ -39,15 +39,14 @@ namespace lamella
     }
 
     /// Returns the linear run, solved, if it suffices, else the run with large
-    /// rotations, not solved. The other one is deleted.
+    /// rotations, not solved.
     Simulation &
     chosen() const
     {
       return linear_suffices ? *linear : *large;
     }
 
-    /// Calls @p bars and writes the linear run, which must suffice, into
-    /// @p directory.
+    /// Calls @p bars and writes the sufficient linear run into @p directory.
     void
     write(const std::string &directory, const PostProcessing &bars) const;
 

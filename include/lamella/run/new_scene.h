@@ -13,10 +13,9 @@ namespace lamella
   std::vector<std::string>
   kinds_of_new_scenes();
 
-  /// Writes the template @p kind as the scene NAME.prm and prints the next
-  /// steps to @p out. @p name includes the folder; the ending is optional.
-  /// Throws InputError for an unknown kind, and for a file that exists or
-  /// cannot be written.
+  /// Writes the template @p kind as the scene NAME.prm, with the folder in @p
+  /// name, and prints the next steps to @p out. Throws InputError for an
+  /// unknown kind, and for a file that exists or cannot be written.
   void
   write_new_scene(const std::string &name,
                   const std::string &kind,

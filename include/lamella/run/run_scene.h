@@ -11,29 +11,26 @@
 
 namespace lamella
 {
-  /// Returns the simulation of @p scene, read from @p text, which is not kept.
-  /// Errors of building bodies are also InputErrors with the line of the text.
+  /// Returns the simulation of @p scene, read from @p text. InputErrors of
+  /// building bodies have the line of the text.
   std::unique_ptr<Simulation>
   make_simulation(const Scene &scene, const SceneText &text, std::ostream &out);
 
-  /// Function called after all steps are solved. It may add results
-  /// (Simulation::set_goals()) before these are written.
+  /// Function that may add results (Simulation::set_goals()) after all steps.
   using PostProcessing = std::function<void()>;
 
   /// Solves @p simulation, writes each completed step into @p directory
-  /// (ResultsWriter) and prints the main results to the simulation's output.
-  /// With @p resume, the run in the folder is continued after its completed
-  /// steps. Throws what Simulation::solve() throws, and InputError for a folder
-  /// that cannot be written, belongs to another run, or has nothing to resume.
-  /// If a step fails, the summary of the steps before is written first.
+  /// (ResultsWriter) and prints the main results. With @p resume, the run in
+  /// the folder is continued. Throws what Simulation::solve() throws, after
+  /// writing the steps before, and InputError for a folder that cannot be
+  /// written, belongs to another run, or has nothing to resume.
   void
   run_scene(Simulation           &simulation,
             const std::string    &directory,
             const bool            resume          = false,
             const PostProcessing &post_processing = {});
 
-  /// Writes all solved steps of @p simulation into @p directory, as run_scene()
-  /// does. Throws InputError for a folder that cannot be written.
+  /// Writes all steps of @p simulation into @p directory, as run_scene() does.
   void
   write_run(Simulation &simulation, const std::string &directory);
 
@@ -44,9 +41,8 @@ namespace lamella
                 std::ostream      &to);
 
   /// Prints plies, laminate stiffnesses, beam properties of sections, bodies,
-  /// contacts and notes to the output of @p simulation, without solving
-  /// (--validate). Writes sections/ into the folder @p directory, unless it is
-  /// empty.
+  /// contacts and notes of @p simulation, without solving (--validate). Writes
+  /// sections/ into the folder @p directory, unless it is empty.
   void
   print_validation(const Simulation &simulation, const std::string &directory);
 } // namespace lamella

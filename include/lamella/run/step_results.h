@@ -11,8 +11,7 @@
 
 namespace lamella
 {
-  /// Exception: an inactive contact has a penetrating body between its points,
-  /// which are too far apart.
+  /// Exception: a body penetrates an inactive contact between its points.
   struct UndetectedPenetration : public NumericsError
   {
     UndetectedPenetration(const std::string &message,
@@ -26,27 +25,25 @@ namespace lamella
     {}
 
     /// The body that needs shorter elements, the place along its axis, and the
-    /// longest sufficient length [length]; 0 if it is not known.
+    /// longest sufficient length [length]; 0 if unknown.
     unsigned int body;
     double       y, longest;
   };
 
   /// Recorder of load step results: fields at probes, lines and cuts, contact
-  /// pairs, reserve factors of plies, measures, and warnings. Refers to the
-  /// scene.
+  /// pairs, reserve factors of plies, measures, and warnings.
   class StepRecorder
   {
   public:
-    /// Refers to @p facts, which has the names of @p built's probes, lines and
-    /// cuts. @p thermal_part is the state of heated bodies at load factor zero,
-    /// whose stresses stay when loads grow; null if nothing is heated.
+    /// Refers to @p facts with the names of @p built's requests. @p
+    /// thermal_part is the state of heated bodies at load factor zero, whose
+    /// stresses do not grow with loads, or null.
     StepRecorder(const BuiltScene                  &built,
                  const Results                     &facts,
                  std::shared_ptr<const BlockVector> thermal_part = nullptr);
 
-    /// Returns the results of step number @p step, from 1, without measures and
-    /// the strategy's data. @p previous, the state of the step before, shows
-    /// which pairs opened and closed.
+    /// Returns the results of step number @p step, from 1, without measures. @p
+    /// previous, the state before, shows which pairs opened and closed.
     StepResults
     record(const unsigned int step,
            const SolvedStep  &solved,
@@ -56,38 +53,34 @@ namespace lamella
     void
     add_measures(Results &results) const;
 
-    /// Returns a sentence on contacts without a force in all steps so far: on
-    /// all if none has one, else on those of unstrained bodies and moving
-    /// obstacles. Empty if there are none.
+    /// Returns a sentence on contacts without a force so far: on all if none
+    /// has one, else on those of unstrained bodies and moving obstacles.
     std::string
     note_on_idle_contacts() const;
 
     /// Returns the failure results of @p solved, a state beside the load path,
-    /// and sets its reserve factors @p plies. The scene must have criteria.
+    /// and sets its reserve factors @p plies.
     FailureTrial
     trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
 
-    /// Returns the warnings of @p solved, a state beside the load path, with
-    /// the reserve factors @p plies.
+    /// Returns the warnings of @p solved, a state beside the load path.
     std::vector<std::string>
     warnings_off_path(const SolvedStep       &solved,
                       std::vector<PlyReserve> plies) const;
 
-    /// Returns the largest change of the scene's goals between @p one and
-    /// @p other, two ends of a step from @p before, each over its scale
-    /// (ResultNumbers::scale_of()). Zero without goals.
+    /// Returns the largest change of goals between @p one and @p other, two
+    /// ends of a step from @p before, over its scale
+    /// (ResultNumbers::scale_of()).
     double
     change_of_goals(const SolvedStep &one,
                     const SolvedStep &other,
                     const State      &before) const;
 
   private:
-    /// Returns results of a run with @p solved as its only step, to evaluate
-    /// goals.
+    /// Returns results with @p solved as the only step, to evaluate goals.
     Results
     minimal_results(const SolvedStep &solved, const State &before) const;
-    /// Returns whether @p row of @p contact was active in the @p previous
-    /// state.
+    /// Returns whether @p row of @p contact was active in @p previous.
     bool
     was_active(const State       &previous,
                const unsigned int contact,
@@ -100,17 +93,14 @@ namespace lamella
     /// Writes reserve factors of plies into @p results.
     void
     record_strength(StepResults &results, const FaceTractions &tractions) const;
-    /// Returns warnings about the state, the assumptions of contact (small
-    /// sliding, collinear normals), and the step, equilibrium defects and plies
-    /// in @p sampled.
+    /// Returns warnings about the state, the assumptions of contact, and the
+    /// step, equilibrium defects and plies in @p sampled.
     std::vector<std::string>
     warnings(const SolvedStep &solved, const StepResults &sampled) const;
-    /// Returns warnings of bodies with finite rotations that rollers touch at
-    /// few points.
+    /// Returns warnings of few points on rollers at finite rotations.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;
-    /// Throws UndetectedPenetration if a body or an obstacle penetrates an
-    /// inactive contact between its points.
+    /// Throws UndetectedPenetration if an inactive contact is penetrated.
     void
     require_found(const SolvedStep &solved) const;
     [[noreturn]] void
