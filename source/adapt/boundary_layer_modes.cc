@@ -12,10 +12,21 @@
 #include <cmath>
 #include <optional>
 
+// Boundary-layer modes of a clamped end from one fine solution (Saint-Venant's
+// principle; proper orthogonal decomposition of Sirovich, Quart. Appl. Math. 45
+// (1987) 561-590, on snapshots at the nodes):
+// 1. make_piece(): a short beam with all section fields, graded to the end;
+// 2. solutions(): its displacements under six end loads and heat;
+// 3. snapshots_of(): section vectors at the nodes, weighted by length;
+// 4. zones_of(): a basis per zone, orthogonal to rigid fields and warpings,
+//    from the outermost zone, whose fields decay slowest, inwards.
+// Fields of inner zones are added to those of outer ones, which all nodes up to
+// the outer zone's end carry.
 namespace lamella
 {
   using namespace dealii;
 
+  // The scene's element, limited in terms of the section height H.
   double
   first_element(const Section            &section,
                 const ConstrainedSection &held,
@@ -31,7 +42,7 @@ namespace lamella
 
   namespace
   {
-    /// A beam with all fields, its axis graded to the held end.
+    /// Returns a beam with all fields, its axis graded to the clamped end.
     std::unique_ptr<Beam>
     make_piece(const std::shared_ptr<const Section> &section,
                const ConstrainedSection             &held,
@@ -53,6 +64,7 @@ namespace lamella
 
 
     /// The rows of @p held at the DoFs of @p piece.
+    /// The constraints of the section at the first or last node of the piece.
     std::vector<PrescribedFunctional>
     rows_of(const ConstrainedSection &held, const Beam &piece)
     {
@@ -92,8 +104,9 @@ namespace lamella
 
 
 
-    /// What @p u is beside the answer of @p heat all along @p piece, scaled to
-    /// the energy that a state has along one H; nothing where that is rounding.
+    /// Returns @p u less the response to @p heat along the whole @p piece,
+    /// scaled to the energy of a state along one H; nothing if that is
+    /// rounding.
     std::optional<Vector>
     disturbance(const Beam &piece, const Vector &u, const HeatedSection &heat)
     {
@@ -114,7 +127,7 @@ namespace lamella
 
 
 
-    /// Displacements in the place of the forces @p u on @p piece.
+    /// Replaces the forces @p u on @p piece by displacements.
     void
     solve_constrained(const Beam                    &piece,
                       const Constraints             &constraints,
@@ -130,8 +143,8 @@ namespace lamella
 
 
 
-    /// The displacements of @p piece under the six loads, and those that its
-    /// end makes of what heat does to it.
+    /// Returns the displacements of @p piece under the six loads, and the
+    /// disturbances of its end due to heat.
     std::vector<Vector>
     solutions(const Beam                              &piece,
               const SaintVenant                       &states,
@@ -142,7 +155,7 @@ namespace lamella
       const RowReduction        reduction(piece, 0, rows, {"end"});
       const std::vector<Vector> motions = free_motions(piece, rows);
       std::vector<SpringTerm>   springs;
-      // No load works on them: how stiff they are does not matter.
+      // The loads do no work on these springs.
       if (!motions.empty())
         for (const Spring &spring : stabilizing_springs(piece, 0, rows, {1.}))
           springs.emplace_back(spring.row, spring.stiffness);
@@ -154,12 +167,12 @@ namespace lamella
       for (const Vector &load : end_loads(states, piece, far, arm, motions))
         u.push_back(at_node(piece, load, far));
       const std::size_t n_states = u.size();
-      // What is held in part has none (choose_fields() says so).
+      // Partly constrained sections have none (see choose_fields()).
       const bool is_clamped_or_free = motions.empty() || rows.empty();
       for (const HeatedSection &one :
            is_clamped_or_free ? heat : std::vector<HeatedSection>())
         {
-          // What makes the answer all along, but for its traction at the end.
+          // Loads of the uniform response, without its traction at the end.
           u.push_back(at_node(piece, one.traction, last - far));
           u.back() *= held.extends_forward ? 1. : -1.;
           piece.add_internal_forces(along_whole_axis(piece, one.answer),
@@ -177,7 +190,7 @@ namespace lamella
 
 
 
-    /// Weighted section vectors of a piece, and their distances from the end.
+    /// Snapshots: weighted section vectors with their distances from the end.
     struct Snapshots
     {
       std::vector<Vector> vectors;
@@ -186,6 +199,8 @@ namespace lamella
 
 
 
+    // Weights sqrt(int N_i dy / H): the sum of squares is an integral over the
+    // axis.
     Snapshots
     snapshots_of(const Beam                &piece,
                  const std::vector<Vector> &u,
@@ -212,8 +227,8 @@ namespace lamella
 
 
 
-    /// How far from the end vectors of the strengths @p norms are more than the
-    /// rest that is left out.
+    /// Returns the distance from the end up to which @p norms exceed the
+    /// tolerance.
     double
     influence_length_of(const std::vector<double> &norms,
                         const std::vector<double> &distances,
@@ -229,7 +244,9 @@ namespace lamella
 
 
 
-    /// The zones of @p found, as boundary_layer_modes() says.
+    /// Returns the zones of @p found: in each zone a weighted basis (singular
+    /// vectors above the tolerance) of the snapshots from its start on, beyond
+    /// the fields of the outer zones.
     std::vector<BoundaryLayerZone>
     zones_of(const Snapshots          &found,
              const Warping            &warping,
@@ -274,6 +291,7 @@ namespace lamella
 
 
 
+  // Empty if the piece would exceed the limit of DoFs.
   std::vector<BoundaryLayerZone>
   boundary_layer_modes(const std::shared_ptr<const Section> &section,
                        const SaintVenant                    &states,
@@ -306,7 +324,7 @@ namespace lamella
     unsigned int nodes   = 0;
     for (unsigned int t = 0; t < interactions.size(); ++t)
       {
-        // LocalInteractions that hold a section together have one piece.
+        // Interactions that constrain one section together have one piece.
         const bool is_first = std::none_of(
           interactions.begin(), interactions.begin() + t, [&](const auto &o) {
             return o.constrains_section &&

@@ -19,7 +19,8 @@ namespace lamella
 
   namespace
   {
-    /// s(y) of graded_breaks().
+    /// Returns the element size s(y) of graded_breaks(), the mesh density
+    /// function 1 / s being equidistributed (de Boor's principle).
     double
     size_at(const double                     y,
             const double                     length,
@@ -27,7 +28,7 @@ namespace lamella
             const std::vector<LoadedPart>   &loaded,
             const GradingRules              &rules)
     {
-      // So that the first element, over which s grows, is as long as said.
+      // Makes the first element, over which s grows, as long as given.
       const double first = rules.growth / std::expm1(rules.growth);
       double       size  = length / rules.least;
       for (const ShortElement &place : places)
@@ -42,8 +43,8 @@ namespace lamella
 
 
 
-    /// Places by ascending y, 0 and the length among them; those that are as
-    /// good as one are one, with the smaller size.
+    /// Returns places by ascending y, with 0 and the length; close ones are
+    /// merged with the smaller size.
     std::vector<ShortElement>
     tidy(std::vector<ShortElement> places,
          const double              length,
@@ -113,6 +114,7 @@ namespace lamella
 
 
 
+  // Equidistribution of int 1 / s dy between two places, trapezoidal rule.
   std::vector<double>
   graded_breaks(const double                     length,
                 const std::vector<ShortElement> &given,
@@ -180,8 +182,8 @@ namespace lamella
 
 
 
-    /// The smallest gap of rows that are each a pair of y and gap: y of the
-    /// lowest point of the parabola through the lowest row and its neighbors.
+    /// Returns y of the smallest gap: the vertex of the parabola through the
+    /// lowest row and its neighbors.
     double
     nearest(const std::map<double, double> &gaps)
     {
@@ -224,7 +226,7 @@ namespace lamella
 
 
 
-    /// What one side of @p contact, that on @p body, wants along its axis.
+    /// Adds the places of @p contact on body @p number.
     void
     add_contact_places(const ContactInterface    &contact,
                        const unsigned int         number,
@@ -250,7 +252,7 @@ namespace lamella
           places.push_back({nearest(gaps), size, true});
           return;
         }
-      // They lie upon each other: edges, and nothing long between.
+      // Extended contact: short elements at its edges, a limit in between.
       for (const double edge : {begin, end})
         places.push_back({edge, size, true});
       const double n = std::ceil(
@@ -262,7 +264,7 @@ namespace lamella
 
 
 
-    /// What supports and loads want along the axis of body @p number.
+    /// Adds the places of supports and loads on body @p number.
     void
     add_condition_places(const std::vector<Region> &regions,
                          const unsigned int         number,
@@ -275,7 +277,7 @@ namespace lamella
         {
           if (region.body != number)
             continue;
-          // What acts all over does not change at the ends.
+          // Conditions on the whole surface do not change at the ends.
           for (const double y : {0., beam.axis().length()})
             if (is_clamp(region, y, beam.axis().length()) &&
                 !region.is_whole_body() &&
@@ -409,7 +411,7 @@ namespace lamella
 
 
 
-    /// As many equal elements along an axis as find a contact, and not more.
+    /// Returns the number of equal elements for the search of a contact.
     unsigned int
     elements_for_search(const double        length,
                         const double        height,
@@ -452,6 +454,7 @@ namespace lamella
 
 
 
+  // Two passes: contacts on equal elements, then on the graded axes.
   void
   grade_axes(std::vector<BodyDescription>   &bodies,
              const SectionMeshes            &meshes,

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A beam whose sections turn: its sections' law and its state. Its forces are
-// in geometrically_exact_forces.cc, what it shows at points in
-// geometrically_exact_points.cc.
+// A geometrically exact beam (Simo, Comput. Methods Appl. Mech. Eng. 49 (1985)
+// 55-70; Simo and Vu-Quoc, ibid. 58 (1986) 79-116) with small warping: the law
+// of its sections and its state. Forces: geometrically_exact_forces.cc; output
+// at points: geometrically_exact_points.cc. Rotations are unit quaternions at
+// nodes, interpolated linearly (Romero, Comput. Mech. 34 (2004) 121-133);
+// strains divide by |Q|, hence are objective.
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
@@ -31,7 +34,8 @@ namespace lamella
        RigidField::translation_y,
        RigidField::translation_z}};
 
-    /// The field that rotates the section about each axis, and its sign.
+    /// Field of the rotation about each axis, and the sign of its amplitude for
+    /// a right-handed rotation.
     constexpr std::array<unsigned int, 3> rotates_about{
       {RigidField::slope_z, RigidField::rotation_y, RigidField::slope_x}};
     constexpr std::array<double, 3> sign_of_rotation{{-1., 1., 1.}};
@@ -44,7 +48,7 @@ namespace lamella
       return std::make_shared<SectionSpace>(std::move(section));
     }
 
-    /// @p section, or where it is rigid one of the same mesh that is not.
+    /// Returns @p section, or for a rigid one an LE-2 section of the same mesh.
     std::shared_ptr<const Section>
     with_warping(const std::shared_ptr<const Section> &section)
     {
@@ -109,6 +113,7 @@ namespace lamella
 
 
 
+  // Gauss rule with as many points as the degree: reduced integration.
   void
   GeometricallyExactBeam::make_stations()
   {
@@ -128,7 +133,7 @@ namespace lamella
   void
   GeometricallyExactBeam::make_laws(const bool keeps_normal)
   {
-    // Ratio of shear to axial stiffness for sections that stay normal.
+    // Stiffness against shear over that against stretch, a penalty for EBBT.
     constexpr double       normal = 1e4;
     const SectionOperator *before = nullptr;
     along_axis().for_each_element(
@@ -151,8 +156,8 @@ namespace lamella
 
   namespace
   {
-    /// Of each of Gamma and kappa the number in a list of the field whose
-    /// derivative it is, and what a unit of it is of that; none: 0.
+    /// Place in a list of fields, and amplitude per unit, of the field whose
+    /// derivative is each of Gamma and kappa; zero if none is.
     struct FrameFields
     {
       FrameFields(const std::vector<unsigned int> &list, const double h)
@@ -181,9 +186,9 @@ namespace lamella
 
 
 
-    /// Of @p n_fields fields, the first @p rigid of which are no warpings, what
-    /// a unit of each number of e is, a column each, the first @p n_strains of
-    /// them the frame's; that of kappa_y^2 / 2 is empty.
+    /// Returns the section fields of a unit of each strain in e, one column
+    /// each; @p n_strains are the frame's, @p rigid the leading fields without
+    /// warping. The column of kappa_y^2 / 2 is empty.
     FieldParts
     units(const FrameFields &frame,
           const unsigned int n_fields,
@@ -206,6 +211,7 @@ namespace lamella
 
 
 
+  // Column k of D: the section forces of a unit of strain k (SectionOperator).
   std::shared_ptr<GeometricallyExactBeam::Law>
   GeometricallyExactBeam::make_law(
     const SectionOperator &section_operator) const
@@ -233,6 +239,7 @@ namespace lamella
 
 
 
+  // Wagner's term: row and column of kappa_y^2 / 2 from TwistStretch.
   void
   GeometricallyExactBeam::add_twist_stretch(Law &law) const
   {
@@ -250,6 +257,7 @@ namespace lamella
 
 
 
+  // Section forces on fields, collected as stresses work-conjugate to e.
   std::vector<double>
   GeometricallyExactBeam::on_strains(const std::vector<unsigned int> &list,
                                      const FieldParts                &work,
@@ -273,6 +281,7 @@ namespace lamella
 
   // ---- the state
 
+  // Rotation vector from the slopes u_y,z = theta_x, u_y,x = -theta_z, times h.
   Tensor<1, 3>
   GeometricallyExactBeam::rotation(const unsigned int node,
                                    const Vector      &u) const
@@ -287,6 +296,7 @@ namespace lamella
 
 
 
+  // Left multiplication of the spin on the rotation, exp(du) q(u).
   Vector
   GeometricallyExactBeam::retract(const Vector &u, const Vector &change) const
   {
@@ -324,6 +334,7 @@ namespace lamella
 
 
 
+  // Rotations about the center at current positions: v x (X + r).
   std::vector<Vector>
   GeometricallyExactBeam::rigid_motions_at(const Vector &u) const
   {
@@ -375,6 +386,7 @@ namespace lamella
 
 
 
+  // Linear interpolation of quaternions, not normalized; Q' likewise.
   GeometricallyExactBeam::Frame
   GeometricallyExactBeam::frame_at(const AxisPoint &point,
                                    const Element   &element)
@@ -387,7 +399,7 @@ namespace lamella
       {
         result.Q += point.N[i] * element.q[i];
         result.r += point.N[i] * element.r[i];
-        // A section that turns as a whole has no derivative, to the last bit.
+        // Differences to the first node vanish exactly for rigid motions.
         result.dQ += point.dN[i] * (element.q[i] - element.q[0]);
         result.dr += point.dN[i] * (element.r[i] - element.r[0]);
         for (unsigned int a = 0; a < m; ++a)

@@ -1,16 +1,29 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The forces of a beam whose sections turn, and their derivative.
+// Internal forces of the geometrically exact beam and their derivative. With
+// the measures z = (Q, Q', r') of a station, local unknowns x (r and spin of
+// each node), frame strains e(z) and L = dz/dx:
+//   f = sum_stations w L^T (de/dz)^T s,            s = D e,
+//   K = sum_stations w L^T [(de/dz)^T D (de/dz) + s_c d2e_c/dz2] L
+//       + curvature of the unit quaternions,
+// the Hessian of the energy along geodesics of SO(3), symmetric in any state
+// (Simo, Comput. Methods Appl. Mech. Eng. 96 (1992) 189-200). One station fewer
+// than nodes per element avoids shear and membrane locking (Simo and Vu-Quoc,
+// Comput. Methods Appl. Mech. Eng. 58 (1986) 79-116).
 
 #include <lamella/base/lagrange.h>
 #include <lamella/body/geometrically_exact_beam.h>
 
 #include <algorithm>
 
+// Strains are invariant to |Q| and objective; their first two derivatives by z
+// are exact (frame_strains()), so Newton's method converges quadratically.
 namespace lamella
 {
   using namespace dealii;
 
+  // L of node i: r' = N_i' r_i, Q = N_i q_i, Q' = N_i' q_i, with dq = (0,
+  // theta) q / 2 for a spin theta.
   GeometricallyExactBeam::ByNode
   GeometricallyExactBeam::by_node(const Element     &element,
                                   const AxisPoint   &point,
@@ -33,6 +46,7 @@ namespace lamella
 
 
 
+  // s = D e with the constant law of the section.
   Vector
   GeometricallyExactBeam::stresses(const Law &law, const std::vector<double> &e)
   {
@@ -44,6 +58,8 @@ namespace lamella
 
 
 
+  // Virtual work of the stresses, delta W = w s . delta e. Warpings enter e by
+  // their values N_i a_i and derivatives N_i' a_i.
   void
   GeometricallyExactBeam::add_forces(const Station       &station,
                                      const Element       &element,
@@ -53,7 +69,9 @@ namespace lamella
     const Frame        frame = frame_at(station.point, element);
     const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
     const unsigned int m = element.a.front().size(), n = n_node_unknowns + m;
-    Tensor<1, 11>      on_measures;
+    // Work of the frame's stresses on the measures z, then by L on the
+    // unknowns.
+    Tensor<1, 11> on_measures;
     for (unsigned int c = 0; c < n_strains; ++c)
       on_measures += station.weight * s[c] * of.first[c];
     for (unsigned int i = 0; i < element.q.size(); ++i)
@@ -71,6 +89,8 @@ namespace lamella
 
 
 
+  // Loop over elements and stations; forces on local unknowns go to the DoFs
+  // with the factors of the rigid fields.
   void
   GeometricallyExactBeam::add_internal_forces(const Vector &u, Vector &f) const
   {
@@ -93,6 +113,8 @@ namespace lamella
 
   // ---- heat
 
+  // D e_0 of the thermal strain at the stations, including the part on
+  // kappa_y^2 / 2 (the fiber stretch under twist).
   std::vector<Vector>
   GeometricallyExactBeam::thermal_stresses(const unsigned int cell) const
   {
@@ -115,6 +137,7 @@ namespace lamella
 
 
 
+  // int sigma_T . (strain of kappa_y^2 / 2 = 1) dA at places on the axis.
   std::vector<double>
   GeometricallyExactBeam::thermal_stress_on_twist(
     const std::vector<double> &places) const
@@ -131,6 +154,7 @@ namespace lamella
 
 
 
+  // f = (de/du)^T D e_0, whose direction follows the sections.
   void
   GeometricallyExactBeam::add_thermal_load_at(const Vector &u, Vector &f) const
   {
@@ -148,6 +172,8 @@ namespace lamella
 
 
 
+  // Geometric stiffness of constant stresses D e_0, second derivatives of e
+  // only.
   void
   GeometricallyExactBeam::for_each_thermal_block(
     const Vector                                      &u,
@@ -181,15 +207,19 @@ namespace lamella
 
   // ---- the tangent
 
+  // Mixed integration point strategy (Magisano, Leonetti and Garcea, Comput.
+  // Methods Appl. Mech. Eng. 313 (2017) 986-1005): the geometric stiffness uses
+  // the stresses D (e + de/du du) of the linearization at the last iterate.
   GeometricallyExactBeam::OfFrame
   GeometricallyExactBeam::predicted(const Station             &station,
                                     const Law                 &law,
                                     const Element             &before,
                                     const std::vector<double> &change)
   {
-    const unsigned int  m = law.warpings.size(), n = n_node_unknowns + m;
-    const Frame         frame = frame_at(station.point, before);
-    const FrameStrains  of    = frame_strains(frame.Q, frame.dQ, frame.dr);
+    const unsigned int m = law.warpings.size(), n = n_node_unknowns + m;
+    const Frame        frame = frame_at(station.point, before);
+    const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
+    // Linearized strains at the new iterate.
     std::vector<double> there = strains(frame, of);
     for (unsigned int i = 0; i < before.q.size(); ++i)
       {
@@ -216,6 +246,8 @@ namespace lamella
 
 
 
+  // Material part with the law D, geometric part with the stresses s, and the
+  // coupling of frame strains with warpings.
   void
   GeometricallyExactBeam::add_frame_tangent(const Station            &station,
                                             const Law                &law,
@@ -241,6 +273,7 @@ namespace lamella
 
 
 
+  // L of all nodes of the element.
   std::vector<GeometricallyExactBeam::ByNode>
   GeometricallyExactBeam::by_nodes(const Station &station,
                                    const Element &element)
@@ -253,6 +286,9 @@ namespace lamella
 
 
 
+  // Second derivative by the measures z, condensed by L, plus the second
+  // derivative of each unit quaternion along a geodesic, on spins' diagonals:
+  // d2q = -|theta|^2 q / 4 adds -q . (dW/dq) / 4.
   void
   GeometricallyExactBeam::add_stress_tangent(const Station             &station,
                                              const Element             &element,
@@ -285,6 +321,7 @@ namespace lamella
 
 
 
+  // (de/dz)^T D (de/dz), the material part in the measures.
   Tensor<2, 11>
   GeometricallyExactBeam::square_of_strains(const Law          &law,
                                             const FrameStrains &of)
@@ -302,6 +339,7 @@ namespace lamella
 
 
 
+  // K_ij += L_i^T H L_j for the columns of node j.
   void
   GeometricallyExactBeam::add_rigid_tangent(const Tensor<2, 11> &by_measures,
                                             const std::vector<ByNode> &by,
@@ -324,6 +362,7 @@ namespace lamella
 
 
 
+  // Off-diagonal blocks of a warping with all r and spins, symmetric.
   void
   GeometricallyExactBeam::add_coupling(const Tensor<1, 11>       &coupled,
                                        const std::vector<ByNode> &by,
@@ -348,6 +387,7 @@ namespace lamella
 
 
 
+  // Warpings enter linearly: Kronecker products of axis integrals and D.
   void
   GeometricallyExactBeam::add_warping_tangent(const unsigned int        cell,
                                               LAPACKFullMatrix<double> &K) const
@@ -379,6 +419,8 @@ namespace lamella
 
 
 
+  // The state before the correction, retract(u, -du), is the point of the
+  // linearization whose stresses are predicted.
   void
   GeometricallyExactBeam::for_each_tangent_block(
     const Vector                                      &u,
@@ -413,6 +455,8 @@ namespace lamella
   }
 
 
+  // Strains between stations are interpolated from the stations, where they are
+  // superconvergent (Barlow points).
   GeometricallyExactBeam::SectionState
   GeometricallyExactBeam::output_state(const AxisPoint &on_axis,
                                        const Vector    &u) const

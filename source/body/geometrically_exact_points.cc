@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Points of a beam with rotating sections: positions, forces, output.
+// Points of the geometrically exact beam, x = X_c + r + R (X - X_c + Phi a):
+// positions, rows of displacements, tangents of forces, and samples.
 
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
@@ -17,6 +18,7 @@ namespace lamella
 
   // ---- a section in a state
 
+  // Section fields with the strains as axial derivatives of rigid fields.
   GeometricallyExactBeam::SectionState
   GeometricallyExactBeam::section_state(const unsigned int cell,
                                         const Frame       &frame) const
@@ -143,7 +145,7 @@ namespace lamella
   GeometricallyExactBeam::displacements(const std::vector<Location> &locations,
                                         const Vector                &u) const
   {
-    // The nodes of a surface are few points of the section at few of the axis.
+    // Cached states and points: surface nodes repeat few of each.
     std::map<std::pair<unsigned int, double>, SectionState> states;
     std::map<std::pair<unsigned int, std::array<double, 2>>, SectionPoint>
                               points;
@@ -183,6 +185,7 @@ namespace lamella
 
 
 
+  // dx/dr = N_i, dx/dspin = d(R v)/dQ N_i dq_i, dx/da = R Phi N_i.
   std::vector<Tensor<1, 3>>
   GeometricallyExactBeam::by_local(const PointFields &at,
                                    const Element     &element)
@@ -266,7 +269,7 @@ namespace lamella
     const std::vector<double> &N = at.on_axis.N;
     const unsigned int         n = n_node_unknowns + at.Phi.size();
     const RotatedVector of = rotated_point(at, frame_at(at.on_axis, element));
-    // Of the work F . R (X + Phi a) by Q, and by Q and what R turns.
+    // First and second derivative of the work F . R v by (Q, v), v = X + Phi a.
     Tensor<1, 7> first;
     Tensor<2, 7> second;
     for (unsigned int c = 0; c < 3; ++c)
@@ -329,7 +332,7 @@ namespace lamella
     const Vector                                      &u,
     const std::function<void(const StiffnessBlock &)> &use) const
   {
-    // By elements of the axis.
+    // Blocks by axis elements.
     std::map<unsigned int, LAPACKFullMatrix<double>> of_cells;
     for (unsigned int k = 0; k < locations.size(); ++k)
       for (const Location::Place &place : locations[k].places)
@@ -364,6 +367,7 @@ namespace lamella
 
 
 
+  // Small strain in section axes, plus kappa_y^2 / 2 times the fiber stretch.
   Voigt
   GeometricallyExactBeam::strain_at(const SectionPoint &point,
                                     const SectionState &state) const
@@ -433,6 +437,7 @@ namespace lamella
 
 
 
+  // Root mean square of the axial strain, and changes of shape by curvature.
   void
   GeometricallyExactBeam::add_strains(const SectionState &state,
                                       Deformation        &deformation) const
@@ -459,6 +464,7 @@ namespace lamella
 
 
 
+  // Energy e . D e / 2, less e . D e_0 if heated, and extremes at stations.
   Deformation
   GeometricallyExactBeam::deformation(const Vector &u) const
   {

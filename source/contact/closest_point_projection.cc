@@ -6,20 +6,25 @@
 #include <algorithm>
 #include <cmath>
 
+// Closest-point projection by Newton's method on X_,a . (x - X) = 0 with the
+// metric and curvature of the facet (Wriggers, Computational Contact Mechanics,
+// Springer 2006, Sec. 4.1; Konyukhov and Schweizerhof, Computational Contact
+// Mechanics, Springer 2013). The search uses boxes of growing size.
 namespace lamella
 {
   using namespace dealii;
 
   namespace
   {
-    // Of a facet's length: how far a projection goes beyond a side with a
-    // neighbor, and beyond the rim along a body. Strips of one width have
-    // points on each other's rims, which bending moves to and fro across them.
+    // Shares of a facet's length that a projection may be beyond a side: with a
+    // neighbor, and at the rim along a body. Strips of one width have points on
+    // each other's rims, which bending moves across them.
     constexpr double beyond = 0.05, beyond_rim = 0.01;
 
 
 
-    /// a_ab - r . X_,ab at @p st; r = x - X.
+    /// Returns a_ab - r . X_,ab at @p st, r = x - X: the Hessian of |r|^2 / 2
+    /// by (s, t).
     Tensor<2, 2>
     projection_matrix(const FacetMap        &map,
                       const Point<2>        &st,
@@ -42,7 +47,8 @@ namespace lamella
 
 
 
-    /// Returns whether @p st is on the facet, or @p or_near it by a tolerance.
+    /// Returns true if @p st is on the facet, or, if @p or_near, at most as far
+    /// beyond a side as a projection may be.
     bool
     is_on(const MeshSurface::Facet &facet,
           const Point<2>           &st,
@@ -59,9 +65,8 @@ namespace lamella
 
 
 
-    /// The place @p st of facet @p number as the projection of @p x, where the
-    /// normal
-    /// @p n1 is; none where they do not face each other.
+    /// Returns the place @p st of facet @p number as projection of @p x with
+    /// the normal @p n1; nothing if the normals are not opposed.
     std::optional<SurfaceHit>
     hit_at(const MeshSurface  &surface,
            const unsigned int  number,
@@ -85,9 +90,10 @@ namespace lamella
 
 
 
-    /// The nearest projection of @p x on the facets within @p search_radius.
-    /// Between two facets that bulge a projection is on the continuation of
+    /// Returns the nearest projection of @p x on facets within @p
+    /// search_radius. Between two convex facets it lies on the continuation of
     /// either.
+    /// Projections on facets have precedence over those on their continuations.
     std::optional<SurfaceHit>
     nearest_projection(const MeshSurface  &surface,
                        const Point<3>     &x,
@@ -116,6 +122,7 @@ namespace lamella
 
 
 
+  // Newton's method, quadratic for facets of any curvature; one step if affine.
   std::optional<Point<2>>
   projection_on(const FacetMap &map, const Point<3> &x, const Point<2> &start)
   {
@@ -128,7 +135,7 @@ namespace lamella
         const Tensor<1, 2> step = invert(projection_matrix(map, st, place, r)) *
                                   Tensor<1, 2>({place.d_s * r, place.d_t * r});
         st += step;
-        // Written so that what is not a number ends it.
+        // The test also ends the iteration for NaN.
         if (!(st.norm() < 10.))
           return {};
         if (map.is_affine() || step.norm() < arithmetic::rounding_of_sums)
@@ -157,7 +164,7 @@ namespace lamella
               hit && std::abs(hit->distance) <= search_radius)
             return hit;
       }
-    // What is near is among few facets.
+    // Small boxes first: a near projection needs few facets.
     for (const double share : {1. / 64., 1. / 8., 1.})
       if (const auto hit =
             nearest_projection(surface, x, n1, share * search_radius, opposed))

@@ -8,14 +8,32 @@
 #include <algorithm>
 #include <cmath>
 
+// Contact in the current configuration (Wriggers, Computational Contact
+// Mechanics, Springer 2006, Ch. 4 to 9; mortar integrals as in Puso and
+// Laursen, Comput. Methods Appl. Mech. Eng. 193 (2004) 601-629):
+//   pair()              searches pairs of facing points on displaced surfaces,
+//   move()              projects the slave points again, which gives the gaps
+//                       and their exact gradients,
+//   pairing_is_valid()  compares with a new search,
+//   begin_step()        stores reference points, from which slips are measured.
+// Gaps and slips of a row are averages over its points (integrate_gaps()) with
+// weights of the undeformed area. Signs: First is side 1 of Eq. 16, whichever
+// side is the slave.
+//
+// Gap and slips of row i with slave points x_q = x(X_q), their projections y_q
+// and normals n_q, weights a_q phi_i(X_q) / A_i:
+//   g_i   = sum_q (a_q phi_i / A_i) n_q . (y_q - x_q),
+//   dg_i  = sum_q (a_q phi_i / A_i) n_q . (dy_q - dx_q)   at fixed (s, t),
+//   s_i,a = sum_q (a_q phi_i / A_i) t_a . (I - n_q n_q) (slip of point q).
+// Displacements of x_q and y_q are traces of the bodies, u = sum_k psi_k u_k.
 namespace lamella
 {
   using namespace dealii;
 
   namespace
   {
-    // Of a row's spacing, in rad, and of a row's area: what small sliding and
-    // small rotations leave as they are.
+    // Limits of small sliding over a row's spacing, of small rotations [rad],
+    // and the share of a row's area that counts as found.
     constexpr double small_sliding = 0.1, small_rotation = 0.1, most_of = 0.9;
 
     // Ratio to the curvature of a roller above which a body starts to wrap
@@ -25,6 +43,7 @@ namespace lamella
 
 
 
+    // Key of a row by its undeformed position, which pairings do not change.
     std::array<double, 3>
     key(const ContactInterface::Point &point)
     {
@@ -34,8 +53,8 @@ namespace lamella
 
 
 
-    /// Gives rows of @p interface that face nothing the normal of their own
-    /// side, @p surface where it is now: not that of what they faced last.
+    /// Sets the normals of unpaired rows of @p interface to the current ones of
+    /// their own side, @p surface.
     void
     orient_outward(const MeshSurface               &surface,
                    const SlaveSurface              *functions,
@@ -58,6 +77,8 @@ namespace lamella
 
 
 
+  // Pairs the undeformed bodies, then stores the initial overlap that `adjust`
+  // subtracts from all later gaps.
   Contact::Contact(const ContactPair &contact,
                    const Bodies      &bodies,
                    ContactInterface  &interface)
@@ -91,6 +112,7 @@ namespace lamella
 
 
 
+  // Moves the lines' points in the undeformed state (u = 0, t = 0).
   void
   Contact::update_lines()
   {
@@ -104,6 +126,7 @@ namespace lamella
 
 
 
+  // Pairs anew without displacements, for the start and for restarts.
   void
   Contact::pair_undeformed()
   {
@@ -116,6 +139,7 @@ namespace lamella
 
 
 
+  // Line contact on a roller: one row per line along the body.
   void
   Contact::reduce_to_lines()
   {
@@ -128,6 +152,8 @@ namespace lamella
 
 
 
+  // Gap points: the quadrature points of weighted gaps, or one point per row
+  // with its pairing, from the locations of the interface.
   void
   Contact::find_points()
   {
@@ -162,6 +188,7 @@ namespace lamella
 
 
 
+  // Slip rows need the integrals even without motion.
   void
   Contact::find_integrals()
   {
@@ -172,6 +199,7 @@ namespace lamella
 
 
 
+  // Mortar integrals of all rows at the projections on @p sides.
   std::vector<GapIntegrals>
   Contact::integrate(const ContactSides        &sides,
                      const MasterPoints         master_points,
@@ -190,6 +218,7 @@ namespace lamella
 
 
 
+  // Weighted gaps have hat functions, one-point rows have none.
   const SlaveSurface *
   Contact::functions() const
   {
@@ -200,6 +229,9 @@ namespace lamella
 
 
 
+  // Searches on displaced surfaces. New points get the weights of the
+  // undeformed area dA = dA_now |X_,s x X_,t| / |x_,s x x_,t|, as rows are
+  // material.
   void
   Contact::pair(const BlockVector &u, const LoadFactor &factor)
   {
@@ -210,7 +242,8 @@ namespace lamella
     reduce_to_lines();
     points.clear();
     find_points();
-    // What a point weighs is its undeformed area.
+    // Ratio of the undeformed to the current area element at each point.
+    // Weights are undeformed areas.
     const MeshSurface &before = *undeformed.surface(interface.points_on_second),
                       &now    = *at.surface(interface.points_on_second);
     const auto density = [](const MeshSurface &on, const GapPoint &point) {
@@ -227,6 +260,9 @@ namespace lamella
 
 
 
+  // Closest-point projection of each slave point (Wriggers, Sec. 4.1). As the
+  // distance vector is normal to the master surface, the motion of the
+  // projection does not enter the gradient of the gap.
   void
   Contact::move(const BlockVector &u, const LoadFactor &factor)
   {
@@ -241,6 +277,7 @@ namespace lamella
 
 
 
+  // The slips of the step start at zero at the current state.
   void
   Contact::begin_step(const BlockVector &u, const LoadFactor &factor)
   {
@@ -256,6 +293,8 @@ namespace lamella
 
 
 
+  // Reference points of the slips: pairs of material points that face each
+  // other at the beginning of the step.
   void
   Contact::hold()
   {
@@ -277,6 +316,8 @@ namespace lamella
 
 
 
+  // Pairs in the state of the last pairing, then moves to the current state, as
+  // the original run did.
   void
   Contact::restore(const ContactHistory &known,
                    const BlockVector    &u,
@@ -294,12 +335,16 @@ namespace lamella
     pairing_factor = known.factor;
     points         = known.points;
     move(u, factor);
-    // MasterPoints that are found once more differ by rounding.
+    // Repeated projections differ by rounding from the stored ones.
     points = known.points;
   }
 
 
 
+  // B(u)^T lambda at another displacement: the projections of active points are
+  // computed again, and forces act at the trace nodes of both sides,
+  //   f_slave -= w_j lambda + P_j lambda_t,  f_master += v_k lambda + ....
+  // Used for the geometric contact stiffness by differences (Newton).
   bool
   Contact::add_forces_at(const BlockVector               &u,
                          const LoadFactor                &factor,
@@ -320,7 +365,7 @@ namespace lamella
             numbers.push_back(row);
             break;
           }
-    // Where a point is a row it has a number of its own here.
+    // Rows of single points are renumbered here.
     const bool is_point = functions() == nullptr;
     const auto there    = integrate(at, master_points(), pressed);
     std::array<std::map<unsigned int, Tensor<1, 3>>, 2> forces;
@@ -335,7 +380,7 @@ namespace lamella
         const double       force = lambda[row];
         if (force != 0. && there[k].area == 0.)
           return false;
-        // On the side that is faced; n points towards that one.
+        // Force on the master side; n points towards it.
         Tensor<1, 3> along;
         if (!shear.empty() && force != 0.)
           {
@@ -354,6 +399,7 @@ namespace lamella
 
 
 
+  // Forces on trace nodes become generalized forces by the displacement rows.
   void
   Contact::add_forces_of_nodes(
     const ContactSides                                        &at,
@@ -379,11 +425,13 @@ namespace lamella
 
 
 
+  // Positions for output: undeformed, the opposite place at the largest weight.
   void
   Contact::set_constraint_positions()
   {
-    const bool          on_second = interface.points_on_second;
-    const MeshSurface  *other     = undeformed.surface(!on_second);
+    const bool         on_second = interface.points_on_second;
+    const MeshSurface *other     = undeformed.surface(!on_second);
+    // Largest weight so far of a point of each row.
     std::vector<double> most(interface.rows.size(), 0.);
     for (unsigned int q = 0; q < points.size(); ++q)
       for (const auto &[row, weight] : shares_of(functions(), q, points[q]))
@@ -398,7 +446,7 @@ namespace lamella
               other != nullptr && weight > most[row])
             {
               most[row] = weight;
-              // MasterPoints may be a little beyond a side.
+              // A projection may be slightly beyond a side of its facet.
               (on_second ? at.first : at.second) =
                 other->facets()[facet]
                   .map({std::clamp(st[0], 0., 1.), std::clamp(st[1], 0., 1.)})
@@ -409,6 +457,7 @@ namespace lamella
 
 
 
+  // Mortar weights of the gap with the signs of First (-) and Second (+).
   ConstraintGeometry
   Contact::geometry(const bool second) const
   {
@@ -427,6 +476,8 @@ namespace lamella
 
 
 
+  // Rows of the gap constraints: B = W R with the mortar weights W and the
+  // displacement rows R of the trace nodes, and the tangent plane of the gap.
   void
   Contact::write(const ContactSides &sides,
                  const BlockVector  &u,
@@ -469,6 +520,7 @@ namespace lamella
 
 
 
+  // The first point of a row represents its facet for the tangents.
   std::vector<unsigned int>
   Contact::first_points() const
   {
@@ -481,6 +533,8 @@ namespace lamella
 
 
 
+  // Tangents are convected with the slave surface, so that shear forces rotate
+  // with the body.
   Tangents
   Contact::tangents_at(const ContactSides &sides,
                        const GapPoint     &point,
@@ -498,6 +552,8 @@ namespace lamella
 
 
 
+  // Slip rows along both tangents; the motion of an obstacle enters by the
+  // average of (I - n n).
   void
   Contact::assemble_slips(const ContactSides &sides)
   {
@@ -532,6 +588,8 @@ namespace lamella
 
 
 
+  // g(v, s) = g_0 + b . v + s g_rate with g_0 such that it is the current gap
+  // at the state (u, t): the linearization for Newton's method.
   void
   Contact::set_tangent_plane(const unsigned int k,
                              const BlockVector &u,
@@ -557,6 +615,8 @@ namespace lamella
 
 
 
+  // Constant of the slip rows such that their value at the state is the slip
+  // since the beginning of the step (slip_increment_of()).
   void
   Contact::offset_slips(const BlockVector &u, const LoadFactor &factor)
   {
@@ -572,6 +632,7 @@ namespace lamella
 
 
 
+  // Weights P_k t_a with the sign of the side, times the displacement rows.
   std::vector<BodyFunctional>
   Contact::slip_constraints_on(const ContactSides          &sides,
                                const bool                   second,
@@ -629,6 +690,7 @@ namespace lamella
 
 
 
+  // Largest undeformed distance between stored and current projections per row.
   std::vector<double>
   Contact::projection_drift(const std::vector<GapPoint> &now) const
   {
@@ -649,6 +711,7 @@ namespace lamella
 
 
 
+  // A new search on the current surfaces, compared by slave nodes.
   unsigned int
   Contact::count_missing_constraints(const ContactSides &sides,
                                      const double        touching) const
@@ -664,19 +727,21 @@ namespace lamella
       }
     catch (const InputError &)
       {
-        // No pair is left: the constraints are counted as lost.
+        // No point faces the other side: lost rows are counted elsewhere.
       }
     return count;
   }
 
 
 
+  // A row is lost without a projection, or has drifted if the projection has
+  // moved by more than a tenth of the spacing or its normal by 0.1 rad.
   PairingChange
   Contact::pairing_is_valid(const BlockVector               &u,
                             const LoadFactor                &factor,
                             const std::vector<unsigned int> &active)
   {
-    // What is nearest to a roller is found in every move().
+    // move() finds the points next to a roller.
     if (lines != nullptr)
       return {};
     find_points();
@@ -721,6 +786,7 @@ namespace lamella
 
 
 
+  // Curvature ratio of body and roller at the active rows.
   bool
   Contact::wraps_around(const BlockVector               &u,
                         const LoadFactor                &factor,
@@ -756,7 +822,7 @@ namespace lamella
   std::optional<EndPenetration>
   Contact::end_penetration(const BlockVector &u, const LoadFactor &factor) const
   {
-    // What `adjust` has taken out of gaps is no depth.
+    // Overlap removed by `adjust` is no penetration.
     if (interface.obstacle != nullptr || !removed_overlap.empty())
       return {};
     const ContactSides now(undeformed, u, factor);
@@ -765,6 +831,7 @@ namespace lamella
 
 
 
+  // Small rotations pair along undeformed normals.
   const ContactSides &
   Contact::paired_sides(const ContactSides &now) const
   {
@@ -775,6 +842,7 @@ namespace lamella
 
 
 
+  // Penetration between points, which the constraints do not prevent.
   std::optional<CylinderPenetration>
   Contact::cylinder_penetration(const BlockVector &u,
                                 const LoadFactor  &factor) const
@@ -790,6 +858,8 @@ namespace lamella
           deepest_node(paired_sides(now), now, search_radius, false);
         if (!node)
           return {};
+        // The place on the body that is penetrated, undeformed, for refinement
+        // there.
         const auto &[facet, st]  = node->at;
         const MeshSurface &faced = *undeformed.surface(!node->second);
         return CylinderPenetration{faced.facets()[facet].map(st).position,
@@ -803,6 +873,8 @@ namespace lamella
 
 
 
+  // Continuous collision test in four parts of the step, as a projection may
+  // exist only on the way.
   bool
   Contact::passes_through(const BlockVector &before,
                           const LoadFactor  &from,
@@ -816,7 +888,8 @@ namespace lamella
     // What `adjust` has taken out of gaps is no depth.
     if (!removed_overlap.empty() || !may_pass_through(then, now))
       return false;
-    // What comes from beside has its first projection somewhere on the way.
+    // Bodies that approach from the side have their first projection on the
+    // way.
     constexpr unsigned int parts   = 4;
     BlockVector            reached = before;
     for (unsigned int k = 1; k <= parts; ++k)

@@ -11,17 +11,28 @@
 #include <optional>
 #include <set>
 
+// Contact of a beam with a circular cylinder along material lines. On each line
+// the distance from the cylinder's axis is minimized at every move:
+// 1. samples on all facets of the line bracket the minimum;
+// 2. Newton's method on r . X_,t = 0 finds it, also slightly past a side;
+// 3. the previous facet is kept while it is as near, against jumps.
+// The force then acts along the normal of the cylinder through that point
+// (closest-point projection onto the axis).
+// At the minimum, r . X_,t = 0, so the gap |r| - R is stationary in t and its
+// gradient is the normal r / |r| at the material point.
 namespace lamella
 {
   using namespace dealii;
 
   namespace
   {
-    // Share of a facet's length that a projection may exceed shared sides by.
+    // Share of a facet's length that a point may be past a side with a
+    // neighbor.
     constexpr double past_the_side = 0.05;
 
 
 
+    // Coordinate of @p x along the axis of @p roller.
     double
     station_of(const Obstacle &roller, const Point<3> &x)
     {
@@ -30,6 +41,7 @@ namespace lamella
 
 
 
+    // Distance of a point of a facet from the axis of @p roller.
     double
     distance(const Obstacle &roller, const FacetMap &map, const Point<2> &st)
     {
@@ -38,10 +50,10 @@ namespace lamella
 
 
 
-    /// Where on the line at s = @p start[0] of @p map the distance from the
-    /// axis of @p roller is stationary, from t = @p start[1] on: r . X_,t = 0,
-    /// by Newton's method with X_,tt from differences. Nothing if it runs away
-    /// or ends where the distance is largest.
+    /// Returns t of the stationary distance from the axis of @p roller on the
+    /// line s = @p start[0] of @p map, from t = @p start[1] on: r . X_,t = 0,
+    /// by Newton's method with X_,tt from differences. Nothing if it diverges
+    /// or finds a maximum.
     std::optional<double>
     nearest_on(const FacetMap &map, const Obstacle &roller, Point<2> start)
     {
@@ -71,7 +83,7 @@ namespace lamella
 
 
 
-    /// The same on @p facet or past a side of it by no more than goes on there.
+    /// Returns it on @p facet, or past a side with a neighbor by a small share.
     std::optional<double>
     nearest_on(const MeshSurface::Facet &facet,
                const Obstacle           &roller,
@@ -88,15 +100,17 @@ namespace lamella
 
 
 
+  // Facets at a station of the axis, in material coordinates, found by linear
+  // interpolation along s.
   CylinderContactLines::Line
   CylinderContactLines::line_at(const MeshSurface &surface,
                                 const Obstacle    &roller,
                                 const double       station)
   {
-    // Of a facet's width.
+    // Tolerance over a facet's width.
     constexpr double same = arithmetic::same_in_element;
     Line             line;
-    // Where two facets side by side meet one of them is enough.
+    // A line between two adjacent facets takes one of them.
     std::vector<Point<3>> middles;
     for (unsigned int f = 0; f < surface.facets().size(); ++f)
       {
@@ -126,7 +140,7 @@ namespace lamella
                                              const Obstacle    &roller,
                                              ContactInterface  &interface)
   {
-    // The nearest row of each station, in units far below node distances.
+    // Nearest row of each station, rounded to a unit far below node distances.
     const double unit = arithmetic::decimal_tolerance * surface.body().size();
     std::map<long, unsigned int> nearest;
     const auto                   far = [&](const unsigned int k) {
@@ -153,13 +167,14 @@ namespace lamella
         lines.push_back(line_at(
           surface, roller, station_of(roller, place_of(interface.points[k]))));
       }
-    // A line has no area that a pressure would be on.
+    // A line has no area for a pressure.
     kept.surface = nullptr;
     interface    = std::move(kept);
   }
 
 
 
+  // Global minimum by samples, then local minimum by Newton's method.
   MeshSurface::FacetPoint
   CylinderContactLines::nearest_point_on_line(
     const Line                    &line,
@@ -180,7 +195,7 @@ namespace lamella
     for (const auto &[facet, s] : line)
       for (unsigned int i = 0; i <= samples; ++i)
         try_place(facet, {s, double(i) / samples});
-    // A sample on a side belongs to both facets there.
+    // A sample on a side belongs to both facets.
     const double sampled = smallest * (1. + arithmetic::same_value);
     for (const auto &[facet, s] : line)
       {
@@ -192,7 +207,7 @@ namespace lamella
             if (const auto found =
                   nearest_on(now.facets()[facet], roller, {s, t}))
               {
-                // Where it was it stays, as long as it is as near.
+                // The point stays on its facet while that is as near.
                 if (was && distance(roller, map, {s, *found}) <= sampled)
                   return {facet, {s, *found}};
                 try_place(facet, {s, *found});
@@ -215,6 +230,8 @@ namespace lamella
 
 
 
+  // Curvature ratio from the gap of the surface over that of its tangent plane,
+  // sqrt(R^2 + s^2) - R, at distances s of one to two node spacings.
   double
   CylinderContactLines::curvature(const Obstacle              &roller,
                                   const MeshSurface           &surface,
@@ -258,6 +275,7 @@ namespace lamella
 
 
 
+  // Rows on one line are those whose distance is normal to the axis.
   ContactArc
   contact_arc(const ContactInterface          &interface,
               const std::vector<unsigned int> &active)
@@ -289,6 +307,7 @@ namespace lamella
 
 
 
+  // Deepest point of all lines with the axis on the outer side (r . n < 0).
   std::optional<CylinderPenetration>
   CylinderContactLines::deepest_in(const Obstacle    &roller,
                                    const MeshSurface &surface,

@@ -3,13 +3,25 @@
 #include <lamella/contact/closest_point_projection.h>
 #include <lamella/contact/gap_integrals.h>
 
+// Mortar integrals of moving contacts, by sums over points X_q with constant
+// weights a_q phi_i(X_q):
+//   g_i = sum a_q phi_i g_q / A_i,   A_i = sum a_q phi_i,
+//   w_ik = sum a_q phi_i psi_k n / A_i,
+//   P_ik = sum a_q phi_i psi_k (I - n n) / A_i,
+// the gap, its gradient and the tangential projector of the slip. As the
+// projections are stationary and the weights constant, the gradient of g_i is
+// the average of the gradients (Puso and Laursen, Comput. Methods Appl. Mech.
+// Eng. 193 (2004) 601-629).
+//
+// Both sides have the same sums of weights: sum_j w_ij = sum_k w_ik = mean n,
+// so contact forces balance (action and reaction).
 namespace lamella
 {
   using namespace dealii;
 
   namespace
   {
-    /// Adds up the points of a contact.
+    /// Sums over the points of a contact, row by row.
     class Sums
     {
     public:
@@ -41,6 +53,8 @@ namespace lamella
 
 
 
+    // Adds one point to its rows: area, gap, normal, slip, and the products of
+    // trace functions psi_k of both sides with n and I - n n.
     void
     Sums::add(const unsigned int  number,
               const GapPoint     &point,
@@ -57,6 +71,7 @@ namespace lamella
           master->evaluate_trace(other, point.master.st, trace_opposite);
           beyond = &other.trace_nodes;
         }
+      // Tangential projector I - n n; times t it weights the slip along t.
       const SymmetricTensor<2, 3> tangential =
         unit_symmetric_tensor<3>() - symmetrize(outer_product(n, n));
       const auto add_side = [&](const std::vector<unsigned int> &nodes,
@@ -86,6 +101,7 @@ namespace lamella
 
 
 
+    // Divides the sums by the areas A_i.
     std::vector<GapIntegrals>
     Sums::take()
     {
@@ -108,7 +124,8 @@ namespace lamella
 
 
 
-    /// The places that face each other where they are kept.
+    /// Returns the stored master point with the averaged normal n = (n_1 - n_2)
+    /// / |n_1 - n_2| at the current positions (node pairs).
     std::optional<MasterPoint>
     kept(const ContactSides &sides,
          const MeshSurface  *master,
@@ -136,7 +153,8 @@ namespace lamella
 
 
 
-    /// The projection of @p x, from which @p point goes on.
+    /// Returns the closest-point projection of @p x, which becomes the new
+    /// starting point of @p point; the normal is -n_2.
     std::optional<MasterPoint>
     found(const ContactSides &sides,
           const MeshSurface  *master,
@@ -145,6 +163,7 @@ namespace lamella
           const Tensor<1, 3> &n1,
           const double        search_radius)
     {
+      // The previous projection is the starting point of Newton's method.
       const auto hit =
         master == nullptr ?
           closest_point_projection(*sides.obstacle(), x, n1, search_radius) :
@@ -168,6 +187,8 @@ namespace lamella
 
 
 
+  // Weights a_q phi_i(X_q) for the rows i of the facet's nodes; a single-point
+  // row has its area as weight.
   std::vector<std::pair<unsigned int, double>>
   shares_of(const SlaveSurface *functions,
             const unsigned int  number,
@@ -189,7 +210,7 @@ namespace lamella
 
   namespace
   {
-    /// What @p point faces, of which it becomes the projection.
+    /// Returns the master point of @p point, which is projected or kept.
     std::optional<MasterPoint>
     master_point(const ContactSides &sides,
                  const bool          on_second,
@@ -211,6 +232,8 @@ namespace lamella
 
 
 
+  // A point that faces the other side for the first time in a step gets its
+  // slip reference here, with zero slip.
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides        &sides,
                  const bool                 on_second,
@@ -239,6 +262,7 @@ namespace lamella
 
 
 
+  // Pairs at the beginning of a step, from which slip_increment_of() measures.
   SlipReferencePoints
   slip_reference_points(const ContactSides    &sides,
                         const bool             on_second,

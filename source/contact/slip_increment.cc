@@ -4,6 +4,11 @@
 
 #include <cmath>
 
+// Slip of a step from the change of the projections, objective by construction:
+// both points of a pair move with their bodies, and only the distance of the
+// projections on each surface counts (Wriggers, Computational Contact
+// Mechanics, Springer 2006, Sec. 4.2). Tangents are convected with the slave
+// surface.
 namespace lamella
 {
   using namespace dealii;
@@ -15,7 +20,7 @@ namespace lamella
 
 
 
-    /// Across the normal @p n, the first one along @p along.
+    /// Returns tangents normal to @p n, the first one along @p along.
     Tangents
     tangents_along(const Tensor<1, 3> &along, const Tensor<1, 3> &n)
     {
@@ -27,7 +32,7 @@ namespace lamella
 
 
 
-    /// From the place @p from of @p surface to @p to, as it stands.
+    /// Returns the chord from @p from to @p to on the current @p surface.
     Tensor<1, 3>
     chord_on_surface(const MeshSurface             &surface,
                      const MeshSurface::FacetPoint &from,
@@ -41,8 +46,8 @@ namespace lamella
 
 
 
-    /// The same on @p obstacle, from the place of @p then to @p hit: around a
-    /// roller the arc, along its tangent at the hit.
+    /// Returns the way on @p obstacle from the place of @p then to @p hit: on a
+    /// roller the arc R alpha along the tangent at the hit.
     Tensor<1, 3>
     chord_on_surface(const Obstacle           &obstacle,
                      const SlipReferencePoint &then,
@@ -80,7 +85,7 @@ namespace lamella
   {
     const FacetMap::Place place = before(st), moved = now(st);
     const Tensor<1, 3>    t1 = tangents_of(before.outward(place))[0];
-    // Its components along the facet: X_,a c_a = t_1.
+    // Contravariant components, X_,a c_a = t_1, convected to x_,a c_a.
     SymmetricTensor<2, 2> metric;
     metric[0][0] = place.d_s * place.d_s;
     metric[0][1] = place.d_s * place.d_t;
@@ -92,6 +97,7 @@ namespace lamella
 
 
 
+  // Places on an obstacle are stored relative to it, as it may move.
   SlipReferencePoint
   slip_reference_point(const ContactSides &sides,
                        const GapPoint     &point,
@@ -109,6 +115,7 @@ namespace lamella
 
 
 
+  // s = P (way on the slave surface - way on the master surface).
   Tensor<1, 3>
   slip_increment_of(const ContactSides       &sides,
                     const bool                on_second,

@@ -12,25 +12,37 @@
 #include <cmath>
 #include <limits>
 
+// Mortar integrals by segments (Puso, Int. J. Numer. Meth. Eng. 59 (2004)
+// 315-336; Puso and Laursen, Comput. Methods Appl. Mech. Eng. 193 (2004)
+// 601-629). For each cell of the slave grid, add_cell():
+// 1. the chord plane of the cell, and the averaged normal at its center;
+// 2. segments: the cell clipped with the projected master facets (cut());
+// 3. triangles of each segment with Gauss points, exact if both are flat;
+// 4. at each point the opposite place along the averaged normal
+//    (find_master_point()), and its contribution to the hat functions
+//    (MultiplierBasis).
+// Against an obstacle, Gauss points of the cell replace the segments.
+// Degree of the rule: 2 for the hat function plus those of the traces.
 namespace lamella
 {
   using namespace dealii;
 
   namespace
   {
-    // cos 80: how far from opposed the normals of a point may be in the middle
-    // of others that face the other side.
+    // cos 80 degrees: limit of opposed normals at points of a segment whose
+    // centroid faces the other side.
     constexpr double nearly_faces = 0.17;
     constexpr double anywhere     = std::numeric_limits<double>::max();
 
-    // Of the Gauss rule, for what is not polynomial on curved facets.
+    // Additional degrees of the Gauss rule on curved facets.
     constexpr unsigned int degrees_for_curves = 2;
 
     using Vector3 = Tensor<1, 3>;
 
 
 
-    /// Exact for a hat function times trace functions of two flat facets.
+    /// Returns a rule that is exact for hat times trace functions on flat
+    /// facets.
     const Quadrature<2> &
     rule_of_segment(const MeshSurface::Facet &slave,
                     const MeshSurface::Facet &master)
@@ -64,7 +76,7 @@ namespace lamella
       {
         Point<2> st;
         Point<3> position;
-        /// Of the continuous field, and the facet's own.
+        /// Normal of the continuous field, and of the facet.
         Vector3 normal, own_normal;
         /// |d_s x d_t|.
         double density;
@@ -90,7 +102,7 @@ namespace lamella
       slave_point_at(const Cell       &cell,
                      const ChordPlane &plane,
                      const Point<2>   &p) const;
-      /// Where @p point faces @p facet, or one of @p candidates beside it.
+      /// Facet that a point faces, or else one of the candidates beside it.
       struct Search
       {
         unsigned int                     facet;
@@ -111,7 +123,7 @@ namespace lamella
       const ContactSurfacePair &sides;
       MultiplierBasis           hats;
       Gaps                      result;
-      /// Of each facet what faces the other side, in its unit square.
+      /// Parts of each facet that face the other side, in its unit square.
       std::vector<std::vector<Polygon>> parts;
     };
 
@@ -162,7 +174,7 @@ namespace lamella
                                 *sides.master_mesh,
                                 sides.search_radius);
 
-      // Facets that overlap lie behind each other.
+      // If segments overlap, facets lie behind each other.
       std::vector<unsigned int> candidates;
       double                    covered = 0.;
       for (const Segment &segment : segments)
@@ -178,6 +190,7 @@ namespace lamella
 
 
 
+    // Tensor-product Gauss rule on the cell; the integrand is smooth.
     void
     Integrator::integrate_cell_on_obstacle(const Cell &cell)
     {
@@ -209,6 +222,9 @@ namespace lamella
 
 
 
+    // Fan of triangles from the first corner. Weights are areas on the facet:
+    // those in the chord plane over the cosine of the angle between both
+    // normals.
     void
     Integrator::add_segment(const Cell                      &cell,
                             const ChordPlane                &plane,
@@ -220,9 +236,8 @@ namespace lamella
         rule_of_segment(*cell.facet,
                         sides.master_mesh->facets()[segment.facet]);
       const Polygon &corners = segment.polygon;
-      // A segment faces the other side as a whole or not at all, as its middle
-      // does: were its points to decide one by one, the area of a row at the
-      // end of the reach would be a matter of where the rule has its points.
+      // A segment is included as a whole, by its centroid: otherwise the area
+      // of a row at the search radius would depend on the quadrature points.
       const Search search{segment.facet, candidates, layered};
       if (!master_point(slave_point_at(cell, plane, centroid(corners)),
                         search,
@@ -256,7 +271,7 @@ namespace lamella
 
 
 
-    /// @p corners of what of @p cell faces the other side, in its chord plane.
+    /// Stores the part of @p cell with the @p corners in its chord plane.
     void
     Integrator::add_part(const Cell       &cell,
                          const ChordPlane &plane,
@@ -265,7 +280,7 @@ namespace lamella
       Polygon part;
       for (const Point<2> &corner : corners)
         part.push_back(slave_point_at(cell, plane, corner).st);
-      // (s, t) and the plane may look at the facet from different sides.
+      // (s, t) and the plane may have opposite orientations.
       if (area(part) < 0.)
         std::reverse(part.begin(), part.end());
       parts[cell.number].push_back(part);
@@ -273,6 +288,8 @@ namespace lamella
 
 
 
+    // Inverse map: Newton's method for the (s, t) whose projection along the
+    // plane's normal is the point p.
     Integrator::SlavePoint
     Integrator::slave_point_at(const Cell       &cell,
                                const ChordPlane &plane,
@@ -298,6 +315,9 @@ namespace lamella
 
 
 
+    // The opposite place on the segment's facet, on a candidate, or on the
+    // whole surface. The nearest of layered facets counts; others hide behind
+    // it.
     std::optional<MasterPoint>
     Integrator::master_point(const SlavePoint &point,
                              const Search     &search,
@@ -311,9 +331,8 @@ namespace lamella
                                             point.normal,
                                             search_radius,
                                             opposed);
-      // Next to the edge of a curved facet the neighbor's segment may begin a
-      // little earlier or later than the facet, or be a sliver that was left
-      // out.
+      // At the edge of a curved facet, the neighbor's segment may begin
+      // slightly before or after the facet, or be an omitted sliver.
       if (!on_own)
         {
           const auto beside =
@@ -347,6 +366,7 @@ namespace lamella
 
 
 
+    // Points deeper than a cell are listed, not integrated (make_interface()).
     void
     Integrator::add_point(const Cell        &cell,
                           const SlavePoint  &point,
@@ -368,6 +388,7 @@ namespace lamella
 
 
 
+    // Cell by cell; hats.finish() divides by A_i and distributes hanging nodes.
     Gaps
     Integrator::run()
     {

@@ -8,32 +8,38 @@
 #include <cmath>
 #include <limits>
 
+// Linear complementarity problem: block principal pivoting (Kostreva, Linear
+// Algebra Appl. 21 (1978) 207-215), an interior-point method if that cycles
+// (Mehrotra, SIAM J. Optim. 2 (1992) 575-601), and single pivots of largest
+// index as a safeguard (Murty's rule; Judice and Pires, Comput. Oper. Res. 21
+// (1994) 587-596).
+// The problem is strictly convex, so the solution is unique.
 namespace lamella
 {
   namespace
   {
-    // Of the sum of all terms of an s_i.
+    // Rounding of an s_i over the sum of its terms.
     constexpr double rounding = arithmetic::rounding;
-    // Rounds of pivoting before the interior point method, and how many of them
-    // may fail to lower the number of wrong rows.
+    // Rounds of pivoting before the interior-point method, and rounds without
+    // fewer wrong constraints before single pivots.
     constexpr unsigned int first_rounds = 10, patience = 3;
-    // Of lambda^T s over lambda^T M lambda, where the interior point ends.
+    // Tolerance of lambda^T s / lambda^T M lambda of the interior-point method.
     constexpr double       interior_tolerance      = arithmetic::rounding;
     constexpr unsigned int max_interior_iterations = 60;
 
 
 
-    /// The problem with a unit diagonal and a largest |q_i| of one, and where
-    /// the search for its solution stands.
+    /// The problem scaled to a unit diagonal and a largest |q_i| of one, with
+    /// the current active set.
     class Search
     {
     public:
       Search(const ComplementarityProblem &problem,
              const std::vector<bool>      &start);
 
-      /// Pivots until the set is right; false if that takes more than
-      /// @p max_rounds or, without @p single_pivots, does not seem to come to
-      /// an end.
+      /// Pivots until the set is correct; returns false after @p max_rounds or,
+      /// without @p single_pivots, if the number of wrong constraints
+      /// stagnates.
       bool
       pivot(const std::size_t max_rounds, const bool single_pivots);
 
@@ -45,11 +51,11 @@ namespace lamella
       solution() const;
 
     private:
-      /// lambda and s of the active set: M_AA lambda_A = -q_A.
+      /// Solves M_AA lambda_A = -q_A and sets s = M lambda + q.
       void
       solve_active();
 
-      /// Those whose lambda or s has the wrong sign.
+      /// Returns the constraints whose lambda or s has the wrong sign.
       std::vector<unsigned int>
       violating_rows() const;
 
@@ -66,6 +72,7 @@ namespace lamella
 
 
 
+    // Symmetric scaling S M S with S = diag(M_ii)^-1/2, so units do not matter.
     Search::Search(const ComplementarityProblem &problem,
                    const std::vector<bool>      &start)
       : n(problem.q.size())
@@ -111,6 +118,7 @@ namespace lamella
 
 
 
+    // Cholesky factor of M_AA, positive definite by the regularization.
     void
     Search::solve_active()
     {
@@ -130,7 +138,7 @@ namespace lamella
                                  size,
                                  "The compliance of the contact rows");
 
-      // Corrected once, so that s carries no more than its own rounding.
+      // One step of iterative refinement: s then has its own rounding only.
       std::fill(lambda.begin(), lambda.end(), 0.);
       for (unsigned int pass = 0; pass < 2; ++pass)
         {
@@ -146,6 +154,7 @@ namespace lamella
 
 
 
+    // Signs up to rounding of the sum that forms s_i.
     std::vector<unsigned int>
     Search::violating_rows() const
     {
@@ -161,6 +170,8 @@ namespace lamella
 
 
 
+    // Exchanges all wrong constraints at once, only the last one in turn when
+    // their number has not fallen for `patience` rounds.
     bool
     Search::pivot(const std::size_t max_rounds, const bool single_pivots)
     {
@@ -217,7 +228,7 @@ namespace lamella
 
 
 
-    /// Positive lambda and s of the interior point method, or their change.
+    /// Positive lambda and s of the interior-point method, or their change.
     struct Pair
     {
       std::vector<double> lambda, s;
@@ -225,9 +236,9 @@ namespace lamella
 
 
 
-    /// The Newton direction at @p x towards s = M lambda + q, of which the
-    /// right-hand side is @p exact, and lambda_i s_i = target_i. @p factor is
-    /// that of M + diag(s / lambda).
+    /// Newton direction at @p x of s = M lambda + q, with the value @p exact,
+    /// and lambda_i s_i = target_i, after elimination of ds. @p factor is that
+    /// of M + diag(s / lambda).
     Pair
     direction(const DenseCholesky       &factor,
               const Pair                &x,
@@ -245,9 +256,9 @@ namespace lamella
 
 
 
-    /// One step of Mehrotra's method: where the Newton direction leads to tells
-    /// how far to aim inside, and its second-order error is taken along. The
-    /// length of the step.
+    /// One step of Mehrotra's predictor-corrector method: the affine direction
+    /// gives the centering sigma = (mu_aff / mu)^3, and its product dlambda_i
+    /// ds_i is the second-order correction. Returns the length of the step.
     double
     mehrotra_step(std::vector<double>        matrix,
                   const std::vector<double> &exact,
@@ -287,6 +298,8 @@ namespace lamella
 
 
 
+    // Starts at lambda = 1 / |M|_1, s = 1, infeasible. The active set follows
+    // from lambda_i > s_i.
     void
     Search::find_interior()
     {
@@ -333,6 +346,7 @@ namespace lamella
 
 
 
+  // lambda = 0 solves the problem if no q_i is negative.
   ComplementaritySolution
   solve_complementarity(const ComplementarityProblem &problem,
                         const std::vector<bool>      &start)

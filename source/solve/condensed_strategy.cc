@@ -9,28 +9,38 @@
 #include <algorithm>
 #include <set>
 
+// Static condensation of the bodies onto the contact forces, a dual active-set
+// method. Row generation in solve(), round by round:
+// 1. solve the complementarity (or Coulomb) problem of the working set on its
+//    compliance C = B K^-1 B^T;
+// 2. evaluate all gaps g = g_state + B du;
+// 3. add the deepest penetrations outside the set, remove idle rows;
+// until no gap outside the set is closed. This is the cutting-plane view of the
+// quadratic program min 1/2 lambda^T C lambda + g^T lambda, lambda >= 0.
+//
+// With the compliance, a displacement of a body needs one back substitution per
+// round; costs per round are n^3 / 3 for n working rows.
 namespace lamella
 {
   using dealii::Tensor;
 
   namespace
   {
-    // Of the row's compliance, and of 1/penalty for a row between points that
-    // supports hold, which has none.
+    // Lower bounds of d: over the row's compliance, and over 1 / penalty for a
+    // row between supported points, which has no compliance.
     constexpr double smallest_compliance = 1e-10, smallest_of_given = 1e-8;
-    // How many rows take part from the start, at least.
+    // Least number of rows that join per round.
     constexpr std::size_t first_rows = 8;
-    // Rows that may idle beside active ones, and how many of these: below that
-    // they cost next to nothing.
+    // Numbers of rows, and of idle rows per active one, that are kept.
     constexpr std::size_t few_rows = 64, idle_for_each = 3;
 
 
 
-    /// Throws NumericsError if @p found misses the law of friction.
+    /// Throws NumericsError if @p found violates Coulomb's law.
     void
     check_law(const CoulombSolution &found)
     {
-      // Of the problem's scale: forces that are no better are none.
+      // Tolerance over the scale of the problem.
       constexpr double sound = 1e-6;
       if (!(found.error <= sound))
         throw NumericsError(
@@ -58,6 +68,7 @@ namespace lamella
 
 
 
+  // d is at least a share of the row's compliance, so C + d is definite.
   double
   CondensedStrategy::compliance_of_law(const unsigned int number) const
   {
@@ -87,6 +98,8 @@ namespace lamella
 
 
 
+  // Column j of R K^-1 C + d: the compliance of row j, for a slipping row that
+  // of B_n^T + mu e_a B_t,a^T, since its shear force follows its normal force.
   std::vector<double>
   CondensedStrategy::contact_system(const ActiveConstraints &closed)
   {
@@ -117,6 +130,8 @@ namespace lamella
 
 
 
+  // Cholesky factor of C + d without slip (symmetric), else LU with rank
+  // detection. The factor is kept while active set and d stay.
   void
   CondensedStrategy::solve_on_active_set(const ActiveConstraints &closed,
                                          std::vector<double>     &lambda)
@@ -124,8 +139,8 @@ namespace lamella
     const std::size_t n = closed.numbers.size();
     if (!closed.sliding.empty())
       {
-        // Rows that depend on each other may share a force in any way, each of
-        // which rubs otherwise: what rounding adds there must not be amplified.
+        // Dependent rows may share a force in any way, with different shear
+        // forces: the null space of the system must not amplify rounding.
         constexpr double          dependent = 10. * smallest_compliance;
         std::vector<double>       sizes;
         const std::vector<double> system = contact_system(closed);
@@ -150,6 +165,9 @@ namespace lamella
 
 
 
+  // Block elimination of the saddle point problem (Eq. 22):
+  //   u_0 = K^-1 r_u,  (R K^-1 C + d) dlambda = r_lambda - R u_0,
+  //   du = u_0 + K^-1 C dlambda.
   void
   CondensedStrategy::solve(const ActiveConstraints &closed,
                            const BlockVector       &r_u,
@@ -191,8 +209,10 @@ namespace lamella
   {
     if (!problem.slip.empty())
       return solve_with_friction(problem, part, solution);
-    // s = g_state + C (lambda - lambda_state) + a lambda +
-    //     (d - a) (lambda - lambda_bar).
+    // Proximal point about lambda_bar with the metric d - a (Rockafellar,
+    // 1976):
+    //   s = g_state + C (lambda - lambda_state) + a lambda +
+    //       (d - a) (lambda - lambda_bar).
     const std::size_t      n = part.size();
     ComplementarityProblem small{compliance.among(part),
                                  std::vector<double>(n),
@@ -257,6 +277,8 @@ namespace lamella
 
 
 
+  // Coulomb's law is solved on the compliance of all points of the working set;
+  // du then follows from the change of all normal and shear forces.
   void
   CondensedStrategy::solve_with_friction(const ContactProblem &problem,
                                          const std::vector<unsigned int> &part,
@@ -339,6 +361,8 @@ namespace lamella
 
 
 
+  // Rows of the multiplier methods that close without force share the force of
+  // dependent rows.
   CondensedStrategy::Violations
   CondensedStrategy::touching_rows(const ContactProblem            &problem,
                                    const std::vector<unsigned int> &part,
@@ -359,6 +383,7 @@ namespace lamella
 
 
 
+  // Each row is removed at most once, which ensures termination.
   void
   CondensedStrategy::remove_idle_rows(const ContactProblem      &problem,
                                       const ContactSolution     &solution,
@@ -368,7 +393,7 @@ namespace lamella
     if (!are_idle(part.size(), solution.active.size()))
       return;
     const auto leaves = [&](const unsigned int r) {
-      // What changes a force that was there has to stay in the sum.
+      // A row with a force in the state changes du when it opens, so it stays.
       return solution.force[r] == 0. && problem.force[r] == 0. &&
              problem.estimate[r] == 0. && left.insert(r).second;
     };
@@ -377,6 +402,8 @@ namespace lamella
 
 
 
+  // Warm start: previously active rows, and the rows already included if most
+  // of them would not be idle.
   std::vector<unsigned int>
   CondensedStrategy::initial_working_set(const ContactProblem &problem) const
   {
@@ -454,6 +481,7 @@ namespace lamella
 
 
 
+  // The same groups of rows reproduce the compliance bit for bit.
   void
   CondensedStrategy::restore(const StrategyHistory &memory)
   {

@@ -9,6 +9,14 @@
 #include <cmath>
 #include <memory>
 
+// Second-order cone program by a primal-dual interior-point method (Andersen,
+// Roos and Terlaky, Math. Program. 95 (2003) 249-277). Per iteration:
+// 1. Nesterov-Todd scaling T of each cone, T z = T^-1 x = lambda (Math. Oper.
+//    Res. 22 (1997) 1-42);
+// 2. one Cholesky factor of W + diag(T^-2);
+// 3. affine direction, centering and second-order correction (Mehrotra);
+// 4. a step of 0.99 of the way to the boundary of the cones.
+// The optimality conditions are z = W x + q, x o z = 0, x and z in the cones.
 namespace lamella
 {
   using namespace dealii;
@@ -16,9 +24,9 @@ namespace lamella
   namespace
   {
     constexpr unsigned int most_cone_steps = 60;
-    /// Of x . z over the sizes of both, and of z - W x - q.
+    /// Tolerances of x . z over the sizes of both, and of z - W x - q.
     constexpr double enough = 1e-11;
-    /// Share of the way to the boundary of the cones, and a negligible step.
+    /// Share of the way to the cones' boundary, least and longest step.
     constexpr double almost = 0.99, no_step = 1e-8, longest_step = 1e3;
 
 
@@ -44,7 +52,7 @@ namespace lamella
 
 
 
-    /// The y with x o y = @p right.
+    /// Returns the y with x o y = @p right (arrow matrix of x, inverted).
     Tensor<1, 3>
     quotient(const Tensor<1, 3> &right, const Tensor<1, 3> &x)
     {
@@ -58,7 +66,8 @@ namespace lamella
 
 
 
-    /// The longest step from @p x inside of the cone along @p d, in it.
+    /// Returns the longest step from @p x along @p d within the cone: the
+    /// smallest positive root of det(x + t d) = 0.
     double
     step_within(const Tensor<1, 3> &x, const Tensor<1, 3> &d)
     {
@@ -78,7 +87,8 @@ namespace lamella
 
 
 
-    /// The symmetric T with T z = T^-1 x of one point, and its inverse.
+    /// Nesterov-Todd scaling point of one cone: the symmetric T with T z = T^-1
+    /// x, from the mean w of the normalized x and the reflected z.
     struct Scaling
     {
       Scaling(const Tensor<1, 3> &x, const Tensor<1, 3> &z)
@@ -110,7 +120,7 @@ namespace lamella
 
 
 
-    /// x in the cones and z = W x + q in their duals, or how they change.
+    /// x in the cones and z = W x + q in their (self-)duals, or their change.
     struct ConePair
     {
       PointVectors x, z;
@@ -145,8 +155,8 @@ namespace lamella
                                                 "The compliance of the points");
       }
 
-      /// Towards lambda o lambda + @p right = 0, which is complementarity in
-      /// the scaled cones, and W x + q = z.
+      /// Returns the direction to lambda o lambda + @p right = 0,
+      /// complementarity in the scaled cones, and W x + q = z.
       ConePair
       towards(const PointVectors &right) const
       {
@@ -224,7 +234,7 @@ namespace lamella
 
 
 
-    /// Inside of all cones, in proportion to the problem.
+    /// Starting point on the axes of all cones, scaled by |W|_1 and |q|.
     ConePair
     first_pair(const PointCompliance &W, const PointVectors &q)
     {
@@ -245,7 +255,7 @@ namespace lamella
 
 
 
-    /// One step of Mehrotra's method, of which the length.
+    /// One step of Mehrotra's method; returns its length.
     double
     cone_step(const Directions &directions, const double mean, ConePair &at)
     {
@@ -253,6 +263,7 @@ namespace lamella
       const ConePair     newton = directions.towards(affine);
       ConePair           there  = at;
       move(there, newton, step_within(at, newton, 1.));
+      // Mehrotra's centering: (mu_aff / mu)^3 mu.
       const double n = at.x.size(),
                    left =
                      std::max(0., inner_product(there.x, there.z) / (n * mean));
@@ -271,6 +282,8 @@ namespace lamella
 
 
 
+  // The last finite iterate is returned if a factorization fails at the
+  // boundary of the cones.
   PointVectors
   cone_minimum(const PointCompliance &W, const PointVectors &q)
   {

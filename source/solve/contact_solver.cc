@@ -10,6 +10,21 @@
 #include <iterator>
 #include <limits>
 
+// Solution of a load step with contact. The outer loop of solve_contact() is
+// the method of multipliers (Hestenes, Powell; Simo and Laursen, Comput.
+// Struct. 42 (1992) 97-116), a proximal point iteration on the forces
+// (Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898):
+// 1. the strategy finds active set and forces for the estimates;
+// 2. refine(): iterative refinement of displacements and forces against the
+//    residual from strains (Higham, Accuracy and Stability of Numerical
+//    Algorithms, SIAM 2002, Ch. 12);
+// 3. find_violations(): Kuhn-Tucker conditions and Coulomb's law;
+// 4. the refined forces are the next estimates, with a tenfold penalty if the
+//    violation falls slowly.
+//
+// The start of the first load step has zero estimates; later ones take the
+// forces of the previous step. Tolerances are relative to the displacements
+// (displacement_scale()), as gaps are differences of displacements.
 namespace lamella
 {
   using namespace dealii;
@@ -27,6 +42,7 @@ namespace lamella
 
 
 
+  // The strategy refers to the tangent operator, which this object shares.
   ContactSolver::ContactSolver(
     std::shared_ptr<const TangentOperator> linearization_,
     const GapConstraints                  &rows,
@@ -44,6 +60,7 @@ namespace lamella
 
 
 
+  // g = B u + g_init + t g_rate (Eq. 16).
   std::vector<double>
   ContactSolver::gaps(const BlockVector &u, const LoadFactor &factor) const
   {
@@ -57,6 +74,9 @@ namespace lamella
 
   // ---- contact on top of a free state
 
+  // With a correct active set, the loop ends by the error of the law. If a set
+  // returns, correct_active_set() decides close gaps on refined states, and
+  // multipliers_are_reliable() accepts forces of dependent rows.
   State
   ContactSolver::solve_contact(const State      &free,
                                const LoadFactor &factor,
@@ -108,14 +128,15 @@ namespace lamella
 
 
 
+  // Warm start from the previous load step, for rows that penetrate without
+  // contact.
   ContactProblem
   ContactSolver::first_problem(const State      &free,
                                const LoadFactor &factor,
                                const State      &previous) const
   {
-    // Rows that would be open without any contact start open: in unloading they
-    // pull, and pull others in. With friction they may be jammed, and keep
-    // their forces as a start.
+    // Other rows start open, as in unloading they become tensile and activate
+    // others. With friction they may be jammed, and keep their forces.
     ContactProblem problem = problem_at(free, factor);
     problem.start.clear();
     for (const unsigned int r : previous.active)
@@ -131,6 +152,7 @@ namespace lamella
 
 
 
+  // The increment problem about the state, its forces as estimates lambda_bar.
   ContactProblem
   ContactSolver::problem_at(const State &state, const LoadFactor &factor) const
   {
@@ -147,6 +169,8 @@ namespace lamella
 
 
 
+  // Stick: |lambda_t| <= mu lambda_n. Slip: v + |v| e = 0, so that the slip is
+  // opposite to the shear force.
   void
   ContactSolver::add_friction_violations(const State       &state,
                                          const LoadFactor  &factor,
@@ -170,6 +194,8 @@ namespace lamella
 
 
 
+  // Kuhn-Tucker conditions by rows: active rows have lambda >= 0 and g + a
+  // lambda = 0, others g >= -closed.
   ContactSolver::ContactViolations
   ContactSolver::violations(const State      &state,
                             const LoadFactor &factor,
@@ -207,6 +233,7 @@ namespace lamella
 
 
 
+  // Penetrations up to the last correction are rounding.
   ContactSolver::ContactViolations
   ContactSolver::find_violations(const State      &state,
                                  const LoadFactor &factor) const
@@ -221,6 +248,7 @@ namespace lamella
 
 
 
+  // The weak tolerance applies if a further round hardly improves the law.
   bool
   ContactSolver::satisfies_contact_law(const State      &state,
                                        const LoadFactor &factor,
@@ -234,6 +262,8 @@ namespace lamella
 
 
 
+  // Forces of dependent rows are not unique: displacements are refined for
+  // fixed forces, without equations for the rows.
   bool
   ContactSolver::multipliers_are_reliable(State            &state,
                                           const State      &settled,
@@ -254,6 +284,8 @@ namespace lamella
 
 
 
+  // Primal-dual exchange on refined states: tensile rows leave, penetrating
+  // rows join, all at once.
   bool
   ContactSolver::correct_active_set(State &state, const LoadFactor &factor)
   {
@@ -274,6 +306,7 @@ namespace lamella
           }
         for (const unsigned int r : found.tensile)
           at.force[r] = 0.;
+        // Exchange: without the tensile rows, with the penetrating ones.
         std::vector<unsigned int> active_goals;
         std::set_difference(at.active.begin(),
                             at.active.end(),
@@ -292,6 +325,9 @@ namespace lamella
 
   // ---- without the forces of stabilizing springs
 
+  // Proximal point iteration on the rigid-body motions: spring offsets r_0 =
+  // r(u_k) of the last round make the springs free of force at convergence. The
+  // rate is s / (s + k), s and k the stiffness of springs and contact.
   State
   ContactSolver::release_springs(State state, const LoadFactor &factor)
   {
@@ -300,6 +336,9 @@ namespace lamella
     double before = std::numeric_limits<double>::max();
     for (unsigned int round = 1;; ++round)
       {
+        // Proximal step: the springs become free of force at the last state.
+        // The change of the offsets times the stiffness is the remaining spring
+        // force.
         const SpringOffsets rest   = structure.spring_lengths(state.u);
         double              change = 0., force = 0.;
         for (unsigned int b = 0; b < rest.size(); ++b)
@@ -332,6 +371,7 @@ namespace lamella
 
 
 
+  // A rate of about 1: loads on the motion are balanced by the springs only.
   void
   ContactSolver::throw_unconstrained_motion(const std::string &body,
                                             const std::string &motion,
@@ -358,13 +398,15 @@ namespace lamella
 
 
 
+  // With the rate q = s / (s + k) of the offsets, a share with the rate 0.1 is
+  // recommended; a rate of 1 means k = 0, an unconstrained motion.
   void
   ContactSolver::throw_spring_failure(const State &state,
                                       const double rate) const
   {
     constexpr double wanted_rate = 0.1;
 
-    // Whose spring is still under the largest force.
+    // Spring with the largest remaining force.
     const SpringOffsets lengths = structure.spring_lengths(state.u);
     unsigned int        body = 0, spring = 0;
     double              largest = -1.;
@@ -397,15 +439,17 @@ namespace lamella
 
 
 
+  // Reference length of all tolerances: the maximum norm of displacements,
+  // obstacle motions and accumulated slips.
   double
   ContactSolver::displacement_scale(const State      &state,
                                     const LoadFactor &factor) const
   {
-    // Gaps are differences of displacements and of the way of obstacles.
+    // Gaps are differences of displacements and motions of obstacles.
     double size = state.u.linfty_norm();
     for (const GapConstraint &row : rows)
       size = std::max(size, std::abs(factor.of(row.history) * row.gap_rate));
-    // A body that springs back to where it began has come some way.
+    // Slips since the start count, as a body may return to its initial place.
     for (const Tensor<1, 3> &slip : state.friction.before)
       size = std::max(size, slip.norm());
     return size;
@@ -413,6 +457,7 @@ namespace lamella
 
 
 
+  // Absolute tolerances are at least the rounding of nearly rigid motions.
   double
   ContactSolver::length_of(const double      share,
                            const State      &state,
@@ -424,6 +469,7 @@ namespace lamella
 
 
 
+  // Linear solution without contact by iterative refinement from u = u_p(t).
   State
   ContactSolver::solve_free(const LoadFactor &factor, const SpringOffsets &rest)
   {
@@ -431,6 +477,8 @@ namespace lamella
     state.rest = rest;
     state.u    = structure.particular(factor);
     state.force.assign(rows.size(), 0.);
+    // u = u_p(t) satisfies the supports; corrections are zero in prescribed
+    // DoFs.
     // The first correction is the solution itself, the second a refinement.
     state.free_corrections = refine(state, factor, 2);
     state.free_corrections.erase(state.free_corrections.begin());
@@ -442,6 +490,7 @@ namespace lamella
 
 
 
+  // All closed rows as sticking: the symmetric tangent for small disturbances.
   ActiveConstraints
   ContactSolver::sticking_equations(const State &state) const
   {
@@ -454,6 +503,7 @@ namespace lamella
 
 
 
+  // r_lambda = -(g + a lambda) for gaps, -v for the slips of sticking rows.
   Vector
   ContactSolver::law_residual(const State             &state,
                               const LoadFactor        &factor,
@@ -474,11 +524,13 @@ namespace lamella
 
 
 
+  // One correction of iterative refinement: residuals at the state, a linear
+  // solution with the active set fixed, and the update of u and lambda.
   double
   ContactSolver::correct(State &state, const LoadFactor &factor)
   {
     BlockVector r_u = structure.residual(state.u, factor, state.rest);
-    // All that there are, also where no row is to be closed
+    // All forces, also those of rows without an equation
     // (multipliers_are_reliable()).
     for (unsigned int r = 0; r < rows.size() && !state.force.empty(); ++r)
       if (state.force[r] != 0.)
@@ -495,7 +547,7 @@ namespace lamella
     state.u += du;
     add_forces(rows, closed, dlambda, state);
 
-    // Written so that what is not a number stays none.
+    // The test catches NaN, too.
     const double size = state.u.linfty_norm(), change = du.l2_norm();
     if (!std::isfinite(change))
       throw NumericsError(
@@ -506,11 +558,13 @@ namespace lamella
 
 
 
+  // Stopping criteria of iterative refinement (Higham, Ch. 12): a tolerance,
+  // a ratio above 1/2 of successive corrections, a limit.
   bool
   ContactSolver::is_refined(const std::vector<double> &corrections,
                             const unsigned int         at_least) const
   {
-    // Done, or down to the rounding of the residual itself, or enough.
+    // Tolerance, rounding of the residual, or limit reached.
     const unsigned int n = corrections.size();
     return n >= at_least &&
            (corrections.back() < parameters.refinement_tolerance ||
@@ -520,6 +574,8 @@ namespace lamella
 
 
 
+  // Iterative refinement in fixed precision: the residual from strains is more
+  // accurate than the matrix, so each correction gains digits.
   std::vector<double>
   ContactSolver::refine(State             &state,
                         const LoadFactor  &factor,
@@ -534,6 +590,7 @@ namespace lamella
 
 
 
+  // Counts rounds of the strategy and reports them.
   void
   ContactSolver::watch(const Round &round, unsigned int &iterations) const
   {
@@ -567,6 +624,8 @@ namespace lamella
 
 
 
+  // Lists the first constraints that still change, with the initial overlap as
+  // a frequent cause.
   void
   ContactSolver::check_iterations(
     const unsigned int               iterations,

@@ -10,14 +10,30 @@
 #include <cmath>
 #include <limits>
 
+// Coulomb's law on a dense compliance, with the natural map (Alart and Curnier,
+// Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375)
+//   F(lambda) = lambda - P(lambda - v(lambda)),  v = q + W (lambda - about),
+// P the projection onto the cone of lambda_n. Structure of the file:
+// - CoulombSearch: the scaled problem, and the methods of the chain
+//   (solve_in_sequence()): Newton, sweeps, cones, decreasing regularization;
+// - solve_coulomb(): proximal points about the last forces with a small
+//   regularization of W, which makes it definite (Rockafellar, SIAM J. Control
+//   Optim. 14 (1976) 877-898), and the stability test by a determinant.
+//
+// The derivative of the projection for slip, with e = z_t / |z_t| and the bound
+// b = mu z_n, is
+//   d(b e) = mu e dz_n + (b / |z_t|) (1 - e e^T) dz_t,
+// and d z = d lambda - d v gives the rows of linearize_slip(). Its matrix is
+// not symmetric, as the friction bound depends on the normal force; solutions
+// with a negative determinant lie on branches without a load path.
 namespace lamella
 {
   using namespace dealii;
 
   namespace
   {
-    /// What the natural map says of the points: their trial forces z = lambda -
-    /// v, the bounds mu max(0, z_n), and what follows.
+    /// Trial forces z = lambda - v of all points, with their friction bounds mu
+    /// max(0, z_n) and states.
     struct Trial
     {
       PointVectors            z;
@@ -27,7 +43,7 @@ namespace lamella
 
 
 
-    /// Newton forces, and those of the matrix that determined the signs.
+    /// Forces after a Newton step, and the sign of its matrix's determinant.
     struct NewtonStep
     {
       bool         is_solved = false;
@@ -46,7 +62,7 @@ namespace lamella
     public:
       CoulombSearch(const CoulombProblem &problem, const CoulombRules &rules);
 
-      /// Forces of the problem in units of this one, and back.
+      /// Converts forces to units of this problem, and back.
       PointVectors
       scaled(const PointVectors &lambda) const;
       PointVectors
@@ -59,19 +75,20 @@ namespace lamella
       Trial
       trial(const PointVectors &lambda) const;
 
-      /// The sign of the matrix of Newton's method at @p lambda.
+      /// Returns the sign of the determinant of Newton's matrix at @p lambda.
       int
       sign_at(const PointVectors &lambda) const
       {
         return newton_step(trial(lambda), lambda).sign;
       }
 
-      /// The chain from @p start. Scaled forces.
+      /// Applies the methods in sequence from @p start, in scaled forces.
       CoulombSolution
       solve_in_sequence(const PointVectors &start) const;
 
     private:
-      /// The problem with the softness @p soft about @p lambda.
+      /// Returns the proximal problem with the regularization @p soft about @p
+      /// lambda.
       CoulombSearch
       softened(const double soft, const PointVectors &lambda) const;
 
@@ -82,29 +99,30 @@ namespace lamella
       PointVectors
       natural_map(const PointVectors &lambda) const;
 
-      /// The forces that the states of @p at make of the linear equations, and
-      /// what linearizes slip.
+      /// Solves the linear equations of the states of @p at, with slip
+      /// linearized.
       NewtonStep
       newton_step(const Trial &at, const PointVectors &lambda) const;
 
-      /// The best of the shorter steps from @p lambda to @p next.
+      /// Returns the best of several fractions of the step @p lambda - @p next.
       PointVectors
       shortened(const PointVectors &lambda,
                 const PointVectors &next,
                 const unsigned int  iteration) const;
 
-      /// Newton's method from @p lambda, at most so many iterations and damped
-      /// from one of them on: the best forces that it met.
+      /// Applies Newton's method from @p lambda, at most @p most iterations,
+      /// damped from @p damped_from on; returns the best forces.
       CoulombSolution
       newton(PointVectors       lambda,
              const unsigned int most,
              const unsigned int damped_from) const;
 
-      /// @p lambda after so many sweeps of Gauss and Seidel.
+      /// Returns @p lambda after @p sweeps of block Gauss-Seidel.
       PointVectors
       after_sweeps(PointVectors lambda, const unsigned int sweeps) const;
 
-      /// The force of @p point that obeys the law, all others held.
+      /// Returns the force of @p point that satisfies the law, all others
+      /// fixed.
       Tensor<1, 3>
       local_force(const unsigned int  point,
                   const Tensor<1, 3> &v,
@@ -121,12 +139,14 @@ namespace lamella
       PointCompliance     W;
       PointVectors        q, about;
       std::vector<double> mu;
-      /// Of each point, of the normal and of the tangential forces.
+      /// Scale of the normal and of the tangential forces of each point.
       std::vector<std::array<double, 2>> unit;
     };
 
 
 
+    // Symmetric diagonal scaling with one factor for both tangents of a point,
+    // so that the cone stays circular; mu changes by the ratio of the scales.
     CoulombSearch::CoulombSearch(const CoulombProblem &problem,
                                  const CoulombRules   &rules)
       : rules(rules)
@@ -175,6 +195,7 @@ namespace lamella
 
 
 
+    // Forces divide by the units that displacements multiply with.
     PointVectors
     CoulombSearch::scaled(const PointVectors &lambda) const
     {
@@ -199,6 +220,7 @@ namespace lamella
 
 
 
+    // v = q + W (lambda - about).
     PointVectors
     CoulombSearch::moved(const PointVectors &lambda) const
     {
@@ -213,6 +235,7 @@ namespace lamella
 
 
 
+    // States of the points by the return mapping of the trial forces z.
     Trial
     CoulombSearch::trial(const PointVectors &lambda) const
     {
@@ -233,6 +256,8 @@ namespace lamella
 
 
 
+    // F(lambda): the force if open, -v if sticking, and for slip the distance
+    // of lambda from the projected trial force.
     PointVectors
     CoulombSearch::natural_map(const PointVectors &lambda) const
     {
@@ -253,6 +278,7 @@ namespace lamella
 
 
 
+    // Relative residual of the natural map, the convergence criterion.
     double
     CoulombSearch::error(const PointVectors &lambda) const
     {
@@ -262,12 +288,11 @@ namespace lamella
 
 
 
-    /// In the n equations A x = b of what the forces of closed points change by
-    /// the ones of a point that slips, which begin at row @p first: for its
-    /// tangential rows
+    /// Changes in the n equations A x = b for the forces of closed points those
+    /// of a slipping point, from row @p first on. Its tangential equations are
     ///   (1 - k E) lambda_t + k E v_t - mu e lambda_n = 0
-    /// with its trial force z, e = z_t / |z_t|, E = 1 - e e^T and k = mu z_n /
-    /// |z_t|; @p lambda is its force so far.
+    /// with the trial force z, e = z_t / |z_t|, E = 1 - e e^T and k = mu z_n /
+    /// |z_t|; @p lambda is the current force.
     void
     linearize_slip(const Tensor<1, 3>  &z,
                    const double         bound,
@@ -306,6 +331,8 @@ namespace lamella
 
 
 
+    // Open points have zero force, and sticking ones v = 0. The sign of the
+    // determinant is that of det(R W C), negative for an unstable solution.
     NewtonStep
     CoulombSearch::newton_step(const Trial        &at,
                                const PointVectors &lambda) const
@@ -336,6 +363,7 @@ namespace lamella
                 at.z[i], at.bound[i], mu[i], kept[i], first, W.size(i), A, x);
             first += W.size(i);
           }
+      // The sign of the determinant costs nothing beside the factorization.
       const DenseLU factor(std::move(A), n);
       NewtonStep    step;
       step.sign = factor.sign_of_determinant();
@@ -352,12 +380,13 @@ namespace lamella
 
 
 
+    // Backtracking on the Euclidean norm of the natural map.
     PointVectors
     CoulombSearch::shortened(const PointVectors &lambda,
                              const PointVectors &next,
                              const unsigned int  iteration) const
     {
-      // Now and then a step that no norm has chosen, out of circles.
+      // Every fourth step is taken without a norm, to leave cycles.
       constexpr unsigned int blind_every = 4;
       constexpr double       blind       = 0.35;
       const auto             at          = [&](const double step) {
@@ -384,6 +413,10 @@ namespace lamella
 
 
 
+    // Newton's method in total form: each step gives new forces, not a
+    // correction of the last ones, so it can leave a wrong branch at once. The
+    // best iterate is kept, since the natural map need not decrease. Further
+    // steps after convergence gain digits of small forces.
     CoulombSolution
     CoulombSearch::newton(PointVectors       lambda,
                           const unsigned int most,
@@ -425,6 +458,9 @@ namespace lamella
 
 
 
+    // Local problem of the nonsmooth Gauss-Seidel method (Jean, Comput. Methods
+    // Appl. Mech. Eng. 177 (1999) 235-257): projection of a fixed-point step
+    // with the diagonal of W for three rows, in closed form for two.
     Tensor<1, 3>
     CoulombSearch::local_force(const unsigned int  point,
                                const Tensor<1, 3> &v,
@@ -434,7 +470,8 @@ namespace lamella
       const double       w_n = W(r, r);
       if (size == 2)
         {
-          // Of two rows exactly: stick, or slip to either side.
+          // Two rows: exact solution of the local problem, stick or slip to a
+          // side.
           const double w_t = W(r + 1, r + 1), w_nt = W(r, r + 1),
                        q_n = v[0] - w_n * force[0] - w_nt * force[1],
                        q_t = v[1] - w_nt * force[0] - w_t * force[1];
@@ -469,6 +506,7 @@ namespace lamella
 
 
 
+    // Sweeps over all points; each change updates the velocities of all others.
     PointVectors
     CoulombSearch::after_sweeps(PointVectors       lambda,
                                 const unsigned int sweeps) const
@@ -488,10 +526,15 @@ namespace lamella
 
 
 
+    // Fixed point of the associated problem (de Saxce and Feng, 1998): with
+    // gaps opened by mu |v_t| the law becomes normality, a convex minimum on
+    // cones (Acary, Cadoux, Lemarechal and Malick, 2011); Newton's method
+    // finishes.
     CoulombSolution
     CoulombSearch::solve_by_cones(const PointVectors &start) const
     {
-      // Cones of unit width: normal forces are multiplied by mu.
+      // Scaled variables (mu lambda_n, lambda_t).
+      // Lorentz cones: normal forces times mu.
       PointCompliance     cones = W;
       std::vector<double> widths(W.n_rows(), 1.);
       for (unsigned int i = 0; i < W.n_points(); ++i)
@@ -531,6 +574,8 @@ namespace lamella
 
 
 
+    // Proximal term soft (lambda' - lambda): W + soft 1, q + soft (about -
+    // lambda).
     CoulombSearch
     CoulombSearch::softened(const double soft, const PointVectors &lambda) const
     {
@@ -544,6 +589,9 @@ namespace lamella
 
 
 
+    // Continuation in the regularization: decrease it after each success of
+    // Newton's method, increase it after a failure. Newton's method without
+    // regularization is tried from each intermediate solution.
     CoulombSolution
     CoulombSearch::by_compliance(const PointVectors &start,
                                  const double        first,
@@ -600,6 +648,8 @@ namespace lamella
 
 
 
+    // Methods by increasing cost; each starts from the best forces so far or
+    // from zero, and the first below the tolerance ends the chain.
     CoulombSolution
     CoulombSearch::solve_in_sequence(const PointVectors &start) const
     {
@@ -646,8 +696,8 @@ namespace lamella
 
 
 
-    /// @p problem with the softness @p share of each point's largest diagonal
-    /// entry, about @p lambda: a proximal point.
+    /// Returns the proximal problem of @p problem with the regularization @p
+    /// share of each point's largest diagonal entry, about @p lambda.
     CoulombProblem
     softened(const CoulombProblem &problem,
              const double          share,
@@ -672,6 +722,10 @@ namespace lamella
 
 
 
+  // Proximal point iteration: each round solves the problem with W + compliance
+  // about the last forces, which converges to a solution of the exact law. The
+  // error is that of the exact law. The sign of the determinant is evaluated
+  // once more with a larger regularization if it indicates instability.
   CoulombSolution
   solve_coulomb(const CoulombProblem &problem,
                 const PointVectors   &start,

@@ -6,14 +6,28 @@
 #include <algorithm>
 #include <cmath>
 
+// Semi-smooth Newton method for contact with Coulomb friction on displacements
+// and forces, in the form of Alart and Curnier (Comput. Methods Appl. Mech.
+// Eng. 92 (1991) 353-375); linearization of the return mapping as in Wriggers,
+// Computational Contact Mechanics, Springer 2006, Ch. 10. Each step:
+// 1. lengths(): gaps and slips v, raised by the numerical compliance;
+// 2. trial(): trial forces z = lambda - rho v and the states open, stick, slip;
+// 3. step(): one factorization of K + K^p with the linearized law of each row;
+// 4. violating_rows(): the natural map lambda - P(lambda - rho v) by rows.
+//
+// Fixed-point equation of the shear force, lambda_t = k (lambda_t - rho v_t) in
+// the direction across e. With v_t = s - s_0 + d lambda_t its solution for
+// lambda_t has the stiffness w of linearize_slip() with respect to s.
 namespace lamella
 {
   using namespace dealii;
 
+  // Undamped steps first. A negative determinant of the final tangent indicates
+  // an unstable solution (see CoulombSolution::stability).
   ContactSolution
   FrictionNewton::solve(const ContactProblem &problem, const Monitor &monitor)
   {
-    // Full steps end soonest, but for some that go round in circles.
+    // Full steps converge fastest; some cycle, hence shortened steps later.
     constexpr unsigned int full_steps = 8, shortened_each = 4;
 
     Iterate at    = begin(problem);
@@ -44,6 +58,8 @@ namespace lamella
 
 
 
+  // Start from the forces of the previous step. Their displacements without
+  // contact reaction need one solution with K alone.
   FrictionNewton::Iterate
   FrictionNewton::begin(const ContactProblem &problem)
   {
@@ -75,15 +91,16 @@ namespace lamella
 
 
 
+  // Rounding levels for the comparisons of trial(), and rho = |lambda| / |du|,
+  // which makes forces and lengths commensurable.
   FrictionNewton::Scales
   FrictionNewton::scales(const ContactProblem &problem, const Iterate &at) const
   {
-    // Of displacements, what one solution with K + K^p is accurate to; of
-    // forces, what the law is kept to.
+    // Accuracy of displacements from one solution with K + K^p, and of forces.
     constexpr double rounding = arithmetic::rounding_of_solutions;
 
-    // About a state that is nearly right du is next to nothing, and no measure:
-    // what counts as closed is rounding of the state.
+    // Near the solution du vanishes; the rounding of the state is then the
+    // scale.
     const double size   = std::max(at.du.linfty_norm(),
                                  problem.closed / arithmetic::rounding),
                  forces = largest_component(at.force);
@@ -98,6 +115,8 @@ namespace lamella
 
 
 
+  // v = (g, s - s_0) + d lambda - (d - a) lambda_bar, in components (n, t_1,
+  // t_2): the constraint of the proximal point about lambda_bar.
   PointVectors
   FrictionNewton::lengths(const ContactProblem &problem,
                           const Iterate        &at) const
@@ -117,6 +136,8 @@ namespace lamella
 
 
 
+  // Return mapping: z_n <= 0 open, |z_t| <= mu z_n stick, else slip. The
+  // tangential rho = b / |v_t| prevents a stick state at a reversed slip.
   FrictionNewton::Trial
   FrictionNewton::trial(const ContactProblem &problem,
                         const Iterate        &at,
@@ -154,6 +175,10 @@ namespace lamella
 
   // ---- a step
 
+  // Slip, linearized with e = z_t / |z_t| and k = b / |z_t| < 1. Along e the
+  // shear force follows mu lambda_n; across e the projection has the stiffness
+  //   w = k rho / (1 - k + k rho d),
+  // so the row adds (mu / d) B_e^T B_n + w B_x^T B_x to the matrix, x across e.
   void
   FrictionNewton::linearize_slip(const unsigned int r,
                                  const Iterate     &at,
@@ -186,6 +211,8 @@ namespace lamella
 
 
 
+  // Closed rows have v = 0 with the compliance d: B_n^T B_n / d, and for
+  // sticking rows B_t^T B_t / d.
   void
   FrictionNewton::linearize(const unsigned int r,
                             const Iterate     &at,
@@ -207,6 +234,8 @@ namespace lamella
 
 
 
+  // Newton system (K + K^p) du = B^T (lambda + change - lambda_state) - K du_k.
+  // New forces follow from the linearized law, force -= weight B_on du.
   FrictionNewton::Iterate
   FrictionNewton::step(const ContactProblem &problem,
                        const Iterate        &at,
@@ -253,6 +282,7 @@ namespace lamella
 
   // ---- how good it is
 
+  // Residual of the natural map, lambda - P(z): the force itself if open.
   Tensor<1, 3>
   FrictionNewton::missed(const unsigned int r,
                          const Iterate     &at,
@@ -270,6 +300,8 @@ namespace lamella
 
 
 
+  // Line search: the least norm of the natural map with one rho for all rows,
+  // among full, half, quarter and tenth of the step.
   FrictionNewton::Iterate
   FrictionNewton::shortened(const ContactProblem &problem,
                             const Iterate        &from,
@@ -301,6 +333,8 @@ namespace lamella
 
 
 
+  // Convergence test per row, in forces; for slip the bound is rho times the
+  // rounding of slips.
   Round
   FrictionNewton::violating_rows(const Iterate &at,
                                  const Trial   &trial,
@@ -328,6 +362,7 @@ namespace lamella
 
 
 
+  // Collects forces and directions of slip.
   ContactSolution
   FrictionNewton::solution(const ContactProblem &problem,
                            Iterate               at,
@@ -354,7 +389,7 @@ namespace lamella
           for (const BodyFunctional &part : rows[r].parts)
             moved[part.body] = true;
       }
-    // Where forces came and went displacements have but the rounding of both.
+    // Bodies without a change of forces have only rounding in du.
     for (unsigned int b = 0; b < moved.size(); ++b)
       if (!moved[b])
         at.du.block(b) = 0.;

@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <set>
 
+// Coulomb friction in one load step: backward Euler for the slip (implicit
+// return mapping; Wriggers, Computational Contact Mechanics, Springer 2006, Ch.
+// 10), with slips relative to the end of the previous step. Forces are scene
+// vectors in the state, and components (n, t_1, t_2) in problems.
+// Dissipation per step: mu (lambda_n,0 + lambda_n,1) / 2 |v|, nonnegative.
 namespace lamella
 {
   using namespace dealii;
@@ -24,6 +29,8 @@ namespace lamella
 
 
 
+  // v = s(u) + a lambda_t - s_0: the elastic part of the slip of a penalty law
+  // does not dissipate.
   Tensor<1, 2>
   slip_in_step(const GapConstraint &row,
                const unsigned int   r,
@@ -38,6 +45,7 @@ namespace lamella
 
 
 
+  // Slips without the elastic part: the strategy adds a lambda_t itself.
   void
   add_friction(const GapConstraints &rows,
                const State          &state,
@@ -57,6 +65,7 @@ namespace lamella
 
 
 
+  // Shear forces and directions are stored as scene vectors, without a frame.
   void
   store_forces(const GapConstraints  &rows,
                const ContactSolution &found,
@@ -77,6 +86,8 @@ namespace lamella
 
 
 
+  // A sticking row has equations for its gap and both slips, a slipping one for
+  // its gap only, with the force direction n + mu e.
   ActiveConstraints
   active_equations(const GapConstraints &rows, const State &state)
   {
@@ -97,6 +108,7 @@ namespace lamella
 
 
 
+  // The shear force of a slipping row is mu lambda_n e after the update.
   void
   add_forces(const GapConstraints    &rows,
              const ActiveConstraints &closed,
@@ -118,6 +130,7 @@ namespace lamella
 
 
 
+  // Slip along -e, with the direction e of the shear force: v + |v| e = 0.
   double
   friction_error(const GapConstraint &row,
                  const unsigned int   r,
@@ -133,7 +146,8 @@ namespace lamella
 
   namespace
   {
-    /// Mean normal force of row @p r between @p before and @p state.
+    /// Returns the mean normal force of row @p r between @p before and @p state
+    /// (trapezoidal rule).
     double
     mean_force(const State &before, const State &state, const unsigned int r)
     {
@@ -143,8 +157,8 @@ namespace lamella
 
 
 
-    /// Adds to what @p now remembers of row @p r what the step has @p slid, and
-    /// dissipated under the @p mean force; the latter is returned.
+    /// Adds the slip @p slid of row @p r and its dissipation mu lambda_n |v|
+    /// under the @p mean force to @p now; returns the dissipation.
     double
     add_loss(const GapConstraint &row,
              const unsigned int   r,
@@ -162,6 +176,8 @@ namespace lamella
 
 
 
+  // Energy balance of the step by the trapezoidal rule: the defect path_gap is
+  // the contact work less dissipation, of second order in the step.
   void
   end_step(const GapConstraints &rows,
            const State          &before,
@@ -196,6 +212,8 @@ namespace lamella
 
 
 
+  // Moving rows measure slips from the beginning of a step, so only the elastic
+  // slip a lambda_t is carried over.
   void
   end_moved_step(const GapConstraints &rows,
                  const State          &before,
@@ -207,8 +225,9 @@ namespace lamella
       pressed.insert(rows.contact_of_row(r).first);
     for (unsigned int r = 0; r < state.friction.shear.size(); ++r)
       {
-        // Where what touches wanders points that it leaves have rubbed, too;
-        // a contact that opens has been through the air for the most part.
+        // Points that a moving contact zone leaves have slipped, too; in a
+        // contact that opens, most of the relative displacement is without
+        // contact.
         const double mean  = mean_force(before, state, r);
         const bool   slips = state.friction.direction[r].norm() > 0. ||
                            (state.force[r] == 0. && mean > 0. &&

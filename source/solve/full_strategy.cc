@@ -8,6 +8,17 @@
 #include <cmath>
 #include <set>
 
+// Newton's method on displacements and forces of the whole scene with the
+// penalty matrix K + K^p (Eqs. 22 and 23 of the paper): the semi-smooth Newton
+// or primal-dual active set method (Hintermueller, Ito and Kunisch, SIAM J.
+// Optim. 13 (2002) 865-888). Each round of solve():
+// 1. step(): one Newton step on the current active set;
+// 2. overlaps(): d lambda - (g + a lambda) of every row at the new iterate;
+// 3. next_active_set(): drop tensile rows, add the worst penetrating ones;
+// 4. if a set returns, energy_minimum() cuts the step (exact line search).
+//
+// The complementarity conditions are written as lambda = max(0, lambda - (g + a
+// lambda) / d); its generalized derivative is 1 on the active set, 0 elsewhere.
 namespace lamella
 {
   namespace
@@ -48,6 +59,8 @@ namespace lamella
 
 
 
+  // (K + K^p) du = r_u + B^T D^-1 r_lambda, dlambda = D^-1 (r_lambda - B du),
+  // with D = diag(d) and, for slipping rows, the term mu e B_t^T D^-1 B_n.
   void
   FullStrategy::solve(const ActiveConstraints &closed,
                       const BlockVector       &r_u,
@@ -89,6 +102,7 @@ namespace lamella
 
   // ---- Newton's method
 
+  // A set that is visited twice indicates a cycle of the active set.
   ContactSolution
   FullStrategy::solve(const ContactProblem &problem, const Monitor &monitor)
   {
@@ -98,7 +112,7 @@ namespace lamella
                             numerical_compliance,
                             matrix)
         .solve(problem, monitor);
-    // Of the displacements: what one solution with K + K^p is accurate to.
+    // Relative accuracy of one solution with K + K^p.
     constexpr double accurate = arithmetic::rounding_of_solutions;
 
     Iterate at = begin(problem);
@@ -126,6 +140,7 @@ namespace lamella
 
 
 
+  // Starts from the multiplier estimates of the rows expected to be active.
   FullStrategy::Iterate
   FullStrategy::begin(const ContactProblem &problem) const
   {
@@ -140,6 +155,8 @@ namespace lamella
 
 
 
+  // Both residuals are evaluated at the iterate, K du from strains, so that the
+  // rounding of the factor does not accumulate over the rounds.
   double
   FullStrategy::step(const ContactProblem &problem, Iterate &at)
   {
@@ -171,6 +188,8 @@ namespace lamella
 
 
 
+  // Complementarity function d lambda - (g + a lambda): positive in active
+  // rows.
   std::vector<double>
   FullStrategy::overlaps(const ContactProblem &problem, const Iterate &at) const
   {
@@ -188,8 +207,8 @@ namespace lamella
   bool
   FullStrategy::stays_active(const Iterate &at, const unsigned int row)
   {
-    // Its own unknown tells the sign of the force to rounding; the gap of a
-    // hard row, of which the law makes the same force, does not.
+    // The multiplier has the sign of the force up to rounding. The gap of a
+    // hard penalty, from which the law gives the same force, has not.
     return contains_row(at.active, row) && at.force[row] >= 0.;
   }
 
@@ -213,12 +232,15 @@ namespace lamella
 
 
 
+  // Active set of the next step: max(0, .) of the complementarity function,
+  // with a limit on the number of rows that join.
   std::vector<unsigned int>
   FullStrategy::next_active_set(const Iterate             &at,
                                 const std::vector<double> &overlap,
                                 const double               closed)
   {
-    // Worst penetrations first: fastest if few rows of many stay active.
+    // Activating the worst penetrations first takes the fewest rounds if few of
+    // many rows stay active.
     constexpr std::size_t                        few = 8;
     std::vector<unsigned int>                    next;
     std::vector<std::pair<double, unsigned int>> closing;
@@ -237,6 +259,7 @@ namespace lamella
 
 
 
+  // Displacements are interpolated; forces follow from the law.
   FullStrategy::Iterate
   FullStrategy::interpolate_iterate(const ContactProblem &problem,
                                     const Iterate        &from,
@@ -259,6 +282,8 @@ namespace lamella
 
 
 
+  // The energy along the step is convex and piecewise quadratic. Bisection on
+  // its slope, the work of the unbalanced forces over the step.
   FullStrategy::Iterate
   FullStrategy::energy_minimum(const ContactProblem &problem,
                                const Iterate        &from,
@@ -269,8 +294,7 @@ namespace lamella
 
     BlockVector way = to.du;
     way -= from.du;
-    // What is out of balance does this work on the way, per unit of it: less
-    // and less, and zero where the way leads no further down.
+    // Slope of the energy, with changed sign; monotonically decreasing in t.
     const auto work = [&](const double t) {
       const Iterate at  = interpolate_iterate(problem, from, to, t);
       double        sum = -(at.K_du * way);

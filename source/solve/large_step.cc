@@ -7,6 +7,9 @@
 
 #include <algorithm>
 
+// A load step at finite rotations: Newton::advance() from the previous state,
+// then checks in the current configuration. Results of a restart are bitwise
+// equal, since the pairing is part of the state (ContactHistory).
 namespace lamella
 {
   using dealii::TimerOutput;
@@ -41,17 +44,19 @@ namespace lamella
     {
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
       const Equilibrium  start = make_start(before, from, to);
-      // Rows are those of no state until it ends.
+      // Rows belong to no state during the iterations.
       reached         = BlockVector();
       Equilibrium end = newton.advance(start, to);
       solved.state    = std::move(end.state);
       reached         = solved.state.u;
-      // Newton's iterations end at rounding of the way that they have come.
+      // The iterations end at the rounding of the largest displacement on the
+      // way.
       constexpr double digits = 100.;
       for (unsigned int b = 0; b < solved.state.u.n_blocks(); ++b)
         {
           double size = digits * solved.state.u.block(b).linfty_norm();
-          // What has carried one body along has pressed on others.
+          // Forces between bodies have the rounding of the moved body's
+          // displacement.
           size = std::max(size, end.rounding / arithmetic::rounding);
           solved.state.free_sizes.push_back(
             before.free_sizes.empty() ? size :
@@ -66,6 +71,7 @@ namespace lamella
 
 
 
+  // Restores the pairings of another run, which its state contains.
   void
   LargeStep::resume_from(const State &last, const LoadFactor &factor)
   {
@@ -75,6 +81,8 @@ namespace lamella
 
 
 
+  // A state from another path (a branch or a bisection) first restores the
+  // contacts, whose rows belong to the last state reached.
   Equilibrium
   LargeStep::make_start(const State      &before,
                         const LoadFactor &from,
@@ -94,6 +102,8 @@ namespace lamella
 
 
 
+  // Equilibrium, energy and contact law at current positions, then the supports
+  // that no correction follows (check_followed()).
   Checks
   LargeStep::check(const State &state, const LoadFactor &factor, const bool)
   {

@@ -9,6 +9,15 @@
 #include <algorithm>
 #include <cmath>
 
+// Newton-Raphson iteration in load increments with bisection (Crisfield,
+// Non-linear Finite Element Analysis of Solids and Structures 1, Wiley 1991,
+// Ch. 9; Wriggers, Nonlinear Finite Element Methods, Springer 2008, Ch. 5).
+//   advance()  divides the increment and bisects it after a failure,
+//   attempt()  tries one part with predicted and with actual stresses,
+//   step()     iterates until equilibrium, contact law and pairing hold,
+//   correct()  solves one linearized contact problem (newton_iteration.cc).
+// Residuals are G^T (f + B^T lambda - f_int), from strains at quadrature
+// points.
 namespace lamella
 {
   namespace
@@ -18,7 +27,8 @@ namespace lamella
 
 
 
-    /// Forces of body @p b by rounding errors of the displacements @p u.
+    /// Rounding error of the forces of the body @p b: its largest stiffness
+    /// times the rounding error of the displacements @p u.
     double
     rounding_of_forces(const TangentOperator &here,
                        const BlockVector     &u,
@@ -91,6 +101,9 @@ namespace lamella
 
 
 
+  // Relative residual |G^T r| / max(|f_int - B^T lambda|, |f|), Euclidean
+  // norms, and the violation of the contact law. Residuals below the rounding
+  // of the initial forces count as zero.
   bool
   Newton::measure(const TangentOperator &here,
                   const BlockVector     &r,
@@ -104,15 +117,17 @@ namespace lamella
     internal -= r;
     const BlockVector left = condensed(here, r);
     const double      norm = left.l2_norm();
-    // From rest, where nothing but an obstacle moves, there was nothing.
+    // A step that begins without any force, with a moving obstacle only, takes
+    // the first residual as reference.
     if (began == 0.)
       began = norm;
-    // Of nothing there is no share.
+    // NaN if internal forces and loads vanish, which is above any tolerance.
     const double share = norm / std::max(internal.l2_norm(), load.l2_norm());
     at.residual =
       norm <= parameters.nothing * began &&
           !(share <= parameters.force_tolerance) &&
-          // What springs alone hold one body with is no rounding of another.
+          // Small forces of stabilizing springs on one body may exceed the
+          // rounding on another: each body is tested on its own.
           (!structure.has_springs() || is_rounding(here, left, at.state.u)) ?
         0. :
         share;
@@ -123,7 +138,7 @@ namespace lamella
                 "" :
                 ", " + std::to_string(at.state.active.size()) +
                   " rows active, gaps off by " + to_text(at.law_error, 2)));
-    // Written so that what is not a number is beyond all bounds.
+    // The comparison is false for NaN, which counts as divergence.
     return norm <= parameters.divergence_ratio * began;
   }
 
@@ -147,11 +162,13 @@ namespace lamella
 
 
 
+  // Three criteria: the force tolerance; stagnation of the residual below the
+  // rounding of slender bodies; a negligible correction near equilibrium.
   bool
   Newton::is_equilibrium(const ResidualHistory &unbalanced,
                          const double           change) const
   {
-    // Forces that are nothing tell nothing of how far it is.
+    // If all forces vanish, convergence is judged by the correction.
     if (unbalanced.now == 0.)
       return change <= parameters.negligible_correction * structure.size();
     return unbalanced.now <= parameters.force_tolerance ||
@@ -187,6 +204,7 @@ namespace lamella
 
 
 
+  // Tolerance by displacement and size of the scene, or stagnation.
   bool
   Newton::satisfies_contact_law(const ResidualHistory &missed,
                                 const double           size) const
@@ -199,6 +217,7 @@ namespace lamella
 
 
 
+  // Maximum norm in lengths: amplitudes of warping are scaled by their fields.
   double
   Newton::length_of(const BlockVector &u) const
   {
@@ -215,6 +234,8 @@ namespace lamella
 
 
 
+  // Trust region of rotations: the correction of a body is scaled so that no
+  // rotation increment exceeds the limit.
   void
   Newton::shorten(BlockVector &change) const
   {
@@ -227,6 +248,8 @@ namespace lamella
 
 
 
+  // Linear predictor of the supports: the motion u_p of
+  // the increment enters the first residual as the forces -K u_p.
   Newton::StepStart
   Newton::step_start(const LoadFactor &to, const Equilibrium &at) const
   {
@@ -236,14 +259,15 @@ namespace lamella
     result.r     = unbalanced(at.state, to);
     if (result.moved.l2_norm() > 0.)
       result.r -= here.apply(result.moved);
-    // An obstacle that moves leaves the start in equilibrium.
+    // With a moving obstacle only, r vanishes; loads and internal forces then
+    // give the reference force.
     const BlockVector load = structure.load(to, at.state.u),
                       internal =
                         structure.internal_forces(at.state.u, at.state.rest);
     result.size =
       std::max({result.r.l2_norm(), load.l2_norm(), internal.l2_norm()});
-    // Where nothing touches yet there may be nothing but what bodies that were
-    // carried along have of rounding, and what they have pressed others by.
+    // Without active contact and loads, internal forces of moved bodies are
+    // rounding: they give no reference force.
     double rounding = 0.;
     if (!contacts.none() && at.state.active.empty() && load.l2_norm() == 0.)
       for (unsigned int b = 0; b < internal.n_blocks(); ++b)
@@ -269,6 +293,12 @@ namespace lamella
 
 
 
+  // One load increment. In each iteration k:
+  // 1. correct() solves the linearized contact problem about u_k;
+  // 2. contacts move to u_(k+1), and the residual is evaluated there;
+  // 3. supports that rotate get the remaining first-order increment;
+  // 4. after convergence, surfaces in contact without a row are paired anew,
+  //    otherwise the tangent is checked for stability.
   bool
   Newton::step(const LoadFactor         &to,
                const MultiplierTransfer &transfer,
@@ -285,8 +315,8 @@ namespace lamella
     for (unsigned int k = 0; k < parameters.max_iterations; ++k)
       {
         ++state.iterations;
-        // What it is to warm by strains it free of stress for the most part,
-        // which the tangent of the start knows nothing of.
+        // Thermal strains of the increment are mostly free of stress, so the
+        // first tangent uses the previous heat factor.
         last = correct(r,
                        moved,
                        predicted ? last.du : BlockVector(),
@@ -298,7 +328,7 @@ namespace lamella
         r = unbalanced(state, to);
         if (!measure(here, r, to, began, at))
           return false;
-        // Rows that turn miss their places by what they have turned.
+        // Rotating rows are off their prescribed values by second-order terms.
         moved = here.support_increment(to, to);
         forces.add(at.residual);
         gaps.add(at.law_error);
@@ -321,7 +351,8 @@ namespace lamella
             if (++pairings > parameters.max_pairings)
               return false;
             r = unbalanced(state, to);
-            // Bodies that come to touch on the way begin to bear forces.
+            // New pairs carry their first forces: the reference residual is
+            // reset.
             began = 0.;
           }
         if (moved.l2_norm() > 0.)
@@ -344,6 +375,7 @@ namespace lamella
 
 
 
+  // A failed attempt restores the state and the contact forces of the start.
   bool
   Newton::attempt(const LoadFactor &to, Equilibrium &at)
   {
@@ -367,7 +399,7 @@ namespace lamella
             last_failure = error.what();
             progress(last_failure);
           }
-        // The loss of a contact explains the failure better.
+        // A lost contact is the cause of the failures that follow.
         if (!contacts.reason_of_loss().empty())
           lost_contact = contacts.reason_of_loss();
         back();
@@ -405,13 +437,15 @@ namespace lamella
 
 
 
+  // Automatic step division: halve after a failure, continue with the reduced
+  // fraction after a success (Crisfield, Sec. 9.5).
   Equilibrium
   Newton::advance(const Equilibrium &start, const LoadFactor &to)
   {
     Equilibrium at      = start;
     at.state.iterations = at.cuts = 0;
     last_failure.clear();
-    // How far it is, and how far the next step is to go.
+    // Completed fraction of the increment, and fraction of the next step.
     double done = 0., way = 1.;
     while (way * largest_rotation(start.factor, to) > parameters.rotation)
       way /= 2.;

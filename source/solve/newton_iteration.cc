@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// An iteration of Newton's method: the tangent, the contact problem on it, and
-// what rows turn by.
+// One iteration of Newton's method with contact. About the state u:
+// 1. factorize the tangent K (newton_springs.cc regularizes it if needed);
+// 2. du = K^-1 r + support motion, without a change of contact forces;
+// 3. solve the contact problem of the linearized gaps g + B du for forces and
+//    active set by static condensation (Wriggers, Computational Contact
+//    Mechanics, Springer 2006, Ch. 10; CondensedStrategy);
+// 4. correct du for the rotation of the normals, H = sum lambda Hess g, by
+//    GMRES preconditioned with the solution of step 3;
+// 5. update the state multiplicatively, u <- retract(u, du).
 
 #include <lamella/base/exceptions.h>
 #include <lamella/solve/contact_strategy.h>
@@ -30,7 +37,7 @@ namespace lamella
 
 
 
-    /// x - answer(x), as GMRES asks for it.
+    /// The operator 1 - A of GMRES, with A x = answer(x).
     struct WithRotatingConstraints
     {
       std::function<BlockVector(const BlockVector &)> answer;
@@ -45,6 +52,8 @@ namespace lamella
 
 
 
+  // The problem has total forces as multiplier estimates (method of
+  // multipliers, Simo and Laursen, Comput. Struct. 42 (1992) 97-116).
   ContactSolution
   Newton::solve_contact(ContactStrategy      &strategy,
                         const GapConstraints &rows,
@@ -76,6 +85,8 @@ namespace lamella
 
 
 
+  // H w by central differences of B^T lambda about u, with the truncation error
+  // of second order in a step relative to the size of the scene.
   BlockVector
   Newton::rotation_of_constraints(const State       &state,
                                   const BlockVector &u,
@@ -101,6 +112,10 @@ namespace lamella
 
 
 
+  // Fixed-point form x = du + A x with A = K_c^-1 (H + S), where K_c is the
+  // tangent with the active constraints fixed, solved by GMRES (Saad and
+  // Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869) only if A du is not
+  // negligible.
   BlockVector
   Newton::correct_row_rotation(ContactStrategy   &strategy,
                                const BlockVector &u,
@@ -111,7 +126,7 @@ namespace lamella
   {
     if (state.active.empty())
       return du;
-    // Those that slip push along with their normal force.
+    // Slipping rows have the force direction n + mu e.
     const ActiveConstraints closed = active_equations(contacts.rows(), state);
     const Vector            held(closed.numbers.size());
     Vector                  forces;
@@ -144,11 +159,12 @@ namespace lamella
           return du;
         }
     x += du;
-    // What no row holds without springs stays with them, until rows do.
+    // Motions that only springs restrain keep their spring forces.
     if (structure.has_springs() &&
         length_of(x) > parameters.max_spring_influence * length_of(du))
       return du;
-    // To first order; the next iteration says which rows are active.
+    // First-order update of the forces; the next iteration finds the active
+    // set.
     add_forces(contacts.rows(), closed, forces, state);
     for (const unsigned int row : state.active)
       if (state.force[row] < 0.)
@@ -162,6 +178,8 @@ namespace lamella
 
 
 
+  // The Cholesky factor of the tangent of the last correction proves a minimum
+  // of the energy; that of the end is formed only after a large correction.
   void
   Newton::check_stability(const BlockVector &before,
                           const Correction  &last,
@@ -202,7 +220,7 @@ namespace lamella
       {
         const GapConstraints rows = shift ? shift->rows() : contacts.rows();
         const auto strategy = make_strategy(Strategy::condensed, about, rows);
-        // Gaps are those of the tangent planes, whose states are sums.
+        // Gaps are linear in du, so states add up in the contact problem.
         if (shift)
           shift->remove_shift(sum_of(before, moved), to, state);
         state.u += du;
@@ -221,7 +239,7 @@ namespace lamella
       }
     shorten(du);
     state.u = structure.retract(before, du);
-    // In the tangent alone: nowhere they bear a force.
+    // Springs contribute to K only; their offsets remove the force.
     if (structure.has_springs())
       state.rest = structure.spring_lengths(state.u);
     return {std::move(du), shift != nullptr, unstable};

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What makes the tangent of Newton's method definite, and whether a state
-// stands without it.
+// Regularization of an indefinite tangent, and the stability of a state without
+// it. In turn: none; active constraints against obstacles
+// (ActiveConstraintShift); stabilizing springs times 10^2 to 10^5, as the
+// damping of Levenberg and Marquardt, the first that has a Cholesky factor.
 
 #include <lamella/base/exceptions.h>
 #include <lamella/solve/contact_strategy.h>
@@ -22,9 +24,8 @@ namespace lamella
 {
   namespace
   {
-    /// What is tried in turn until the tangent is definite: the share of the
-    /// penalty that leaning rows have, and by how much stabilizing springs are
-    /// regularization_factor than asked for.
+    /// A regularization to try: the share of the penalty that active
+    /// constraints take as springs, and the factor of the stabilizing springs.
     struct AidTrial
     {
       double shift = 0., regularization_factor = 1.;
@@ -35,7 +36,7 @@ namespace lamella
     std::vector<AidTrial>
     trials(const bool may_lean, const bool has_springs)
     {
-      // As little as makes it definite.
+      // By increasing strength.
       std::vector<AidTrial> all{{}};
       if (may_lean)
         all.insert(all.end(), {{1e-3, 1.}, {0.5, 1.}});
@@ -47,6 +48,7 @@ namespace lamella
 
 
     /// The stabilizing springs of all bodies, as many times as @p share.
+    /// Stiffness terms share * s_k r_k^T r_k, added to those of the structure.
     ActiveConstraintShift::Springs
     springs_of(const Structure &structure, const double share)
     {
@@ -60,14 +62,16 @@ namespace lamella
 
 
 
+  // The first regularization with a Cholesky factor is used; if all fail, the
+  // last exception is rethrown. Regularized K changes the path of the
+  // iteration, not its limit, since residuals are evaluated without it.
   TangentOperator
   Newton::tangent(const State       &state,
                   const BlockVector &correction,
                   const LoadFactor  &to,
                   Regularization    &regularization) const
   {
-    // A row that leans has a spring for its gap, and its slip would hang on
-    // what that bears.
+    // A shifted normal force would change the friction bound mu lambda_n.
     const bool         may_lean = !contacts.rows().has_friction();
     std::exception_ptr failure;
     for (const AidTrial &trial : trials(may_lean, structure.has_springs()))
@@ -102,6 +106,7 @@ namespace lamella
 
 
 
+  // S w = sum_k c s_k r_k^T (r_k w), c the regularization factor.
   void
   Newton::add_spring_forces(const double       regularization_factor,
                             const BlockVector &w,
@@ -117,7 +122,7 @@ namespace lamella
 
   namespace
   {
-    /// The root of k times r of each stabilizing spring, as a load.
+    /// The rows R of check_supports(): sqrt(k) r of each spring, as a load.
     std::vector<BlockVector>
     loads_of_springs(const Structure &structure,
                      const double     regularization_factor)
@@ -135,8 +140,7 @@ namespace lamella
 
 
 
-    /// The numbers of modes that make the energy of @p A, made symmetric,
-    /// least, and that energy: its first eigenpair.
+    /// Smallest eigenvalue of the symmetric part of @p A with its eigenvector.
     std::pair<double, Vector>
     least_of(const dealii::FullMatrix<double> &A)
     {
@@ -157,7 +161,8 @@ namespace lamella
 
 
 
-    /// What loads and contact forces of @p state at @p to are in all.
+    /// Norm of the loads plus the sum of the contact forces of @p state at @p
+    /// to.
     double
     size_of_forces(const Structure  &structure,
                    const State      &state,
@@ -171,8 +176,10 @@ namespace lamella
 
 
 
-    /// What each of @p loads moves bodies by about the state that @p about is
-    /// of, with the @p rows of @p state that bear a force held.
+    /// Displacements due to each of @p loads about the state of @p about, with
+    /// the active @p rows of @p state held.
+    /// Displacements K_c^-1 f with active constraints fixed (condensed
+    /// strategy).
     std::vector<BlockVector>
     answers(const TangentOperator          &about,
             const GapConstraints           &rows,
@@ -201,13 +208,16 @@ namespace lamella
 
 
 
+  // Energy criterion of Newton::check_supports(): second variation of the
+  // energy in the subspace V = C R^T of motions that only springs restrain; it
+  // is negative for an unstable equilibrium.
   bool
   Newton::check_supports(const State &state, const LoadFactor &to) const
   {
     const double pressing = size_of_forces(structure, state, to);
     if (contacts.rows().has_friction() || pressing == 0.)
       return false;
-    // What is carried along has rounding for stresses.
+    // Bodies without strain have rounding for stresses: nothing to check.
     const BlockVector internal = structure.internal_forces(state.u, state.rest);
     if (is_rounding(TangentOperator(structure, state.u), internal, state.u))
       return false;
@@ -231,6 +241,8 @@ namespace lamella
         for (unsigned int i = 0; i < modes.size(); ++i)
           energy(i, j) = G(i, j) - energy(i, j) - modes[i] * turned;
       }
+    // Smallest eigenvalue over the squared length of its motion, compared with
+    // the geometric stiffness of the contact forces, |forces| / size.
     const auto [least, share] = least_of(energy);
     BlockVector way           = structure.zero();
     for (unsigned int i = 0; i < modes.size(); ++i)

@@ -11,10 +11,20 @@
 #include <algorithm>
 #include <tuple>
 
+// Tangent stiffness K(u) of all bodies with prescribed displacements by exact
+// elimination: K_c = G^T (K + springs) G (RowReduction). For rotating rows, the
+// reduction is formed anew at the state, from the rows that are independent in
+// the undeformed body. Follower loads contribute their symmetric part to the
+// factor and their skew part by GMRES.
+//
+// Displacements are u = G v + u_p. The condensed residual G^T r vanishes in
+// equilibrium, while r in eliminated DoFs holds the reactions. Products K w are
+// evaluated from strains, solutions by the factor of the assembled matrix.
 namespace lamella
 {
   using dealii::Tensor;
 
+  // Rows of supports are formed at the state if any body has rotating rows.
   TangentOperator::TangentOperator(const Structure   &structure,
                                    const BlockVector &u,
                                    const LoadFactor  &factor)
@@ -31,6 +41,8 @@ namespace lamella
 
 
 
+  // Linearizes the prescribed rows at the state: row_at() gives the row r(u)
+  // and its current value, from which support_increment() takes the increment.
   void
   TangentOperator::move_supports()
   {
@@ -43,8 +55,8 @@ namespace lamella
         moved_reductions.push_back(nullptr);
         if (!bodies[b]->constraints_rotate())
           continue;
-        // Rows that depend on others at rest hold no more where these have
-        // turned: what little is left of them then would hold warpings.
+        // Rows that depend on others in the undeformed body stay omitted: their
+        // small second-order remainder would constrain warpings.
         std::vector<PrescribedFunctional> held = moved_rows;
         for (PrescribedFunctional &row : held)
           row.row.body = dealii::numbers::invalid_unsigned_int;
@@ -54,9 +66,11 @@ namespace lamella
             std::tie(moved_rows[k], measured[k]) =
               row_at(moved_rows[k], *bodies[b], state.block(b));
             held[k] = moved_rows[k];
-            // What they are to measure, support_increment() says.
+            // support_increment() sets the values.
             held[k].value = 0.;
           }
+        // Elimination of the rows at the state, without contradictions as
+        // values are 0.
         moved_reductions.back() =
           std::make_unique<RowReduction>(*bodies[b], b, held, names);
       }
@@ -64,6 +78,7 @@ namespace lamella
 
 
 
+  // G^T r: adds the entries of eliminated DoFs to those that they depend on.
   void
   TangentOperator::condense(BlockVector &r) const
   {
@@ -76,6 +91,8 @@ namespace lamella
 
 
 
+  // First-order increment of the supports, value(s) - current value + (t - s) d
+  // value/ds, in the eliminated DoFs (RowReduction::influence()).
   BlockVector
   TangentOperator::support_increment(const LoadFactor &from,
                                      const LoadFactor &to) const
@@ -102,7 +119,8 @@ namespace lamella
 
   namespace
   {
-    /// @p u of the DoFs that are in no rigid motion of @p body.
+    /// Returns the part of @p u in DoFs without rigid motions of @p body:
+    /// warpings.
     Vector
     warpings_in(const Body &body, const Vector &u)
     {
@@ -116,8 +134,8 @@ namespace lamella
 
 
 
-    /// What turning them with the section does to the displacement that the
-    /// @p warpings of @p u are at @p location, |(R - 1) Phi a|.
+    /// Returns |(R - 1) Phi a|, the effect of the section's rotation on the
+    /// displacement of @p warpings of @p u at @p location.
     double
     rotated_warping_error(const Body     &body,
                           const Location &location,
@@ -134,8 +152,10 @@ namespace lamella
 
 
 
-    /// largest_support_error() of body number @p b, whose state is @p u, in a
-    /// structure of the size @p size.
+    /// Returns largest_support_error() of the body number @p b in the state @p
+    /// u, in a structure of the size @p size.
+    /// Largest deviation from prescribed positions over the tolerance, ten
+    /// times the effect of rotated warping (plus the tolerance of positions).
     TangentOperator::SupportError
     support_error_of(const Body                              &body,
                      const unsigned int                       b,
@@ -145,7 +165,8 @@ namespace lamella
                      const LoadFactor                        &at,
                      const double                             size)
     {
-      // Rows that depend on others are combinations of these.
+      // Dependent rows are combinations of the others, with factors of order
+      // ten.
       constexpr double combined     = 10.;
       const Vector     warpings     = warpings_in(body, u);
       double           second_order = 0., off = 0.;
@@ -172,6 +193,7 @@ namespace lamella
 
 
 
+  // Rows that the reduction has omitted as dependent are checked, not enforced.
   TangentOperator::SupportError
   TangentOperator::largest_support_error(const LoadFactor &at) const
   {
@@ -198,7 +220,7 @@ namespace lamella
 
   namespace
   {
-    /// What @p monitor is to be told of the making of the solver of @p body.
+    /// Returns the callbacks of @p monitor for the solver of @p body.
     SolverMonitor
     of_body(const Body &body, const TangentOperator::BodyMonitor &monitor)
     {
@@ -255,6 +277,8 @@ namespace lamella
 
 
 
+  // Terms of internal forces, springs and follower loads in one matrix, with
+  // the Cholesky factor as the test for positive definiteness.
   std::unique_ptr<LinearSolver>
   TangentOperator::make_solver(const unsigned int             body,
                                const SolverKind               requested,
@@ -279,6 +303,7 @@ namespace lamella
 
 
 
+  // Terms without follower loads and without prediction of stresses.
   StiffnessTerms
   TangentOperator::terms(const unsigned int body) const
   {
@@ -288,6 +313,8 @@ namespace lamella
 
 
 
+  // K w from the derivative of the strains at the quadrature points, which
+  // keeps the digits that an assembled matrix loses for slender bodies.
   BlockVector
   TangentOperator::apply(const BlockVector &w) const
   {
@@ -315,6 +342,7 @@ namespace lamella
 
 
 
+  // A w = -(df/du w) - (symmetric part) w of the follower loads.
   BlockVector
   TangentOperator::unsymmetric_part(const BlockVector &w) const
   {
@@ -331,6 +359,9 @@ namespace lamella
 
 
 
+  // Left-preconditioned GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7
+  // (1986) 856-869) for (1 + K^-1 A) x = K^-1 r. Without convergence, the
+  // solution of the symmetric part is returned.
   BlockVector
   TangentOperator::solve(BlockVector r) const
   {
@@ -365,6 +396,7 @@ namespace lamella
 
 
 
+  // u = G (G^T K G)^-1 G^T r, body by body.
   BlockVector
   TangentOperator::solve_symmetric(BlockVector r) const
   {
@@ -379,6 +411,7 @@ namespace lamella
 
 
 
+  // Bound of the rounding of forces for given displacements (Newton, checks).
   double
   TangentOperator::largest_stiffness(const unsigned int body) const
   {
