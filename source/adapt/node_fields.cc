@@ -50,6 +50,9 @@ namespace lamella
 
 
 
+    using InteractionsBySection =
+      std::map<std::pair<std::string, Theory>, std::vector<InteractionsOfBody>>;
+
     /// The groups that each node of @p beam is near.
     std::vector<std::set<unsigned int>>
     near_groups(const Beam               &beam,
@@ -418,20 +421,6 @@ namespace lamella
 
 
 
-    /// Interval along body @p body in which stresses are requested.
-    std::vector<std::pair<double, double>>
-    requested_ranges(const unsigned int              body,
-                     const std::vector<StressRange> &requested)
-    {
-      std::vector<std::pair<double, double>> places;
-      for (const StressRange &place : requested)
-        if (place.body == body)
-          places.emplace_back(place.begin, place.end);
-      return places;
-    }
-
-
-
     /// What of the scene is on @p beam, which is the body number @p b.
     InteractionsOfBody
     interactions_of_body(const Beam                          &beam,
@@ -475,8 +464,7 @@ namespace lamella
                 std::vector<std::string>            *why)
   {
     const std::vector<const Beam *> beams = beams_of(bodies);
-    std::map<std::pair<std::string, Theory>, std::vector<InteractionsOfBody>>
-      loaded;
+    InteractionsBySection           loaded;
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       if (descriptions[b].theory.is_saint_venant())
         loaded[{descriptions[b].section, descriptions[b].theory}].push_back(

@@ -326,28 +326,21 @@ namespace lamella
     {
       const MeshSurface              &mesh = *sides.master_mesh;
       const std::vector<unsigned int> own{search.facet};
-      const auto on_own = find_master_point(SurfacePart(mesh, own),
-                                            point.position,
-                                            point.normal,
-                                            search_radius,
-                                            opposed);
+      const auto find = [&](const MasterSurface &on, const double radius) {
+        return find_master_point(
+          on, point.position, point.normal, radius, opposed);
+      };
+      const auto on_own = find(SurfacePart(mesh, own), search_radius);
       // At the edge of a curved facet, the neighbor's segment may begin
       // slightly before or after the facet, or be an omitted sliver.
       if (!on_own)
         {
           const auto beside =
-            find_master_point(SurfacePart(mesh, search.candidates),
-                              point.position,
-                              point.normal,
-                              search_radius,
-                              opposed);
-          return beside ? beside :
-                          find_master_point(mesh,
-                                            point.position,
-                                            point.normal,
-                                            std::min(search_radius,
-                                                     2. * sides.search_radius),
-                                            opposed);
+            find(SurfacePart(mesh, search.candidates), search_radius);
+          return beside ?
+                   beside :
+                   find(mesh,
+                        std::min(search_radius, 2. * sides.search_radius));
         }
       if (search.layered)
         {

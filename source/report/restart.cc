@@ -182,6 +182,40 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Returns why the run in @p directory cannot go on as @p scene; empty if
+    /// it can.
+    std::string
+    reason_not_to_resume(const Restart     &restart,
+                         const std::string &directory,
+                         const std::string &scene)
+    {
+      if (restart.version != version())
+        return "report.restart-version: the run is of version " +
+               restart.version + " of Lamella, this is " + version() +
+               ". Run the scene from the start, without --resume.";
+      if (restart.scene.size() > scene.size() &&
+          restart.scene.compare(0, scene.size(), scene) == 0)
+        return "report.restart-revised: the run has changed the axis or the "
+               "contacts of its scene, as the end of " +
+               directory +
+               "/scene.prm says, and cannot be resumed. Run the scene from the "
+               "start, without --resume.";
+      if (restart.scene != scene)
+        return "report.restart-of-other-scene: the run is of another scene, "
+               "which is in " +
+               directory +
+               "/scene.prm. Give that scene, or leave out --resume.";
+      return restart.finished ?
+               "report.restart-finished: the run is finished. Leave out "
+               "--resume to run it anew." :
+               "";
+    }
+  } // namespace
+
+
+
   Restart
   read_restart(const std::string &directory, const std::string &scene)
   {
@@ -204,27 +238,9 @@ namespace lamella
           "report.restart-damaged: its file 'restart' is damaged, or of "
           "another program. Run the scene from the start, without --resume.");
       }
-    if (restart.version != version())
-      fail("report.restart-version: the run is of version " + restart.version +
-           " of Lamella, this is " + version() +
-           ". Run the scene from the start, without --resume.");
-    if (restart.scene.size() > scene.size() &&
-        restart.scene.compare(0, scene.size(), scene) == 0)
-      fail(
-        "report.restart-revised: the run has changed the axis or the contacts "
-        "of its scene, as the end of " +
-        directory +
-        "/scene.prm says, and cannot be resumed. Run the scene from the start, "
-        "without --resume.");
-    if (restart.scene != scene)
-      fail(
-        "report.restart-of-other-scene: the run is of another scene, which is "
-        "in " +
-        directory + "/scene.prm. Give that scene, or leave out --resume.");
-    if (restart.finished)
-      fail(
-        "report.restart-finished: the run is finished. Leave out --resume to "
-        "run it anew.");
+    const std::string reason = reason_not_to_resume(restart, directory, scene);
+    if (!reason.empty())
+      fail(reason);
     return restart;
   }
 } // namespace lamella

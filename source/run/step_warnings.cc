@@ -110,20 +110,18 @@ namespace lamella
                          const StepResults &sampled) const
   {
     const std::vector<ContactInterface> &contacts = built.interfaces();
-    std::vector<std::string>             warnings =
-      warnings_of(solved.state, solved.checks, contacts);
-    const auto add = [&warnings](const std::vector<std::string> &more) {
+    auto       warnings = warnings_of(solved.state, solved.checks, contacts);
+    const auto add      = [&warnings](const std::vector<std::string> &more) {
       warnings.insert(warnings.end(), more.begin(), more.end());
     };
+    const bool is_linear = !structure.has_finite_rotations(),
+               is_last   = sampled.step == scene.solve.load_factors.size();
     add(warnings_of(solved.checks.beyond, structure));
     if (scene.solve.computes_estimates)
-      add(built.plausibility().plausibility_warnings(
-        solved.state.u,
-        solved.checks,
-        sampled.step == scene.solve.load_factors.size()));
-    for (unsigned int k = 0;
-         k < contacts.size() && !structure.has_finite_rotations();
-         ++k)
+      add(built.plausibility().plausibility_warnings(solved.state.u,
+                                                     solved.checks,
+                                                     is_last));
+    for (unsigned int k = 0; k < contacts.size() && is_linear; ++k)
       add(assumption_warnings(contacts[k],
                               structure.bodies(),
                               solved.state.u,
@@ -142,10 +140,10 @@ namespace lamella
         "factors between");
     add(warnings_of_defects(sampled.defects));
     if (built.strength() != nullptr)
-      if (const std::string doubt = worst_reserve_warning(
+      if (const std::string found = worst_reserve_warning(
             sampled.plies, scene.supports, scene.loads, structure.bodies());
-          !doubt.empty())
-        warnings.push_back(doubt);
+          !found.empty())
+        warnings.push_back(found);
     return warnings;
   }
 

@@ -201,6 +201,37 @@ namespace lamella
 
 
 
+  namespace
+  {
+    void
+    check_no_budget(const Entries &in)
+    {
+      for (const char *budget : {"Budget DoFs", "Budget seconds"})
+        if (in[budget].number() > 0.)
+          in[budget].refuse("scene.budget-without-tolerance: a budget limits a "
+                            "run to a Tolerance, and there is none",
+                            "Give one, or leave out the budget.");
+    }
+
+
+
+    void
+    check_tolerance(const Entries &in, const GoalParameters &goals)
+    {
+      if (goals.bars == ErrorBars::never)
+        in["Error bars"].refuse("scene.tolerance-without-bars: a Tolerance "
+                                "cannot be reached without error bars",
+                                "Leave it at auto.");
+      if (goals.quantities.empty() && goals.probes_as_goals.empty())
+        in["Tolerance"].refuse(
+          "scene.no-goals: the Tolerance applies to no quantity: the scene has "
+          "neither probes nor References of supports and contacts",
+          "Add a probe, or name Quantities.");
+    }
+  } // namespace
+
+
+
   GoalParameters
   GoalParameters::parse(const Entries                    &in,
                         const QuantityNames              &names,
@@ -222,24 +253,10 @@ namespace lamella
     goals.budget_dofs    = parse_budget(in["Budget DoFs"], 1e9);
     goals.budget_seconds = parse_budget(in["Budget seconds"], 1e9);
     if (goals.tolerances.empty())
-      {
-        for (const char *budget : {"Budget DoFs", "Budget seconds"})
-          if (in[budget].number() > 0.)
-            in[budget].refuse("scene.budget-without-tolerance: a budget limits "
-                              "a run to a Tolerance, and there is none",
-                              "Give one, or leave out the budget.");
-      }
+      check_no_budget(in);
     else
       {
-        if (goals.bars == ErrorBars::never)
-          in["Error bars"].refuse("scene.tolerance-without-bars: a Tolerance "
-                                  "cannot be reached without error bars",
-                                  "Leave it at auto.");
-        if (goals.quantities.empty() && goals.probes_as_goals.empty())
-          in["Tolerance"].refuse(
-            "scene.no-goals: the Tolerance applies to no quantity: the scene "
-            "has neither probes nor References of supports and contacts",
-            "Add a probe, or name Quantities.");
+        check_tolerance(in, goals);
         if (goals.bars == ErrorBars::automatic)
           goals.bars = ErrorBars::always;
       }

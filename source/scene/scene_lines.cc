@@ -265,4 +265,26 @@ namespace lamella
       }
     inside.check_end(file);
   }
+
+
+
+  std::string
+  new_name(const std::string &path)
+  {
+    constexpr const char *renamed[][3] = {
+      {"Body", "Hold", "Isostatic support"},
+      {"Body", "Stabilisation", "Stabilization"},
+      {"Contact", "Discretisation", "Discretization"},
+      {"Contact", "Points on", "Slave side"},
+      {"Measure", "Of", "Difference"},
+      {"Measure", "Over", "Divided by"},
+      {"Section", "Fibre angle", "Fiber angle"},
+      {"Strength", "Leave out", "Excluded boxes"},
+      {"Trade", "Ladder", "Variants"}};
+    const std::string kind = path.substr(0, path.find_first_of(" /"));
+    for (const auto &[subsection, before, now] : renamed)
+      if (kind == subsection && path.substr(path.rfind('/') + 1) == before)
+        return now;
+    return "";
+  }
 } // namespace lamella

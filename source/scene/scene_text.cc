@@ -57,29 +57,6 @@ namespace lamella
 
 
 
-    /// Returns the new name of a renamed entry of version 0.2.0, or nothing.
-    std::string
-    new_name(const std::string &path)
-    {
-      constexpr const char *renamed[][3] = {
-        {"Body", "Hold", "Isostatic support"},
-        {"Body", "Stabilisation", "Stabilization"},
-        {"Contact", "Discretisation", "Discretization"},
-        {"Contact", "Points on", "Slave side"},
-        {"Measure", "Of", "Difference"},
-        {"Measure", "Over", "Divided by"},
-        {"Section", "Fibre angle", "Fiber angle"},
-        {"Strength", "Leave out", "Excluded boxes"},
-        {"Trade", "Ladder", "Variants"}};
-      const std::string kind = path.substr(0, path.find_first_of(" /"));
-      for (const auto &[subsection, before, now] : renamed)
-        if (kind == subsection && last_part(path) == before)
-          return now;
-      return "";
-    }
-
-
-
     /// Limit above any scene; larger files are devices or results.
     constexpr std::size_t longest_scene = 1 << 24;
 

@@ -270,8 +270,7 @@ namespace lamella
                      "Leave it at auto, or give " + std::to_string(highest) +
                        " or more.");
       if (only_LE && space > highest)
-        order.refuse("section.section-order-unused: Theories has no SV-N, "
-                     "whose degree this is",
+        order.refuse("section.section-order-unused: Theories has no SV-N",
                      "Leave it at auto.");
       for (Theory &theory : theories)
         {

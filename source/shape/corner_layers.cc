@@ -343,8 +343,7 @@ namespace lamella
       throw InputError(
         what + "/Corner layers",
         std::to_string(layers),
-        "shape.no-singular-corner: there is no singular corner: none is "
-        "re-entrant, and no different plies end at a side",
+        "shape.no-singular-corner: no corner is re-entrant or between plies",
         "Leave it out.");
     const Triangulation<2> &mesh = section.mesh;
     Sheets                  sheets(mesh);

@@ -437,11 +437,9 @@ namespace lamella
     tangent.condense(r);
     if (mechanical_energy(structure, checks) > rounding && r.l2_norm() != 0.)
       checks.residual = r.linfty_norm() / internal.linfty_norm();
-    const double thermal_factor = structure.thermal_load() * state.u;
-    check_energy(0.5 * (contact_load * state.u + thermal_factor),
-                 rounding,
-                 checks);
-    checks.energy += structure.thermal_energy() - thermal_factor;
+    const double thermal = structure.thermal_load() * state.u;
+    check_energy(0.5 * (contact_load * state.u + thermal), rounding, checks);
+    checks.energy += structure.thermal_energy() - thermal;
     return checks;
   }
 } // namespace lamella

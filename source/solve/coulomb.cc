@@ -654,7 +654,10 @@ namespace lamella
     CoulombSearch::solve_in_sequence(const PointVectors &start) const
     {
       const PointVectors none(W.n_points());
-      CoulombSolution    best;
+      const double       first = rules.first_compliance,
+                   second      = rules.second_compliance,
+                   factor      = rules.decrease_factor;
+      CoulombSolution best;
       best.error       = std::numeric_limits<double>::max();
       best.force       = start;
       const auto is_it = [&](const char *const      by,
@@ -678,19 +681,11 @@ namespace lamella
           is_it("sweeps", from(start)) ||
           is_it("sweeps from nothing", from(none)) ||
           is_it("cones", solve_by_cones(best.force)) ||
-          is_it("softness",
-                by_compliance(best.force,
-                              rules.first_compliance,
-                              rules.decrease_factor)) ||
-          is_it("softness from nothing",
-                by_compliance(none,
-                              rules.second_compliance,
-                              rules.decrease_factor)))
+          is_it("compliance", by_compliance(best.force, first, factor)) ||
+          is_it("compliance from zero", by_compliance(none, second, factor)))
         return best;
-      is_it("softness that falls slowly",
-            by_compliance(none,
-                          rules.second_compliance,
-                          rules.slow_decrease_factor));
+      is_it("compliance that decreases slowly",
+            by_compliance(none, second, rules.slow_decrease_factor));
       return best;
     }
 
@@ -761,10 +756,9 @@ namespace lamella
     best.states     = exact.trial(exact.scaled(best.force)).states;
     if (best.stability < 0)
       {
-        const CoulombSearch stability_regularization(
+        const CoulombSearch search(
           softened(problem, rules.stability_regularization, best.force), rules);
-        best.stability = stability_regularization.sign_at(
-          stability_regularization.scaled(best.force));
+        best.stability = search.sign_at(search.scaled(best.force));
       }
     return best;
   }

@@ -71,6 +71,12 @@ namespace lamella
                 const std::vector<Line>  &lines,
                 const std::vector<Cut>   &cuts);
 
+  /// Returns the intervals along the axis of body number @p body in which
+  /// stresses are requested.
+  std::vector<std::pair<double, double>>
+  requested_ranges(const unsigned int              body,
+                   const std::vector<StressRange> &requested);
+
   /**
    * Replaces bodies of SV-N, and those with `Theories`, by bodies with the
    * fields that their scene excites. @p bodies are those of make_bodies() for

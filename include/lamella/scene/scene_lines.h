@@ -21,6 +21,11 @@ namespace lamella
   /// @p file, for invalid bytes.
   std::string
   checked_bytes(const std::string &text, const std::string &file);
+
+  /// Returns the name of the entry @p path of version 0.2.0 since it was
+  /// renamed; empty for any other.
+  std::string
+  new_name(const std::string &path);
 } // namespace lamella
 
 #endif
