@@ -5,7 +5,8 @@
 Usage: check_docs.py ROOT
 
 In *.md: relative links with their headings, pictures, scenes (prm/NAME.prm),
-scripts (scripts/NAME). In every text file: no path that only one machine has.
+scripts (scripts/NAME), cases of doc/reference/limits.md. In every text file: no path that only
+one machine has.
 """
 
 import functools
@@ -73,6 +74,24 @@ def check_page(root, page):
             yield f"{page.relative_to(root)}: names {name}, which does not exist"
 
 
+def check_limits(root):
+    """Each row of the page of limits is a case of the tests with its identifier."""
+    page = root / "doc/reference/limits.md"
+    rows = re.findall(r"\| `([\w-]+)` +\| `([\w.-]+)` +\|", page.read_text())
+    if not rows:
+        yield f"{page.relative_to(root)}: no row with a case and an identifier"
+    cases = {}
+    for table in [*root.glob("tests/bad_input/*.table"), *root.glob("tests/bad_input/*.bad")]:
+        for name, text in re.findall(r"^case (\S+)\n(.*?)(?=^case |\Z)", table.read_text(),
+                                     re.MULTILINE | re.DOTALL):
+            cases[name] = text
+    for path in root.glob("tests/mpi/*.parallel"):
+        cases[path.stem] = re.sub(r"^says \[(.*)\]$", r"id \1", path.read_text(), flags=re.MULTILINE)
+    for case, identifier in rows:
+        if f"id {identifier}\n" not in cases.get(case, "") + "\n":
+            yield f"{page.relative_to(root)}: no case {case} with id {identifier} in the tests"
+
+
 def check_paths(root, path):
     try:
         text = path.read_text()
@@ -89,6 +108,7 @@ def faults(root):
     files = project_files(root)
     if not (root / "README.md").is_file():
         yield "README.md is missing"
+    yield from check_limits(root)
     for path in files:
         if path.suffix == ".md":
             yield from check_page(root, path)
