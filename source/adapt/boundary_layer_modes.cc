@@ -145,6 +145,8 @@ namespace lamella
 
     /// Returns the displacements of @p piece under the six loads, and the
     /// disturbances of its end due to heat.
+    /// One factorization for the section loads and heat. Springs make the piece
+    /// regular on free motions, which the loads are orthogonal to.
     std::vector<Vector>
     solutions(const Beam                              &piece,
               const SaintVenant                       &states,

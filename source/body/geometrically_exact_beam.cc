@@ -130,6 +130,7 @@ namespace lamella
 
 
 
+  // Elements with the same list of fields share their law.
   void
   GeometricallyExactBeam::make_laws(const bool keeps_normal)
   {
@@ -360,6 +361,7 @@ namespace lamella
 
 
 
+  // Signs of quaternions: nearest to the first node's (q and -q are equal).
   GeometricallyExactBeam::Element
   GeometricallyExactBeam::element(const unsigned int cell,
                                   const Vector      &u) const

@@ -17,7 +17,7 @@
 #include <algorithm>
 
 // Strains are invariant to |Q| and objective; their first two derivatives by z
-// are exact (frame_strains()), so Newton's method converges quadratically.
+// are exact (frame_strains()), so K is the consistent tangent.
 namespace lamella
 {
   using namespace dealii;

@@ -127,6 +127,7 @@ namespace lamella
 
 
 
+  // R of the section in scene axes.
   Tensor<2, 3>
   GeometricallyExactBeam::rotation_at(const Location &location,
                                       const Vector   &u) const
@@ -260,6 +261,7 @@ namespace lamella
 
 
 
+  // Second variation of the potential of a dead force.
   void
   GeometricallyExactBeam::add_force(const PointFields        &at,
                                     const Tensor<1, 3>       &force,

@@ -308,6 +308,7 @@ namespace lamella
 
 
 
+  // Projections depend on the path, as each starts from the last facet.
   ContactHistory
   Contact::memory() const
   {
@@ -774,6 +775,7 @@ namespace lamella
 
 
 
+  // Rows beyond a given search distance would be missing without notice.
   void
   Contact::require_found(const BlockVector               &u,
                          const LoadFactor                &factor,
@@ -807,6 +809,7 @@ namespace lamella
 
 
 
+  // A line on a roller becomes an arc when the surface wraps around it.
   bool
   Contact::switch_to_points()
   {
@@ -819,6 +822,7 @@ namespace lamella
 
 
 
+  // Faces do not constrain nodes of ends that slide over them.
   std::optional<EndPenetration>
   Contact::end_penetration(const BlockVector &u, const LoadFactor &factor) const
   {

@@ -155,6 +155,7 @@ namespace lamella
 
     /// Returns the closest-point projection of @p x, which becomes the new
     /// starting point of @p point; the normal is -n_2.
+    /// Edge contact admits normals up to 90 degrees, surfaces up to 60 degrees.
     std::optional<MasterPoint>
     found(const ContactSides &sides,
           const MeshSurface  *master,

@@ -77,6 +77,7 @@ namespace lamella
 
 
 
+  // Convection of t_1 with the facet map, then projection normal to n.
   Tangents
   convected_tangents(const FacetMap     &before,
                      const FacetMap     &now,

@@ -137,6 +137,7 @@ namespace lamella
 
 
 
+    // Position, continuous normal and area per unit of the square at (s, t).
     Integrator::SlavePoint
     Integrator::evaluate(const Cell &cell, const Point<2> &st) const
     {
@@ -152,6 +153,7 @@ namespace lamella
 
 
 
+    // Segments along the averaged normal at the center of the cell.
     void
     Integrator::add_cell(const Cell &cell)
     {

@@ -215,6 +215,7 @@ namespace lamella
 
     /// The longest step, at most @p step, along @p dx that leaves the positive
     /// @p x positive.
+    /// Ratio test of the interior-point method.
     double
     step_within(const std::vector<double> &x,
                 const std::vector<double> &dx,

@@ -83,6 +83,7 @@ namespace lamella
 
 
 
+  // Numbers of gaps and slips of a working set, point by point.
   std::vector<unsigned int>
   CondensedStrategy::with_slips(const std::vector<unsigned int> &part) const
   {
@@ -202,6 +203,7 @@ namespace lamella
 
 
 
+  // Without friction: a linear complementarity problem.
   void
   CondensedStrategy::solve_working_set(const ContactProblem            &problem,
                                        const std::vector<unsigned int> &part,
@@ -246,6 +248,7 @@ namespace lamella
 
 
 
+  // Velocities of all points under the forces of the state, by components.
   CoulombProblem
   CondensedStrategy::coulomb_problem(const ContactProblem            &problem,
                                      const std::vector<unsigned int> &part,
@@ -332,6 +335,7 @@ namespace lamella
 
 
     /// The rows with gaps @p g below @p limit that are not among @p part.
+    /// Deepest penetration first, so that few rows join per round.
     Violations
     rows_below(const double                     limit,
                const std::vector<unsigned int> &part,

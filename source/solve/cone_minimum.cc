@@ -33,6 +33,7 @@ namespace lamella
 
     // ---- the algebra of a cone: x o y = (x . y, x_n y_t + y_n x_t)
 
+    // det x = x_n^2 - |x_t|^2, bounded from below for divisions.
     double
     determinant(const Tensor<1, 3> &x)
     {
@@ -210,6 +211,7 @@ namespace lamella
 
 
     /// The longest step, at most one, along @p d in all cones.
+    /// Ratio test over all cones, at most a full step.
     double
     step_within(const ConePair &at, const ConePair &d, const double share)
     {

@@ -20,7 +20,9 @@
 //    Algorithms, SIAM 2002, Ch. 12);
 // 3. find_violations(): Kuhn-Tucker conditions and Coulomb's law;
 // 4. the refined forces are the next estimates, with a tenfold penalty if the
-//    violation falls slowly.
+//    violation falls slowly;
+// 5. release_springs() repeats all with shifted springs until these are free of
+//    force, if only contact constrains a body.
 //
 // The start of the first load step has zero estimates; later ones take the
 // forces of the previous step. Tolerances are relative to the displacements

@@ -26,6 +26,10 @@
 // and d z = d lambda - d v gives the rows of linearize_slip(). Its matrix is
 // not symmetric, as the friction bound depends on the normal force; solutions
 // with a negative determinant lie on branches without a load path.
+//
+// Costs: 2/3 n^3 per Newton step for n rows of closed points, n^2 per sweep,
+// n^3 / 3 per interior-point iteration of the cones. The
+// interior-point method costs 10 to 25 of these for any number of points.
 namespace lamella
 {
   using namespace dealii;
@@ -470,8 +474,7 @@ namespace lamella
       const double       w_n = W(r, r);
       if (size == 2)
         {
-          // Two rows: exact solution of the local problem, stick or slip to a
-          // side.
+          // Two rows: exact solution, stick or slip to either side.
           const double w_t = W(r + 1, r + 1), w_nt = W(r, r + 1),
                        q_n = v[0] - w_n * force[0] - w_nt * force[1],
                        q_t = v[1] - w_nt * force[0] - w_t * force[1];
@@ -533,8 +536,7 @@ namespace lamella
     CoulombSolution
     CoulombSearch::solve_by_cones(const PointVectors &start) const
     {
-      // Scaled variables (mu lambda_n, lambda_t).
-      // Lorentz cones: normal forces times mu.
+      // Lorentz cones in (mu lambda_n, lambda_t), with a least mu.
       PointCompliance     cones = W;
       std::vector<double> widths(W.n_rows(), 1.);
       for (unsigned int i = 0; i < W.n_points(); ++i)

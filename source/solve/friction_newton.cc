@@ -311,6 +311,7 @@ namespace lamella
     scale.same_rho = true;
     Iterate best   = to;
     double  least  = -1.;
+    // Norms are compared with the same scales for all fractions.
     for (const double share : {1., 0.5, 0.25, 0.1})
       {
         Iterate at = from;

@@ -10,6 +10,8 @@
 // 10), with slips relative to the end of the previous step. Forces are scene
 // vectors in the state, and components (n, t_1, t_2) in problems.
 // Dissipation per step: mu (lambda_n,0 + lambda_n,1) / 2 |v|, nonnegative.
+// With the slip s_0 at the end of the previous step, v = s + a lambda_t - s_0,
+// and a the penalty's compliance, which acts in both directions.
 namespace lamella
 {
   using namespace dealii;

@@ -214,6 +214,7 @@ namespace lamella
 
 
 
+  // Wrong rows: active and tensile, or inactive and penetrating.
   Round
   FullStrategy::violating_rows(const Iterate             &at,
                                const std::vector<double> &overlap,

@@ -279,6 +279,8 @@ namespace lamella
 
 
 
+  // Rotations of supports are limited per step, as a position does not
+  // determine the number of revolutions.
   double
   Newton::largest_rotation(const LoadFactor &from, const LoadFactor &to) const
   {
@@ -363,6 +365,7 @@ namespace lamella
 
 
 
+  // Slip and dissipation of the step, from the forces at both of its ends.
   void
   Newton::update_friction(const MultiplierTransfer &began,
                           const LoadFactor         &to,

@@ -27,6 +27,7 @@ namespace lamella
 {
   namespace
   {
+    // Sum of two states; valid for increments of the linearized problem.
     BlockVector
     sum_of(const BlockVector &a, const BlockVector &b)
     {
@@ -137,7 +138,8 @@ namespace lamella
       strategy.solve(closed, f, held, x, forces);
       return x;
     };
-    const double          enough = parameters.rotation_tolerance * du.l2_norm();
+    const double enough = parameters.rotation_tolerance * du.l2_norm();
+    // Tolerance relative to the correction, not to its rotation part.
     dealii::SolverControl control(parameters.max_rotation_corrections,
                                   enough,
                                   false,
@@ -201,6 +203,8 @@ namespace lamella
 
 
 
+  // With a shift, contact forces of active constraints become lambda + rho g
+  // before the contact problem and return to lambda after it.
   Newton::Correction
   Newton::correct(const BlockVector &r,
                   const BlockVector &moved,

@@ -141,6 +141,8 @@ namespace lamella
 
 
     /// Smallest eigenvalue of the symmetric part of @p A with its eigenvector.
+    /// Symmetric eigenproblem of LAPACK; the dimension is the number of
+    /// springs.
     std::pair<double, Vector>
     least_of(const dealii::FullMatrix<double> &A)
     {

@@ -20,6 +20,9 @@
 // Displacements are u = G v + u_p. The condensed residual G^T r vanishes in
 // equilibrium, while r in eliminated DoFs holds the reactions. Products K w are
 // evaluated from strains, solutions by the factor of the assembled matrix.
+// Bodies are factorized one by one, as K is block diagonal: contact couples
+// them through rows only. Callbacks report assembly and the size of a factor
+// before its memory is allocated.
 namespace lamella
 {
   using dealii::Tensor;
@@ -333,6 +336,7 @@ namespace lamella
 
 
 
+  // Solvers exist for the condensed strategy and for Newton's method.
   const LinearSolver &
   TangentOperator::solver(const unsigned int body) const
   {
@@ -429,6 +433,7 @@ namespace lamella
 
 
 
+  // Lower bound of the largest condition number (CHOLMOD only).
   double
   TangentOperator::condition_estimate() const
   {
