@@ -10,8 +10,7 @@
 
 namespace lamella
 {
-  /// Returns whether @p zones suffice for @p held, not if embedded near
-  /// requests.
+  /// Returns whether @p zones, perhaps embedded, suffice for @p held.
   bool
   are_sufficient(const std::vector<BoundaryLayerZone> &zones,
                  const ConstrainedSection             &held);
@@ -37,8 +36,7 @@ namespace lamella
     explicit BoundaryLayerModes(const BoundaryLayerRules &rules = {});
 
     /// Returns boundary_layer_modes(), cached for a section with the same
-    /// matrices, fields and constraints, or embedded from a poorer one.
-    /// Collective.
+    /// matrices, fields and constraints, or embedded. Collective.
     std::vector<BoundaryLayerZone>
     zones(const std::shared_ptr<const Section> &section,
           const SaintVenant                    &states,

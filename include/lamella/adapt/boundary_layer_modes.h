@@ -27,15 +27,13 @@ namespace lamella
     std::vector<double> zones{0., 1., 3.};
     /// Overlap over B of inner fields with the next zone.
     double overlap = 0.5;
-    /// Amplitude below which combinations are cut (Saint-Venant state per H:
-    /// 1).
+    /// Amplitude below which combinations are cut; Saint-Venant states have 1.
     double tolerance = 1e-3;
     /// Share of their largest value below which fields have decayed.
     double rest = 1e-2;
     /// Largest number of DoFs of a piece; beyond it there are no end fields.
     double max_dofs = 1e5;
-    /// Distance from an end over B of stresses that give a richer section a
-    /// piece.
+    /// Distance over B of stresses that give a richer section a piece.
     double sampled = 1.;
   };
 

@@ -24,8 +24,7 @@ namespace lamella
     std::string name;
     /// Independent section load vectors f of unit length.
     std::vector<Vector> loads;
-    /// Area-weighted mean of all rows, and their linear part across: the far
-    /// load.
+    /// Area-weighted mean of all rows, and linear part across: the far load.
     std::vector<Vector> smooth;
     /// Range of the axis elements, or of the node [length].
     double begin = 0., end = 0.;

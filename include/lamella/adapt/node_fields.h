@@ -41,8 +41,7 @@ namespace lamella
     double heat_tolerance = 1e-3;
     /// Rules for interactions.
     InteractionRules interactions = {};
-    /// Distance of responses over H, and of a clamp's tractions over the larger
-    /// extent.
+    /// Distance of responses over H, of clamps over the larger extent.
     double influence_length = 2., influence_length_of_clamp = 1.5;
     /// Cache of end fields for clamps (BoundaryLayerRules), shared by the
     /// models of one scene. Without end fields, tractions S_10 w and S_11 w of

@@ -23,8 +23,7 @@ namespace lamella
   bool
   is_clamp(const Region &region, const double y, const double length);
 
-  /// Returns whether one of @p supports is on all of body @p body (plane
-  /// strain).
+  /// Returns whether one of @p supports is on all of @p body (plane strain).
   bool
   is_constrained_along_axis(const std::vector<Support> &supports,
                             const unsigned int          body);

@@ -20,8 +20,7 @@ namespace lamella
     /// Share of a beam's length with possible contact above which its own
     /// fields are no fewer than those of LE, and slow to compute.
     double max_contact_share = 0.5;
-    /// Wave numbers: substitute for others, increment, smallest, largest
-    /// number.
+    /// Wave numbers: substitute for others, increment, smallest, largest.
     unsigned int substitute_waves = 10, wave_increment = 4, min_waves = 6,
                  max_waves = 40;
     /// Initial degree of LE, the least with poorer levels for error estimates.
@@ -38,8 +37,7 @@ namespace lamella
     /// body of SV-N keeps all fields.
     double       max_fields_share = 0.5;
     unsigned int min_nodes        = 15;
-    /// Mean share of fields constrained by supports without clamps above which
-    /// a body keeps all.
+    /// Mean share of fields constrained by supports above which all are kept.
     double max_held_share = 0.05;
   };
 
@@ -54,8 +52,7 @@ namespace lamella
     /// Wave numbers, and multiplications for eigenvectors over their number^3.
     double waves = 10., of_eigenvectors = 10.;
     /// Nonzeros of a solid's factor over n^(4/3) (predicted_costs()), 12 to 13
-    /// for cantilevers, and the most of LE, 14 to 23 for the large ones of
-    /// prm/.
+    /// for cantilevers, and the most of LE, 14 to 23 for the largest.
     double of_solid = 13., of_layers = 19.;
   };
 } // namespace lamella

@@ -36,8 +36,7 @@ namespace lamella
     group_of(const LocalInteraction &interaction);
 
     /// Returns the groups of a free end or of a clamped section @p held: the
-    /// zones of its end fields, or the tractions of its @p interaction without
-    /// them.
+    /// zones of its end fields, or else the tractions of its @p interaction.
     std::vector<unsigned int>
     groups_of(const LocalInteraction                &interaction,
               const std::vector<ConstrainedSection> &held);

@@ -24,8 +24,7 @@ namespace lamella
   /// Combined requirements of the pieces at a node.
   struct Wanted
   {
-    /// Highest degree of LE, or 0; whether there is SV (without responses
-    /// only).
+    /// Highest degree of LE, or 0; whether there is SV, or only SV.
     unsigned int degree = 0;
     bool         any_SV = false, plain = true;
   };

@@ -41,8 +41,7 @@ namespace lamella
       return axis.integration_points().size() / axis.n_cells();
     }
 
-    /// Returns the integration points of this process, first and one past the
-    /// last.
+    /// Returns this process's integration points, first and one past last.
     std::pair<unsigned int, unsigned int>
     own_points() const;
 

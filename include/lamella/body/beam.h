@@ -77,8 +77,7 @@ namespace lamella
         sum += dof_map.fields(node).size();
       return sum;
     }
-    /// Returns the non-zeros of A times those of S, exact with all fields
-    /// everywhere.
+    /// Returns the non-zeros of A times those of S, exact for full lists.
     double
     stiffness_entries() const override;
     dealii::IndexSet
@@ -192,8 +191,7 @@ namespace lamella
     constraint_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
-    /// Returns facets of ends by section cells, then lateral ones by axis
-    /// elements.
+    /// Returns facets of ends by section cells, then lateral ones by elements.
     std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const override;
     /// Returns the topology with node numbers (section node) * (axis nodes) +
@@ -276,8 +274,7 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const;
 
-    /// Returns sample_at() for all @p points at each of @p places in turn, all
-    /// on one element.
+    /// Returns sample_at() for all @p points at each place of one element.
     virtual std::vector<FieldSample>
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
@@ -313,8 +310,7 @@ namespace lamella
     friend class BeamSecondOrder;
     friend class BeamGeometricStiffness;
 
-    /// Returns 1e-6 of the smaller section extent, at least 1e-10 of the
-    /// length.
+    /// Returns 1e-6 of the smaller section extent, or 1e-10 of the length.
     double
     position_tolerance() const;
 
@@ -408,8 +404,7 @@ namespace lamella
     OutputCell
     empty_output_cell(const unsigned int section_cell) const;
 
-    /// Returns an output cell per section cell, (n + 1)^2 samples at @p eta in
-    /// [0, 1].
+    /// Returns an output cell per section cell: (n + 1)^2 samples at @p eta.
     std::vector<OutputCell>
     cut_axis_cell(const unsigned int axis_cell,
                   const double       eta,

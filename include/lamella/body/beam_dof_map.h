@@ -15,8 +15,7 @@ namespace lamella
   ///   DoF of (i, alpha) = first(i) + place(i, alpha),
   ///   first(i) = sum over j < i of the number of fields(j),
   /// so that the stiffness is banded along the axis. alpha combines the
-  /// component and the function tau of the paper's DoF u_(tau i). Equal lists
-  /// are shared.
+  /// component and the function tau of the paper's DoF u_(tau i).
   class BeamDofMap
   {
   public:

@@ -10,8 +10,7 @@
 
 namespace lamella
 {
-  /// Elements of an axis with polynomials of one degree, @p begin to @p end
-  /// [length].
+  /// Elements of an axis of one degree, from @p begin to @p end [length].
   struct AxisSpan
   {
     double       begin = 0., end = 0.;
@@ -45,14 +44,12 @@ namespace lamella
     Vector
     in_section(const Vector &u, const unsigned int q) const;
 
-    /// Returns (1 - M) u; @p spans divide the axis consecutively at element
-    /// ends.
+    /// Returns (1 - M) u; @p spans divide the axis at element ends.
     Vector
     along_axis(const Vector &u, const std::vector<AxisSpan> &spans) const;
 
   private:
-    /// Subtracts the interpolation of @p u at nodes inside @p span from @p
-    /// result.
+    /// Subtracts the interpolant of @p u at nodes in @p span from @p result.
     void
     subtract_interpolation(const AxisSpan &span,
                            const Vector   &u,

@@ -58,11 +58,9 @@ namespace lamella
   {
     struct Place
     {
-      /// Element: of a beam (axis element, section cell) as in Beam, of a solid
-      /// the hexahedron.
+      /// Element: (axis element, section cell) as in Beam, or the hexahedron.
       unsigned int cell;
-      /// Position (xi, along the axis, eta) in [0, 1]^3; xi, eta as the
-      /// section's.
+      /// Position (xi, along the axis, eta) in [0, 1]^3.
       dealii::Point<3> unit;
     };
     /// The requested point, scene axes; places may differ beyond a curved edge.
@@ -84,11 +82,9 @@ namespace lamella
     Voigt strain, stress;
     /// Stress in ply axes, {11, 22, 33, 12, 13, 23}, for strength criteria.
     Voigt ply_stress;
-    /// Rotation R of the material; with finite rotations `stress` is R^T sigma
-    /// R.
+    /// Rotation R of the material: at finite rotations `stress` is R^T sigma R.
     Triad rotation = dealii::unit_symmetric_tensor<3>();
-    /// Largest stress difference between places over the largest stress
-    /// (norms).
+    /// Largest stress difference between places over the largest stress.
     double jump = 0.;
   };
 
@@ -111,8 +107,7 @@ namespace lamella
     /// The point for rows() and sample(): one place, in the cell below.
     Location location;
     /// Data of the automatic penalty E_n A / d (contact/enforcement.h): modulus
-    /// E_n = (n n) : C : (n n) [force / length^2] and cell depth d along n
-    /// [length].
+    /// E_n = (n n) : C : (n n) [force / length^2], cell depth d along n.
     double normal_modulus = 0., depth = 0.;
   };
 
@@ -133,8 +128,7 @@ namespace lamella
     std::array<dealii::Point<3>, 4> corners;
     /// Degrees of the expansion in s and in t: those of a grid of nodes.
     unsigned int degree_s = 0, degree_t = 0;
-    /// Degrees of positions and displacements, higher for Taylor on curved
-    /// sides.
+    /// Degrees of positions and displacements, higher on curved sides.
     unsigned int trace_degree_s = 0, trace_degree_t = 0;
   };
 
@@ -183,9 +177,8 @@ namespace lamella
   struct Deformation
   {
     /// Energy integral epsilon . C epsilon / 2 dV [force length]: half the work
-    /// of all forces, including those of heat (Body::add_thermal_load(),
-    /// Clapeyron). For finite rotations, integral epsilon . C epsilon_0 dV is
-    /// subtracted.
+    /// of all forces, heat included (Body::add_thermal_load(), Clapeyron). For
+    /// finite rotations, integral epsilon . C epsilon_0 dV is subtracted.
     double energy = 0.;
     /// Largest |curl u| / 2 at integration points [rad], for finite rotations
     /// the largest angle; solve/checks.h limits it.
@@ -194,13 +187,12 @@ namespace lamella
     /// square of the axial strain over a section, and, of total Lagrangian
     /// bodies, the rotation over one element [rad].
     double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.;
-    /// Largest share of the moments and torques of rigidly rotating sections
-    /// that the change of their shape would add (stiffening_by_shape() outside
-    /// the law).
+    /// Largest share of moments and torques of rigidly rotating sections that
+    /// the change of their shape would add (stiffening_by_shape()).
     double shape_change = 0.;
   };
 
-  /// Amplitudes of a rigid motion: scene translations [length], then rotations
+  /// Amplitudes of a rigid motion: scene translations [length], rotations
   /// [rad].
   using RigidMotion = std::array<double, 6>;
 
@@ -280,8 +272,7 @@ namespace lamella
 
     /// Returns the level of @p dof in the hierarchical basis
     /// (doc/theory/stable-basis.md): 0 for rigid motions and nodal bases,
-    /// higher for finer DoFs. Supports eliminate coarse DoFs first, which keeps
-    /// digits.
+    /// higher for finer DoFs. Supports eliminate coarse DoFs first.
     virtual unsigned int
     dof_level(const DofIndex) const
     {
@@ -315,8 +306,7 @@ namespace lamella
     rigid_motions() const = 0;
 
     /// Returns the rigid motions of the body displaced by @p u, e_m and e_m x
-    /// (X + u - center()), for moments in the current state; here
-    /// rigid_motions().
+    /// (X + u - center()); here rigid_motions().
     virtual std::vector<Vector>
     rigid_motions_at(const Vector &) const
     {
@@ -324,8 +314,7 @@ namespace lamella
     }
 
     /// Returns true if the body admits finite rotations: internal forces are
-    /// nonlinear, and strains and stresses are in rotated axes and have no
-    /// rows.
+    /// nonlinear, and strains and stresses refer to rotated axes without rows.
     virtual bool
     has_finite_rotations() const
     {
@@ -368,8 +357,7 @@ namespace lamella
     virtual double
     size() const;
 
-    /// Returns the undeformed box in scene axes; curved edges may leave it a
-    /// little.
+    /// Returns the undeformed box, scene axes; curved edges may leave it.
     virtual dealii::BoundingBox<3>
     bounding_box() const = 0;
 
@@ -396,9 +384,8 @@ namespace lamella
 
     /// Sets the change of temperature @p change [K] from the stress-free state
     /// by scene position, in place of any earlier one. Plies get the initial
-    /// strain epsilon_0 = alpha T in samples and rows, whatever the load
-    /// factor. Throws InputError if a ply has no expansion or the theory cannot
-    /// be heated.
+    /// strain epsilon_0 = alpha T in samples and rows. Throws InputError if a
+    /// ply has no expansion or the theory cannot be heated.
     virtual void
     heat(const ScalarField &change);
 
@@ -410,16 +397,14 @@ namespace lamella
 
     /// Adds the thermal load, f += integral B^T C epsilon_0 dV, which has no
     /// resultant. Returns the energy integral epsilon_0 . C epsilon_0 / 2 dV,
-    /// zero if unheated. Bodies use the points of the stiffness; here Gauss
-    /// points, one more than output_degrees() along each coordinate.
-    /// Collective.
+    /// zero if unheated. Here one Gauss point more than output_degrees() along
+    /// each coordinate. Collective.
     virtual double
     add_thermal_load(Vector &f) const;
 
     /// Adds, for finite rotations, the thermal load in the state @p u, f +=
     /// integral (dE/du)^T C epsilon_0 dV. The second function gives its
-    /// derivative as symmetric blocks, here none, as that of Green's strain is
-    /// constant.
+    /// derivative as symmetric blocks, here none (Green's strain).
     virtual void
     add_thermal_load_at(const Vector &u, Vector &f) const;
     virtual void
@@ -427,9 +412,8 @@ namespace lamella
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// Adds the weight, f += integral of rho g . u dV, g = @p acceleration in
-    /// scene axes [length/s^2]. Throws InputError without a density.
-    /// Collective.
+    /// Adds the weight, f += integral of rho g . u dV, g = @p acceleration
+    /// [length/s^2]. Throws InputError without a density. Collective.
     virtual void
     add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
 
@@ -466,8 +450,7 @@ namespace lamella
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const = 0;
 
-    /// Returns the rotation R of the section at @p location, scene axes; here
-    /// 1.
+    /// Returns the rotation R of the section at @p location, here 1.
     virtual dealii::Tensor<2, 3>
     rotation_at(const Location &location, const Vector &u) const;
 
@@ -480,8 +463,7 @@ namespace lamella
     rows_at(const std::vector<Location> &locations, const Vector &u) const;
 
     /// Calls @p use with symmetric blocks that sum to the derivative of @p
-    /// forces at @p locations in the state @p u, sum over k of rows_at()^T F_k.
-    /// Here none.
+    /// forces in the state @p u, sum over k of rows_at()^T F_k. Here none.
     virtual void
     for_each_block_of_forces(
       const std::vector<Location>                       &locations,
@@ -489,13 +471,11 @@ namespace lamella
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// Returns all fields of @p u at @p location, means over places and their
-    /// jump.
+    /// Returns all fields of @p u at @p location, means over its places.
     virtual FieldSample
     sample(const Location &location, const Vector &u) const;
 
-    /// Returns the position of @p place, scene axes. With locate() it finds
-    /// neighbors.
+    /// Returns the position of @p place, scene axes.
     virtual dealii::Point<3>
     position(const Location::Place &place) const = 0;
 
@@ -541,8 +521,7 @@ namespace lamella
     constraint_points(const std::string &surface) const;
 
     /// Returns locations that determine the displacement of the whole body;
-    /// here the Gauss-Lobatto grid of each element, shared points once per
-    /// element.
+    /// here the Gauss-Lobatto grid of each element.
     virtual std::vector<Location>
     body_points() const;
 
@@ -572,8 +551,7 @@ namespace lamella
 
     /// Returns the parameters in [0, 1], ascending, where the segment from @p a
     /// to @p b (scene axes) enters and leaves elements, its ends included. In
-    /// between, the displacement is one polynomial. Here sides of elements are
-    /// bilinear.
+    /// between, the displacement is one polynomial. Here sides are bilinear.
     virtual std::vector<double>
     line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
@@ -583,8 +561,8 @@ namespace lamella
     virtual unsigned int
     line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Returns ordered points on the segment from @p a to @p b that determine
-    /// the displacement: line_degree() + 1 Gauss-Lobatto points between
+    /// Returns ordered points from @p a to @p b that determine the
+    /// displacement: line_degree() + 1 Gauss-Lobatto points between
     /// line_breaks().
     std::vector<dealii::Point<3>>
     line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
@@ -597,8 +575,7 @@ namespace lamella
     cut(const double position, const unsigned int n, const Vector &u) const;
 
     /// Returns the number of intervals, at least 1, of an element's output
-    /// along each unit coordinate: the larger degree of displacements and
-    /// shape.
+    /// along each unit coordinate, from the degrees of displacement and shape.
     virtual GridIntervals
     output_degrees() const
     {
@@ -616,8 +593,7 @@ namespace lamella
                          const Vector             &u,
                          const OutputCellCallback &use) const;
 
-    /// Returns the for_each_output_cell() by number, with (n + 1)^3 points
-    /// each.
+    /// Returns all output cells by number, with (n + 1)^3 points each.
     std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const;
 
@@ -685,9 +661,8 @@ namespace lamella
 
   protected:
     /// Calls @p use with this process's blocks of the unconstrained stiffness
-    /// (rows of a beam, element matrices of a solid), whose sum over all
-    /// processes is K; without @p with_values the pattern alone. A block is
-    /// valid during the call.
+    /// (rows of a beam, element matrices of a solid), which sum to K; without
+    /// @p with_values the pattern. A block is valid during the call.
     virtual void
     for_each_stiffness_block(
       const bool                                         with_values,

@@ -19,8 +19,7 @@ namespace lamella
   class CellGrid
   {
   public:
-    /// Constructs a grid of @p degrees, each at least 1, along unit
-    /// coordinates.
+    /// Constructs a grid of @p degrees, each at least 1.
     explicit CellGrid(const GridIntervals &degrees);
 
     /// Returns the nodes on the unit cube.

@@ -105,8 +105,7 @@ namespace lamella
     }
 
   private:
-    /// Stores the nodes of grid @p x of the bases, two along straight
-    /// directions.
+    /// Stores the grid @p x of the bases, two nodes along straight directions.
     void
     keep(const GaussLobattoBasis             &s,
          const GaussLobattoBasis             &t,

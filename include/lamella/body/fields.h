@@ -75,8 +75,7 @@ namespace lamella
                        const Triad                &ply,
                        const ElasticLaw           &law);
 
-  /// Changes the stress s of @p sample to scene axes, sigma = R s R^T, and R to
-  /// 1.
+  /// Changes the stress s of @p sample to scene axes, R s R^T, and R to 1.
   void
   to_scene_axes(FieldSample &sample);
 

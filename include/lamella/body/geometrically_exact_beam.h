@@ -47,8 +47,7 @@ namespace lamella
   {
   public:
     /// Constructs a beam whose nodes all carry all fields of @p section, that
-    /// of Theory::of_rotating(). theory() returns @p theory, or the section's
-    /// if empty.
+    /// of Theory::of_rotating(). theory() returns @p theory, if not empty.
     GeometricallyExactBeam(const std::string             &name,
                            std::shared_ptr<const Section> section,
                            std::shared_ptr<const Axis>    axis,
@@ -56,8 +55,7 @@ namespace lamella
                            const std::string             &theory       = "",
                            const bool                     keeps_normal = false);
 
-    /// Constructs a beam as Beam does. Throws InputError for lists not dense
-    /// (SectionSpace).
+    /// Constructs a beam as Beam does. Throws InputError for lists not dense.
     GeometricallyExactBeam(
       const std::string                            &name,
       std::shared_ptr<const SectionSpace>           space,
@@ -77,8 +75,7 @@ namespace lamella
     {
       return true;
     }
-    /// Returns the state. Throws NumericsError if an untwistable section would
-    /// twist.
+    /// Returns the state. Throws NumericsError if a rigid section would twist.
     Vector
     retract(const Vector &u, const Vector &change) const override;
     double
@@ -128,8 +125,7 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Section law D of an axis element: its fields and, among them, m
-    /// warpings.
+    /// Section law D of an axis element: its fields, among them m warpings.
     struct Law
     {
       std::vector<unsigned int> fields, warpings;
@@ -270,8 +266,7 @@ namespace lamella
                std::vector<double> &f);
 
     /// Returns the frame's stresses that the linearization at @p before
-    /// predicts for @p change (Magisano, Leonetti and Garcea, see
-    /// green_tangent()).
+    /// predicts for @p change (Magisano, Leonetti and Garcea).
     static OfFrame
     predicted(const Station             &station,
               const Law                 &law,
@@ -363,8 +358,7 @@ namespace lamella
     /// Returns R (X + Phi a) at @p at.
     static RotatedVector
     rotated_point(const PointFields &at, const Frame &frame);
-    /// Returns the displacement at @p at, in body axes, per unit of each
-    /// unknown.
+    /// Returns the displacement at @p at (body axes) per unit of each unknown.
     static std::vector<dealii::Tensor<1, 3>>
     by_local(const PointFields &at, const Element &element);
     /// Adds @p share of the rows of the displacement at @p place to @p rows.
@@ -373,8 +367,7 @@ namespace lamella
              const double                   share,
              const Vector                  &u,
              std::vector<LinearFunctional> &rows) const;
-    /// Adds to @p K the derivative of the work of @p force (body axes) at @p
-    /// at.
+    /// Adds to @p K the derivative of the work of @p force at @p at.
     static void
     add_force(const PointFields                &at,
               const dealii::Tensor<1, 3>       &force,
@@ -394,8 +387,7 @@ namespace lamella
     void
     add_strains(const SectionState &state, Deformation &deformation) const;
 
-    /// Adds the part of add_force() of spin @p spin; @p row are its
-    /// derivatives.
+    /// Adds the part of add_force() of spin @p spin with derivatives @p row.
     Voigt
     strain_at(const SectionPoint &point, const SectionState &state) const;
 

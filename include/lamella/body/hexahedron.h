@@ -21,8 +21,7 @@
 
 namespace lamella
 {
-  /// The stiffness C at a point of a hexahedron, in node axes (varies if
-  /// curved).
+  /// The stiffness C at a point of a hexahedron, in the axes of its nodes.
   using StiffnessField = std::function<ElasticTensor(const dealii::Point<3> &)>;
 
   /// Shape functions of a hexahedron at one of its points.
@@ -109,8 +108,7 @@ namespace lamella
     IncompatibleModes
     incompatible_modes(const Nodes &nodes, const StiffnessField &C) const;
 
-    /// Returns the strains of unit DoFs: epsilon = sum strains[d] u_d at @p
-    /// point.
+    /// Returns the strains of unit DoFs at @p point: epsilon = sum strains u_d.
     std::vector<Voigt>
     strains(const HexahedronPoint &point, const IncompatibleModes &modes) const;
 

@@ -26,8 +26,7 @@ namespace lamella
                      std::vector<double>        &crossings);
 
   /// Adds crossings with the curved edge @p x(s), s in [0, 1]: roots of the
-  /// distance from the line between five points of the edge, where it changes
-  /// sign.
+  /// distance from the line between five points with a change of sign.
   void
   add_curve_crossings(const std::function<dealii::Point<2>(const double)> &x,
                       const dealii::Point<2>                              &a,

@@ -31,8 +31,7 @@ namespace lamella
   class Solid : public Body
   {
   public:
-    /// Constructs a solid of @p degree 1 or 2. Refinement balls are in body
-    /// axes.
+    /// Constructs a solid of @p degree 1 or 2. Refinement is in body axes.
     Solid(const std::string                 &name,
           std::shared_ptr<const SectionMesh> section,
           const AxisMesh                    &axis,
@@ -184,8 +183,7 @@ namespace lamella
     relative_displacements(const unsigned int cell, const Vector &u) const;
 
     /// Returns law() with the strain of heat at @p unit, the point @p x. Degree
-    /// 1 takes the middle of the cell: a gradient would strain incompatible
-    /// modes.
+    /// 1 takes the middle, as a gradient would strain incompatible modes.
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<3> &unit,
@@ -229,13 +227,11 @@ namespace lamella
     std::vector<Location>
     locate(const dealii::Point<3> &point, const double tolerance) const;
 
-    /// Returns the place in @p cell nearest to @p x (body axes), and its
-    /// distance.
+    /// Returns the place in @p cell nearest to @p x, and its distance.
     std::pair<dealii::Point<3>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;
 
-    /// Returns the point of @p cell at @p unit on @p face, area per unit
-    /// square.
+    /// Returns the point of @p cell at @p unit on @p face.
     SurfacePoint
     face_point(const unsigned int      cell,
                const unsigned int      face,
@@ -245,8 +241,7 @@ namespace lamella
     using HangingNodes =
       std::map<unsigned int, const HexahedralMesh::HangingNode *>;
 
-    /// Adds face @p face of @p cell to surface nodes; hanging nodes pass areas
-    /// on.
+    /// Adds @p face of @p cell to surface nodes; hanging ones pass areas on.
     void
     add_face(const unsigned int                   cell,
              const unsigned int                   face,

@@ -30,8 +30,7 @@ namespace lamella
     {
       SurfaceFacet side;
       /// Node numbers: grid[j * (degree_s + 1) + i] is at the i-th
-      /// Gauss-Lobatto point of s and the j-th of t; trace likewise in its own
-      /// degrees.
+      /// Gauss-Lobatto point of s and the j-th of t; trace likewise.
       std::vector<unsigned int> grid, trace;
     };
 

@@ -66,15 +66,13 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Returns the coefficients of @p u at @p point of the section and @p
-    /// on_axis.
+    /// Returns the coefficients of @p u at @p point and @p on_axis.
     FieldParts
     parts_at(const SectionPoint &point,
              const AxisPoint    &on_axis,
              const Vector       &u) const;
 
-    /// Returns the smoothed strain at @p point and @p on_axis with gradient @p
-    /// H.
+    /// Returns the smoothed strain at @p point and @p on_axis, gradient @p H.
     Voigt
     strain_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
@@ -91,8 +89,7 @@ namespace lamella
     std::vector<StiffnessBlock>
     zero_blocks(const unsigned int cell) const;
 
-    /// Returns the block of @p cell with the fields @p on_section, without
-    /// values.
+    /// Returns the block of @p cell and fields @p on_section without values.
     StiffnessBlock
     empty_block(const unsigned int               cell,
                 const std::vector<unsigned int> &on_section) const;

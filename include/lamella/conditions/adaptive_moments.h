@@ -13,20 +13,17 @@
 namespace lamella
 {
   /// Integrals over the cells of a load: a vector function f on the unit
-  /// interval (dim 1, lines) or square (dim 2, facets) times products phi_k of
-  /// Lagrange polynomials at Gauss-Lobatto points,
-  ///   moment_k = integral f phi_k.
-  /// For a traction f and trace functions phi_k these are consistent nodal
-  /// forces.
+  /// interval (dim 1) or square (dim 2) times products phi_k of Lagrange
+  /// polynomials at Gauss-Lobatto points,
+  ///   moment_k = integral f phi_k,
+  /// for tractions and trace functions the consistent nodal forces.
   template <int dim>
   struct Moments
   {
-    /// A cell with its integrand. On a facet f includes the area per unit of
-    /// the square.
+    /// A cell with its integrand, on a facet times the area per unit square.
     struct Cell
     {
-      /// Force per unit of the parameters, evaluated inside the cell, finite
-      /// there.
+      /// Force per unit of the parameters, finite inside the cell.
       std::function<dealii::Tensor<1, 3>(const dealii::Point<dim> &)> f;
       /// Degrees, at least 1, of the polynomials along each parameter.
       std::array<unsigned int, dim> degree{};

@@ -67,8 +67,7 @@ namespace lamella
     /// assignment of value 1 in muParser), or has no fixed value (`rand()`).
     Expression(const std::string &expression, const Entry &entry);
 
-    /// Returns the value at @p x [length]. Throws InputError if it is not
-    /// finite.
+    /// Returns the value at @p x. Throws InputError if it is not finite.
     double
     operator()(const dealii::Point<3> &x) const;
 

@@ -34,8 +34,7 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// A Gauss point of a facet, its weight times p, and trace functions with
-    /// derivatives.
+    /// A Gauss point, its weight times p, trace functions and derivatives.
     struct GaussPoint
     {
       dealii::Point<2>    st;

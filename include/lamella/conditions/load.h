@@ -61,8 +61,7 @@ namespace lamella
     bool checked = false;
     /// Integral of |t| [force]; zero if the load vanished at all points.
     double size = 0.;
-    /// Resultant by a finer rule with its error, and the integrals' error
-    /// [force].
+    /// Resultant by a finer rule, its error, and the integrals' error [force].
     dealii::Tensor<1, 3> independent;
     double               independent_error = 0., error = 0.;
     /// Largest number of bisections along a parameter, and the point around it.
@@ -111,8 +110,7 @@ namespace lamella
   distribute_total_forces(std::vector<Load> &loads, const Bodies &bodies);
 
   /// Heats the bodies of the temperatures among @p loads; may be repeated.
-  /// Throws InputError as Body::heat() and Expression do, and for two loads on
-  /// a body.
+  /// Throws InputError as Body::heat() does, and for two loads on one body.
   void
   apply_temperatures(const std::vector<Load> &loads, const Bodies &bodies);
 

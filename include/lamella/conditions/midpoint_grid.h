@@ -12,8 +12,7 @@ namespace lamella
 {
   /// The midpoint rule on a grid over a cell of a load, which detects features
   /// between Gauss points (adaptive_moments()): about 2e4 points in all,
-  /// equally many per cell, more along its longer side, at least four per
-  /// parameter.
+  /// equally many per cell, at least four per parameter.
   template <int dim>
   class MidpointGrid
   {

@@ -38,8 +38,7 @@ namespace lamella
     void
     add(const dealii::Tensor<1, 3> &f);
 
-    /// Returns how far @p f lies outside the range widened by a quarter each
-    /// side.
+    /// Returns how far @p f is beyond the range, a quarter wider each way.
     double
     beyond(const dealii::Tensor<1, 3> &f) const;
   };

@@ -22,9 +22,8 @@ namespace lamella
 
   /// Returns the regions of @p on, `BODY: point | line | body | SURFACE`
   /// between semicolons, with the positions @p at of points and lines. All
-  /// points of @p at are one region; a line has two different ends. Throws
-  /// InputError for no or repeated regions, and for too few, too many or unused
-  /// positions.
+  /// points are one region; a line has two different ends. Throws InputError
+  /// for no or repeated regions, and for too few, too many or unused positions.
   std::vector<Region>
   parse_regions(const Entry                    &on,
                 const Entry                    &at,
@@ -38,14 +37,12 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Adds the history in @p in to all @p steps and returns its number; 0 if
-    /// the entry is empty. Throws InputError unless there is one number per
-    /// step.
+    /// it is empty. Throws InputError unless there is one number per step.
     static unsigned int
     parse(const Entries &in, std::vector<LoadFactor> &steps);
   };
 
-  /// The entries of a `subsection Support NAME`: On, At, u, Normal
-  /// displacement.
+  /// The entries of a `subsection Support NAME`.
   struct SupportParameters
   {
     /// Declares the entries in the subsection that @p prm is in.

@@ -102,8 +102,7 @@ namespace lamella
              const std::vector<dealii::Point<3>> &points,
              const std::string                   &path);
 
-  /// Throws InputError of @p path, with the nearest names, if @p body has no @p
-  /// surface.
+  /// Throws InputError of @p path, with suggestions, without that @p surface.
   void
   check_surface(const Body        &body,
                 const std::string &surface,

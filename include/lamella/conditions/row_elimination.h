@@ -42,8 +42,7 @@ namespace lamella
     std::vector<unsigned int> rows;
     /// DoF that rows[k] eliminates.
     std::vector<DofIndex> pivots;
-    /// Factorized transpose of the rows in the pivots' columns; shifts share
-    /// it.
+    /// Factorized transpose of the rows in the pivots' columns.
     std::shared_ptr<const dealii::SparseDirectUMFPACK> transposed;
   };
 

@@ -73,8 +73,7 @@ namespace lamella
     influence(const std::function<double(const unsigned int)> &weight) const;
 
   private:
-    /// Stores the rest of a group as constraints. Throws InputError for 0 =
-    /// value.
+    /// Stores the rest of a group as constraints; throws InputError for 0 = 1.
     void
     keep(const RowElimination                    &elimination,
          const Body                              &body,

@@ -11,17 +11,15 @@
 
 namespace lamella
 {
-  /// Returns @p scene with the elements @p marked of its beams bisected. The
-  /// axes have to be made. Bodies whose nodes a contact pairs need all or none
-  /// marked.
+  /// Returns @p scene with the elements @p marked of its beams bisected. Axes
+  /// have to be made. Bodies with paired nodes need all or none marked.
   Scene
   bisected(Scene scene, const std::vector<ElementError> &marked);
 
   /// Returns the elements to bisect for @p goals: for each goal those with the
   /// largest |error| per DoF, at least @p share of the sum of |error|, and as
   /// many as leave at most @p left of the tolerance to all others. Nothing if a
-  /// goal has no LocalErrors or a contact pairs nodes: all are to be halved
-  /// then.
+  /// goal has no LocalErrors or a contact pairs nodes.
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,

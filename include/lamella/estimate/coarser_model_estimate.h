@@ -23,8 +23,7 @@ namespace lamella
   {
     /// Least degree N of LE-N with bars: LE-1 does not bound the error of LE-2.
     unsigned int min_degree = 3;
-    /// Least last change over the change before, as it may be small by
-    /// accident.
+    /// Least last change over the one before; it may be small by accident.
     double min_share_of_previous = 1. / 8.;
     /// Least error over the sum of |contributions| of nodes, which may cancel.
     double min_share_of_sizes = 1. / 4.;
@@ -54,9 +53,8 @@ namespace lamella
     unavailable_reason(const Simulation &run);
 
     /// Solves poorer models if goals need them. The last step of @p run has to
-    /// be solved and unavailable_reason() empty. Prints a line per model to @p
-    /// out; @p cache keeps the models. Throws what Simulation throws.
-    /// Collective.
+    /// be solved. Prints a line per model to @p out; @p cache keeps the models.
+    /// Throws what Simulation throws. Collective.
     CoarserModelEstimate(const Simulation &run,
                          std::ostream     &out,
                          ModelCache       &cache);

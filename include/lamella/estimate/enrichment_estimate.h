@@ -56,8 +56,7 @@ namespace lamella
     goals() const;
 
   private:
-    /// Numbers of a model that differs in one source, and its factor in the
-    /// bar.
+    /// Numbers of a model that differs in one source, and its factor.
     struct Other
     {
       Source        source;
@@ -85,8 +84,7 @@ namespace lamella
     RunGoals           of_run;
     ContactShares      of_contact;
     std::vector<Other> others;
-    /// Local errors of each quantity, from more elements; empty without
-    /// tolerances.
+    /// Local errors of each quantity, from more elements.
     std::vector<std::optional<LocalErrors>> local;
   };
 } // namespace lamella

@@ -26,16 +26,14 @@ namespace lamella
       Vector      force;
     };
 
-    /// Displacement that is 1 in a direction (0, 1, 2) at a support of a
-    /// number.
+    /// Displacement that is 1 in a direction (0, 1, 2) at a support.
     using Influence =
       std::function<BlockVector(const unsigned int, const unsigned int)>;
 
     /// Refers to the solved @p model; @p influence is that of its supports by
     /// default. Collective, as all members.
     explicit GoalDual(const Simulation &model, Influence influence = {});
-    /// Provides derivatives with respect to the forces of @p rows, without
-    /// solve().
+    /// Provides derivatives by the forces of @p rows, without solve().
     GoalDual(const Simulation &model, std::vector<unsigned int> rows);
 
     /// Returns J'_u, and J'_lambda of the active rows. Nothing for a jump, a

@@ -18,9 +18,8 @@ namespace lamella
   /// Constants of HalvedAxisEstimate.
   struct HalvedAxisRules
   {
-    /// Bounds for a trusted bar: none if a richer section changes a goal by
-    /// more than `max_remaining_share` of the change before, and `small` of the
-    /// scale.
+    /// Bounds for a trusted bar: a richer section changes a goal by at most
+    /// `max_remaining_share` of the change before, or `small` of the scale.
     double max_remaining_share = 0.8, small = 1e-2;
     /// Least bar, as a share of the change by the degree before.
     double min_share_of_previous = 1. / 8.;
@@ -58,9 +57,8 @@ namespace lamella
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Returns the best plan, if any, that costs at most @p most
-    /// multiplications. LE-1 replaces EBBT, TBT and TE-1 only: it is not richer
-    /// than others.
+    /// Returns the best plan, if any, of at most @p most multiplications. LE-1
+    /// replaces EBBT, TBT and TE-1 only: it is not richer than others.
     static std::optional<HalvedAxisPlan>
     plan(const Simulation &run, const double most);
 
@@ -74,8 +72,7 @@ namespace lamella
     goals() const;
 
   private:
-    /// Returns the approximate multiplications of @p plan for bodies of @p
-    /// sizes.
+    /// Returns the approximate multiplications of @p plan.
     static double
     operations(const Scene                 &scene,
                const std::vector<BodySize> &sizes,

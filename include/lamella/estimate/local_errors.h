@@ -60,8 +60,7 @@ namespace lamella
     BlockVector
     interpolate_to_coarse(const BlockVector &u) const;
 
-    /// Adds the errors of elements of @p body from products @p share of its
-    /// DoFs.
+    /// Adds the errors of elements of @p body from the products @p share.
     void
     add_elements(const unsigned int body,
                  const Vector      &share,

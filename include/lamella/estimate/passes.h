@@ -121,8 +121,7 @@ namespace lamella
     dropped_goals() const;
 
     /// Returns the sources of error to refine for open_goals(): the largest of
-    /// each goal, and others down to PassRules::max_unrefined_share of its
-    /// tolerance.
+    /// each, others down to PassRules::max_unrefined_share of its tolerance.
     std::vector<Source>
     wanted() const;
 

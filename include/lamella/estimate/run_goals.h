@@ -40,8 +40,7 @@ namespace lamella
     }
 
     /// Returns why @p quantity, a strain or stress of a probe or a measure of
-    /// such, has no limit at its place; empty for all others and for means over
-    /// boxes.
+    /// such, has no limit at its place; empty for all others and for boxes.
     std::string
     singularity_reason(const NamedQuantity &quantity) const;
 

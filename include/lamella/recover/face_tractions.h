@@ -31,8 +31,7 @@ namespace lamella
     FaceTractions() = default;
 
     /// Stores @p loads at load factor @p factor, and the regions of @p
-    /// supports, whose forces are unknown. Throws InputError for wrong
-    /// expressions.
+    /// supports. Throws InputError for expressions that do not parse.
     FaceTractions(const std::vector<Load>    &loads,
                   const LoadFactor           &factor,
                   const std::vector<Support> &supports = {});

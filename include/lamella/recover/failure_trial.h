@@ -26,8 +26,7 @@ namespace lamella
   /// Result of the search for the load with the smallest reserve factor 1.
   struct FirstFailure
   {
-    /// Bracket of load factors: no ply fails at `safe`, one at `failing`, if
-    /// any.
+    /// Bracket of load factors: no ply fails at `safe`, one at `failing`.
     double safe = 0., failing = 0.;
     /// The ply that fails at `failing`; none if no failure was found.
     std::optional<PlyReserve> where;

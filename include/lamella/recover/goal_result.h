@@ -14,8 +14,7 @@ namespace lamella
   /// Contribution of an element along a beam to the error of a goal.
   struct ElementError
   {
-    /// Number of the body, and ends of the element from the axis's start
-    /// [length].
+    /// Number of the body, and the element's ends along the axis [length].
     unsigned int body  = 0;
     double       begin = 0., end = 0.;
     /// Signed contribution, in the unit of the goal.
@@ -33,8 +32,7 @@ namespace lamella
     /// Contribution of contact: gaps of the finer model's active rows at
     /// coarser displacements, and the difference of contact forces.
     double contact = 0.;
-    /// Rest of the change, rounding if the finer model contains the coarser
-    /// one.
+    /// Rest of the change, rounding if the models are nested.
     double remainder = 0.;
   };
 

@@ -23,8 +23,7 @@ namespace lamella
   /// A body whose section is a laminate: a rectangle of rectangular cells.
   struct LaminateBox
   {
-    /// Frame at the lower left corner of the start: x across, z through the
-    /// plies.
+    /// Frame at the lower left corner of the start: x across, z through plies.
     Placement frame;
     /// Width, length and height.
     dealii::Point<3> size;
@@ -206,8 +205,7 @@ namespace lamella
     };
     FreeEdgeDecay
     free_edge_decay(const unsigned int side, const double x) const;
-    /// Corrections at free sides of sigma_xy and sigma_xy,x, with those along
-    /// y.
+    /// Corrections at free sides of sigma_xy and sigma_xy,x.
     struct FreeEdgeCorrection
     {
       dealii::Tensor<1, 5> of_value, of_slope;
@@ -217,8 +215,7 @@ namespace lamella
     free_edge_corrections(const std::vector<Layer> &layers,
                           const double              x,
                           const double              y);
-    /// Returns e at a side less its mean through the thickness, with
-    /// derivatives.
+    /// Returns e at a side less its mean over z, with derivatives.
     const std::vector<dealii::Tensor<1, 5>> &
     free_edge_stress(const unsigned int        side,
                      const std::vector<Layer> &layers,
@@ -242,8 +239,7 @@ namespace lamella
                    const Stencil     &along_x,
                    const Stencil     &along_y,
                    double            &in_plane);
-    /// Returns the cached fields at @p x of the body, inside an element of @p
-    /// ply.
+    /// Returns the cached fields at @p x in an element of @p ply.
     const Sampled &
     sampled_at(const dealii::Point<3> &x, const unsigned int ply);
     /// Returns @p start + int f dz from the lower face of a profile.
@@ -298,8 +294,7 @@ namespace lamella
     /// weights; matrices from samples to nodes, and from nodes to int_0^t.
     std::vector<double>        samples, sample_weights, nodes, node_weights;
     dealii::FullMatrix<double> to_nodes, integrate;
-    /// Transverse compliances {xz, yz}, plane-stress stiffnesses {xy, yy} by
-    /// ply.
+    /// Compliances {xz, yz} and plane-stress stiffnesses {xy, yy} by ply.
     std::vector<dealii::Tensor<2, 2>> shear_compliance, plane_stiffness;
     /// Axes of the plies in the body's frame.
     std::vector<Triad> ply_frames;

@@ -23,8 +23,7 @@ namespace lamella
     /// Returns the measure @p name of columns of @p probes. Of is PROBE[/PLY]:
     /// COLUMN - PROBE[/PLY]: COLUMN, Over a number or `distance`. Throws
     /// InputError for other forms, columns of different kinds, a difference
-    /// that is always zero, and if Over is zero or the distance of coincident
-    /// probes.
+    /// that is always zero, and if Over is zero.
     static Measure
     parse(const Entries            &in,
           const std::string        &name,

@@ -90,8 +90,7 @@ namespace lamella
   check_ply(const NamedQuantity            &quantity,
             const std::vector<std::string> &plies);
 
-  /// Throws InputError: the probe of @p quantity has values in several @p
-  /// plies.
+  /// Throws InputError: the probe of @p quantity has several @p plies.
   [[noreturn]] void
   refuse_interface(const NamedQuantity            &quantity,
                    const std::vector<std::string> &plies);
@@ -129,8 +128,7 @@ namespace lamella
   /// Path of quantities that no entry requests by name.
   inline const char *const references_path = "References";
 
-  /// Returns every quantity with References once. Appends probes without to @p
-  /// others.
+  /// Returns every quantity with References; appends other probes to @p others.
   std::vector<NamedQuantity>
   quantities_with_references(const QuantityNames      &names,
                              std::vector<std::string> &others);
@@ -140,14 +138,12 @@ namespace lamella
   traction_of(const ContactSummary          &contact,
               const std::vector<ContactRow> &rows);
 
-  /// Thresholds for the scale of a number: its magnitude or largest of its
-  /// kind.
+  /// Thresholds for the scale of a number.
   struct GoalRules
   {
     /// Values below this share of the largest of their kind take that as scale.
     double near_zero = 1e-3;
-    /// A material whose largest value is below this share of the scene's is no
-    /// scale.
+    /// A material with values below this share of the scene's is no scale.
     double nothing = arithmetic::negligible;
   };
 

@@ -50,8 +50,7 @@ namespace lamella
     FieldValues
     operator()(const dealii::Point<3> &x) const;
 
-    /// Returns the number of terms that the points determine in the poorest
-    /// frame.
+    /// Returns the number of terms that the points determine.
     unsigned int
     rank() const
     {
@@ -86,8 +85,7 @@ namespace lamella
     terms_of(const std::array<unsigned int, 3> &degrees);
 
     /// Returns the terms and the box of @p points in the coordinates of @p
-    /// frame, without coefficients. It may be flat along coordinates of degree
-    /// 0.
+    /// frame. It may be flat along coordinates of degree 0.
     static Polynomial
     in_frame(const std::vector<PatchPoint>     &points,
              const dealii::Tensor<2, 3>        &frame,

@@ -84,10 +84,9 @@ namespace lamella
     void
     add_rigid_motion(const std::vector<CurrentBody> &moved,
                      std::vector<std::string>       &sentences) const;
-    /// Returns the largest penetration of @p a into @p b, and its place. With
-    /// @p u of @p b, a point x of @p a is at the place X with X + u(X) = x,
-    /// found by Newton's method from the nearest surface point (gradient:
-    /// rotation).
+    /// Returns the largest penetration of @p a into @p b, and its place: with
+    /// @p u of @p b, a point x of @p a is at X with X + u(X) = x, found by
+    /// Newton's method from the nearest surface point.
     Extreme
     deepest(const CurrentBody &a,
             const CurrentBody &b,

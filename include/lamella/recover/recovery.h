@@ -2,8 +2,7 @@
 
 // The room `recover`: better stresses than those of the elements, and values at
 // requested places. It owns the recovery by patches and by equilibrium and the
-// sampling of probes, lines and cuts into Results. It never changes the
-// solution.
+// sampling of probes, lines and cuts into Results.
 
 #ifndef lamella_recover_recovery_h
 #define lamella_recover_recovery_h
@@ -160,8 +159,7 @@ namespace lamella
     const StressValues kind;
     /// Body::recovery_degrees(): 0 along coordinates without recovery.
     const std::array<unsigned int, 3> degrees;
-    /// Unit coordinates in [0, 1] of an element's nodes; empty without
-    /// recovery.
+    /// Unit coordinates in [0, 1] of an element's nodes, if recovered.
     std::array<std::vector<double>, 3> node_coordinates;
 
     /// Caches: patches of corners, values at Gauss points, fits and sources.

@@ -13,8 +13,7 @@
 
 namespace lamella
 {
-  /// A reference value to print beside a result, as in `uz: -0.134357: C3D20R,
-  /// converged`.
+  /// A reference value beside a result, `uz: -0.134357: C3D20R, converged`.
   struct Reference
   {
     /// Column of probes.csv, or fx, fy, fz of a contact or a support.
@@ -42,13 +41,11 @@ namespace lamella
     dealii::Point<3>       position;
     StressValues           stress = StressValues::undefined;
     std::vector<Reference> references;
-    /// Edges of the box around the position, scene axes [length]; zero: a
-    /// point.
+    /// Edges of the box around the position [length]; zero: a point.
     dealii::Tensor<1, 3> box = {};
   };
 
-  /// A segment along which fields are reported, on both sides of ply
-  /// interfaces.
+  /// A segment along which fields are reported, on both sides of interfaces.
   struct Line
   {
     std::string  name;
@@ -109,8 +106,7 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the cut @p name. Throws InputError, also unless Samples is 1 to
-    /// 100.
+    /// Returns the cut @p name. Throws InputError; Samples is 1 to 100.
     static Cut
     parse(const Entries                  &in,
           const std::string              &name,

@@ -29,8 +29,7 @@ namespace lamella
     double force = 0.;
     /// Resultant on the second side, friction included.
     Wrench on_second = {};
-    /// Friction: lambda_t on the second side, slipping, slip length,
-    /// dissipation.
+    /// Friction: lambda_t on the second side, state, slip length, dissipation.
     struct Friction
     {
       dealii::Tensor<1, 3> shear;
@@ -175,8 +174,7 @@ namespace lamella
     /// Returns notes, the warnings of all steps, and endnotes. Warnings name
     /// their step if there are several, or first failure. Warnings that differ
     /// by numbers only are merged, with the numbers of the largest load factor;
-    /// those that differ by the name of a contact or body are merged with all
-    /// names.
+    /// those that differ by a name are merged with all names.
     std::vector<std::string>
     all_warnings() const;
 

@@ -26,8 +26,7 @@ namespace lamella
     /// Stores references to the four lists. Stresses of bodies with finite
     /// rotations are in scene axes if @p in_scene_axes, else in material axes.
     /// Throws InputError, naming the entry, for positions outside of their
-    /// body, for a cut off its axis, and for equilibrium of a body that is no
-    /// laminate.
+    /// body, and for equilibrium of a body that is no laminate.
     Sampler(const Bodies             &bodies,
             const std::vector<Probe> &probes,
             const std::vector<Line>  &lines,

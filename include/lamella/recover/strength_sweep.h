@@ -65,9 +65,8 @@ namespace lamella
   class StrengthSweep
   {
   public:
-    /// Stores a reference to @p bodies. Throws InputError if a material lacks
-    /// data of a criterion, and for equilibrium of a body that is no laminate.
-    /// Collective.
+    /// Stores a reference to @p bodies. Throws InputError for missing material
+    /// data, and for equilibrium of a body that is no laminate. Collective.
     StrengthSweep(const Bodies &bodies, const StrengthParameters &parameters);
 
     struct Found
@@ -122,8 +121,7 @@ namespace lamella
     void
     require(const Criterion criterion, const Ply &ply, const Body &body) const;
 
-    /// Returns whether @p task uses point @p k of an element with @p touched
-    /// faces.
+    /// Returns whether @p task uses point @p k with faces @p touched.
     static bool
     uses_point(const Task                &task,
                const std::array<bool, 4> &touched,
@@ -150,8 +148,7 @@ namespace lamella
     };
     /// Points of a task that may be near failure.
     class Candidates;
-    /// Adds points of @p cell, in the ply of @p task, to @p along, @p
-    /// candidates.
+    /// Adds points of @p cell for @p task to @p along and @p candidates.
     void
     evaluate_cell(const SweptCell &cell,
                   const Task      &task,
@@ -175,8 +172,8 @@ namespace lamella
               const Task                          &task,
               const std::vector<dealii::Point<3>> &points,
               const Stresses                      &stresses) const;
-    /// Adds the worst row of each task at its @p points of all processes to @p
-    /// plies. Collective.
+    /// Adds the worst row of each task at its @p points to @p plies.
+    /// Collective.
     void
     add_worst_rows(const SweptBody                                  &swept,
                    const std::vector<std::vector<dealii::Point<3>>> &points,

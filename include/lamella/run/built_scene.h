@@ -47,8 +47,7 @@ namespace lamella
       return given;
     }
 
-    /// Returns scene() for other axes, with `auto` node-to-node contacts
-    /// restored.
+    /// Returns scene() for other axes, with `auto` contacts restored.
     Scene
     with_automatic_contacts() const;
 
@@ -97,8 +96,7 @@ namespace lamella
       gap_constraints = GapConstraints(contacts);
     }
 
-    /// Updates numbers of rows and unpaired points, and slave surfaces in @p
-    /// found.
+    /// Updates numbers of rows and slave surfaces in @p found.
     void
     update_pairing_facts(std::vector<ContactSummary> &found) const;
 
@@ -156,8 +154,7 @@ namespace lamella
     /// with temporary conditions and contacts if they depend on these.
     Bodies
     make_bodies_with_fields();
-    /// Finds the motions of @p bodies that isostatic supports remove, with
-    /// temporary contacts.
+    /// Finds the motions of @p bodies that isostatic supports remove.
     void
     set_isostatic_motions(const Bodies &bodies);
     /// Searches and pairs the gap rows of all contacts, without duplicates.
@@ -168,15 +165,13 @@ namespace lamella
     double
     constrained_overlap(const unsigned int             contact,
                         const ContactInterface::Point &at) const;
-    /// Throws InputError if bodies overlap initially where supports constrain
-    /// both sides.
+    /// Throws InputError for initial overlap where supports fix both sides.
     void
     check_constrained_overlaps() const;
     /// Appends the notes on the scene to @p found.
     void
     add_notes(Results &found) const;
-    /// Throws InputError for a quantity of a strip outside all contact
-    /// surfaces.
+    /// Throws InputError for a strip outside all contact surfaces.
     void
     check_strips() const;
     /// Builds probes, lines, cuts, goals, criteria.

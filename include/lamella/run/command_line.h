@@ -64,8 +64,8 @@ namespace lamella
       {CommandLine::Task::new_scene, "new"}};
   };
 
-  /// Returns the text of --help, with the exit status: 0 success, 1 InputError,
-  /// 2 NumericsError.
+  /// Returns the text of --help, with the exit status: 0 success, 1 wrong
+  /// input, 2 failed numerics.
   std::string
   usage();
 } // namespace lamella

@@ -55,8 +55,7 @@ namespace lamella
     /// Returns whether a ply fails at @p factor with reserve factors @p plies.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
-    /// Solves at @p factor within load step @p load_step and narrows the
-    /// interval.
+    /// Solves at @p factor within step @p load_step and narrows the interval.
     void
     attempt(const double factor, const unsigned int load_step);
     /// Returns the smaller one of the two upper ends, if any.

@@ -26,9 +26,8 @@ namespace lamella
   class LinearTrial
   {
   public:
-    /// Builds @p scene, read from @p text, with linear and with large
-    /// rotations, and solves the linear one. Throws InputError as Simulation
-    /// does.
+    /// Builds @p scene, read from @p text, with linear and large rotations, and
+    /// solves the linear one. Throws InputError as Simulation does.
     LinearTrial(const Scene &scene, const SceneText &text, std::ostream &out);
 
     /// Returns whether the linear run is the result.
@@ -38,8 +37,7 @@ namespace lamella
       return linear_suffices;
     }
 
-    /// Returns the linear run, solved, if it suffices, else the run with large
-    /// rotations, not solved.
+    /// Returns the linear run if it suffices, else the unsolved large one.
     Simulation &
     chosen() const
     {

@@ -36,17 +36,15 @@ namespace lamella
   class Simulation
   {
   public:
-    /// Builds the scene (BuiltScene); throws InputError for all its errors.
-    /// Nothing is written, no stiffness assembled. Progress goes to @p out.
-    /// What it needs of @p given is copied. @p rules choose the fields of SV-N.
-    /// Collective.
+    /// Builds the scene (BuiltScene); throws InputError for all its errors. No
+    /// stiffness is assembled. Progress goes to @p out. What it needs of @p
+    /// given is copied. @p rules choose the fields of SV-N. Collective.
     Simulation(const Scene      &given,
                std::ostream     &out,
                const FieldRules &rules = FieldRules());
     ~Simulation();
 
-    /// Callback for the results after each load step; its exceptions end the
-    /// run.
+    /// Callback for the results after each step; its exceptions end the run.
     using Observer = std::function<void(const Results &)>;
 
     /**
