@@ -36,8 +36,8 @@ namespace lamella
     }
   };
 
-  /// History of a Contact beside the state, for a restart: a projection may
-  /// remain slightly beyond its facet, and points are those of the last
+  /// History of a Contact beside the state, for a restart: projections may
+  /// remain slightly beyond their facets, and points are those of the last
   /// pairing.
   struct ContactHistory
   {
@@ -195,8 +195,7 @@ namespace lamella
 
     /// Returns the deepest place of the body in a roller, also between points
     /// (CylinderContactLines::deepest_in()), or of one body in the other
-    /// (deepest_node()), at @p u and @p factor. Empty for line contact and
-    /// planes.
+    /// (deepest_node()), at @p u and @p factor. Empty for lines and planes.
     std::optional<CylinderPenetration>
     cylinder_penetration(const BlockVector &u, const LoadFactor &factor) const;
 
@@ -209,8 +208,7 @@ namespace lamella
                    const LoadFactor  &to) const;
 
   private:
-    /// Returns the sides for pairing: @p now for finite rotations, else
-    /// undeformed.
+    /// Returns the sides for pairing: @p now at finite rotations.
     const ContactSides &
     paired_sides(const ContactSides &now) const;
     /// Creates missing points: those of the pairing, or of each one-point row.
@@ -225,16 +223,14 @@ namespace lamella
     /// Keeps one of the nodal rows @p interface per line in line contact.
     void
     reduce_to_lines();
-    /// Moves the undeformed points of lines next to the roller (small
-    /// rotations).
+    /// Moves the points of lines next to the roller, for small rotations.
     void
     update_lines();
     /// Sets the undeformed position of each row, and of its opposite place at
     /// the point of largest weight.
     void
     set_constraint_positions();
-    /// Returns the integrals over points @p on, with slips of reference @p
-    /// held.
+    /// Returns the integrals over points @p on, with slips from @p held.
     std::vector<GapIntegrals>
     integrate(const ContactSides        &sides,
               const MasterPoints         master_points,
@@ -277,8 +273,7 @@ namespace lamella
     /// Sets the slip rows from the integrals at @p sides.
     void
     assemble_slips(const ContactSides &sides);
-    /// Makes the slips relative to the beginning of the step at @p u, @p
-    /// factor.
+    /// Makes the slips relative to the beginning of the step.
     void
     offset_slips(const BlockVector &u, const LoadFactor &factor);
     /// Returns the first point of each row.
@@ -291,8 +286,7 @@ namespace lamella
     tangents_at(const ContactSides         &sides,
                 const GapPoint             &point,
                 const dealii::Tensor<1, 3> &n) const;
-    /// Returns slip_constraints() along @p tangents, with the traces on @p
-    /// sides.
+    /// Returns slip_constraints() along @p tangents on @p sides.
     std::vector<std::array<std::vector<BodyFunctional>, 2>>
     slip_constraints(const ContactSides          &sides,
                      const std::vector<Tangents> &tangents) const;

@@ -80,9 +80,8 @@ namespace lamella
   };
 
   /// A contact between two named surfaces, as read by
-  /// ContactParameters::parse() and converted to gap rows by make_interface().
-  /// First and Second determine signs only: n of Eq. 16 is the outward normal
-  /// of First.
+  /// ContactParameters::parse(). First and Second determine signs only: n of
+  /// Eq. 16 is the outward normal of First.
   struct ContactPair
   {
     /// Name in `subsection Contact NAME`, used in messages, tables and files.
@@ -103,14 +102,12 @@ namespace lamella
     /// Largest tangential offset of paired nodes over the root of their
     /// tributary area, for `node to node` (pair_node_to_node()).
     double tolerance = 1e-6;
-    /// Largest distance of paired points along the normal [length]; else
-    /// automatic.
+    /// Largest distance of paired points [length]; else automatic.
     std::optional<double> search_distance;
     /// Coulomb friction coefficient mu; 0 without friction.
     double friction = 0.;
     /// Marks a choice of `auto`. `surface to surface` replaces a `line to
-    /// roller` if more than a line is in contact; `edge to surface` joins it at
-    /// body ends.
+    /// roller` beyond a line; `edge to surface` joins it at body ends.
     bool is_automatic = false;
     /// Number of the contact that this one complements at body ends.
     std::optional<unsigned int> part_of;

@@ -85,8 +85,7 @@ namespace lamella
     };
 
     /// Points of a line by coordinate, those at one node combined: force,
-    /// tributary area, share of the strip; and loaded runs, also outside the
-    /// strip.
+    /// tributary area, share of the strip; and all loaded runs.
     struct Line
     {
       std::vector<double>   s, force, area, share;

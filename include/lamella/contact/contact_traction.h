@@ -85,8 +85,7 @@ namespace lamella
       dealii::Tensor<1, 3> force, moment;
     };
 
-    /// Returns the integral over the contact or a strip. Adjacent strips add
-    /// up.
+    /// Returns the integral over the contact or a strip; strips add up.
     Resultant
     resultant(const std::optional<ContactStrip> &strip = {}) const;
 
@@ -95,8 +94,7 @@ namespace lamella
     std::vector<double>
     shares(const std::optional<ContactStrip> &strip) const;
 
-    /// Returns the energy dissipated so far in the contact or a strip
-    /// (shares()).
+    /// Returns the energy dissipated in the contact or a strip (shares()).
     double
     dissipated(const std::optional<ContactStrip> &strip = {}) const;
 

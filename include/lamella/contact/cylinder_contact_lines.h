@@ -110,8 +110,7 @@ namespace lamella
             const Obstacle    &roller,
             const double       station);
 
-    /// Returns the place of @p line nearest to the axis of @p roller, after @p
-    /// last.
+    /// Returns the place of @p line nearest to the axis, after @p last.
     static MeshSurface::FacetPoint
     nearest_point_on_line(const Line                    &line,
                           const MeshSurface             &now,

@@ -14,8 +14,7 @@ namespace lamella
   {
     /// True if the node is on the second side.
     bool second = false;
-    /// Penetration [length], and the depth of the cell below the place it
-    /// faces.
+    /// Penetration [length], and the depth of the cell that it faces.
     double depth = 0., cell = 0.;
     /// Closest-point projection of the node.
     MeshSurface::FacetPoint at = {};

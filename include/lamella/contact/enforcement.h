@@ -51,8 +51,7 @@ namespace lamella
   {
     /// Mandatory: row_penalty() asserts it.
     PenaltyKind kind = PenaltyKind::undefined;
-    /// Penalty in the unit of its kind, or for `automatic` the multiple;
-    /// positive.
+    /// Penalty in the unit of its kind, or its multiple; positive.
     double value = 0.;
   };
 

@@ -26,12 +26,10 @@ namespace lamella
 {
   class ContactSides;
 
-  /// Relative displacement of a pair of points along a direction, or an
-  /// average.
+  /// Relative displacement of a pair of points along a direction, or a mean.
   struct ContactConstraint
   {
-    /// Parts, one per deformable body: -sum w . u_1 of First, then +sum v .
-    /// u_2.
+    /// Parts, one per deformable body: -sum w . u_1, then +sum v . u_2.
     std::vector<BodyFunctional> parts;
     /// Load history that multiplies the motion of an obstacle.
     unsigned int history = 0;
@@ -134,8 +132,7 @@ namespace lamella
       /// Tributary area A [length^2]: the smaller one of both nodes, that of
       /// the node, or A_i = int phi_i dA over the part facing the other side.
       double area = 0.;
-      /// Angle between n_1 and -n_2 [rad]; for `surface to surface` at its
-      /// node.
+      /// Angle between n_1 and -n_2 [rad], for averages at the node.
       double angle = 0.;
       /// Point spacing [length], the root of the full tributary area.
       double spacing = 0.;
@@ -190,8 +187,7 @@ namespace lamella
   public:
     /// Creates an empty view, for size(), empty() and the iterators only.
     GapConstraints() = default;
-    /// Views the rows of @p contacts, which keep their numbers, even without
-    /// rows.
+    /// Views the rows of @p contacts, which keep their numbers.
     GapConstraints(const std::vector<ContactInterface> &contacts);
     /// Views rows without a contact; they count as contact 0.
     GapConstraints(const std::vector<GapConstraint> &rows);
@@ -219,8 +215,7 @@ namespace lamella
       return *rows[row];
     }
 
-    /// Returns the number, size() or above, of a slip of @p row along @p
-    /// tangent.
+    /// Returns the number of a slip of @p row, size() or above.
     unsigned int
     slip(const unsigned int row, const unsigned int tangent) const
     {
@@ -271,8 +266,7 @@ namespace lamella
     std::pair<unsigned int, unsigned int>
     contact_of_row(const unsigned int row) const;
 
-    /// Returns a view of the entries of @p values (size(), or none) of @p
-    /// contact.
+    /// Returns a view of the entries of @p values that belong to @p contact.
     template <typename T>
     dealii::ArrayView<const T>
     of_contact(const unsigned int contact, const std::vector<T> &values) const
@@ -296,8 +290,7 @@ namespace lamella
   };
 
   /// Returns the default search distance [length]: twice Body::size() of the
-  /// smaller body, with an obstacle that of First's body. Open rows cost
-  /// little.
+  /// smaller body, with an obstacle that of First's body.
   double
   automatic_search_distance(const ContactPair &contact, const Bodies &bodies);
 

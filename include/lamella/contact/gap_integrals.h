@@ -16,13 +16,12 @@
 namespace lamella
 {
   /// Averages of a row over its points (GapPoint) with the weights a_q
-  /// phi_i(X_q) / A_i: the mortar integrals of a weighted gap. Nodes are trace
-  /// nodes of either surface, psi_k their functions; n is outward from the
-  /// slave side.
+  /// phi_i(X_q) / A_i: the mortar integrals of a weighted gap. psi_k are the
+  /// functions of trace nodes on either surface; n is outward from the slave
+  /// side.
   struct GapIntegrals
   {
-    /// A_i = sum a_q phi_i over points with a projection [length^2]; may be
-    /// zero.
+    /// A_i = sum a_q phi_i over points with a projection [length^2].
     double area = 0.;
     /// Averages of g [length] and of n.
     double               gap = 0.;

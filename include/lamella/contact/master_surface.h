@@ -74,8 +74,7 @@ namespace lamella
                     const double                search_radius,
                     const double                opposed = min_facing_cosine);
 
-  /// Exact surface of a rigid obstacle at its initial position, which it
-  /// shares.
+  /// Exact surface of a rigid obstacle at its initial position.
   class ObstacleSurface : public MasterSurface
   {
   public:

@@ -63,16 +63,14 @@ namespace lamella
       const GaussLobattoBasis *grid_s = nullptr, *grid_t = nullptr,
                               *trace_s = nullptr, *trace_t = nullptr;
       /// Bounding ball of the facet [length], the coarse test of
-      /// intersect_facet(), and the outward unit normal at the center (0.5,
-      /// 0.5).
+      /// intersect_facet(), and the outward unit normal at its center.
       dealii::Point<3>     center;
       double               radius = 0.;
       dealii::Tensor<1, 3> normal;
       /// Numbers of its trace nodes, the first coordinate running fastest.
       std::vector<unsigned int> trace_nodes;
       /// Numbers of its grid nodes in grid_nodes(), the first coordinate
-      /// running fastest, and in SurfaceTopology, where sides of an edge share
-      /// one.
+      /// running fastest, and in SurfaceTopology.
       std::vector<unsigned int> grid_nodes, nodes_of_body;
       /// Existence of an adjacent facet, and of an end of the body, beyond the
       /// sides s = 0, s = 1, t = 0 and t = 1.
@@ -193,8 +191,7 @@ namespace lamella
          const dealii::Tensor<1, 3> &d,
          const double                search_radius) const override;
 
-    /// Returns the normal at the center of the facet whose box is nearest to @p
-    /// x.
+    /// Returns the normal at the center of the nearest facet.
     dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const override;
 
@@ -244,8 +241,7 @@ namespace lamella
                              grid_points_on_facets;
     std::vector<GridNode>    nodes;
     std::vector<HangingNode> hanging;
-    /// Axes of the boxes, aligned with the surface for any orientation of the
-    /// body.
+    /// Axes of the boxes, aligned with the surface.
     dealii::Tensor<2, 3> frame;
     BoxSearch            boxes;
   };

@@ -48,8 +48,7 @@ namespace lamella
     void
     add_full_areas(const Cell &cell);
 
-    /// Adds the point @p st of @p cell with area @p weight and place @p
-    /// opposite.
+    /// Adds @p st of @p cell with area @p weight and place @p opposite.
     void
     add(const Cell             &cell,
         const dealii::Point<2> &st,
@@ -70,8 +69,7 @@ namespace lamella
     struct Node
     {
       WeightedGap sums;
-      /// Largest value of the function where it faces the other side, its
-      /// place.
+      /// Largest value of the function where it faces the other side.
       double nearest = 0.;
       /// Integral over all of its cells, whatever they face.
       double full_area = 0.;

@@ -16,8 +16,7 @@ namespace lamella
 {
   /// A rigid obstacle: a floor (the half space behind a plane) or a roller (a
   /// circular cylinder without ends), without DoFs and with prescribed motion,
-  /// as the second side of contacts. A row against it has only the part of the
-  /// body.
+  /// as the second side of contacts.
   struct Obstacle
   {
     /// Shape; `undefined` fails an assertion in meet().
@@ -49,8 +48,7 @@ namespace lamella
       return factor.of(history) * displacement;
     }
 
-    /// Returns the largest depth at which the same surface is nearest, or
-    /// infinity.
+    /// Returns the largest depth at which the surface is nearest.
     double
     depth() const
     {

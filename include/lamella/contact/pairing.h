@@ -32,8 +32,7 @@ namespace lamella
     /// Number of points of either surface that face no point of the other.
     unsigned int unpaired = 0, unpaired_second = 0;
     /// Smallest distance of the two sets, and smallest tangential offset of
-    /// points with opposed normals [length], for messages; else the largest
-    /// double.
+    /// points with opposed normals [length]; else the largest double.
     double nearest_distance = 0., smallest_offset = 0.;
   };
 
@@ -132,8 +131,7 @@ namespace lamella
     /// Edge contact: points are projected along the normals of master_mesh
     /// (closest_point_projection()).
     bool edge_contact = false;
-    /// Permitted depth in an obstacle [length], so that points can be pushed
-    /// out.
+    /// Permitted depth in an obstacle [length].
     double max_obstacle_depth = 0.;
   };
 

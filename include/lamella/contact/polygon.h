@@ -30,8 +30,7 @@ namespace lamella
   clipped(const Polygon &polygon, const Polygon &window);
 
   /// Returns the part of the convex @p polygon on which @p height >= 0, taken
-  /// as linear along its sides. Parts of height and -height share an edge
-  /// bitwise.
+  /// as linear along its sides. Both parts share an edge bitwise.
   Polygon
   part_above(const Polygon                                         &polygon,
              const std::function<double(const dealii::Point<2> &)> &height);

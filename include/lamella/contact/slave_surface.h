@@ -80,8 +80,7 @@ namespace lamella
 
     /// Returns the integrals() over the part in @p strip, exact to rounding on
     /// plane parallelograms. On curved facets a strip ends on straight lines in
-    /// (s, t) between points of its boundary on a 4 x 4 grid, without gap or
-    /// overlap.
+    /// (s, t) between points of its boundary on a 4 x 4 grid.
     std::vector<Integrals>
     integrals(const ContactStrip &strip) const;
 

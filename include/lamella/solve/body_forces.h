@@ -25,8 +25,7 @@ namespace lamella
     dealii::Tensor<1, 3> force, moment;
     /// Reference point of the moment, in the scene; not the point of action.
     dealii::Point<3> about;
-    /// The point on the line of action nearest to `about`; empty for zero
-    /// force.
+    /// The point on the line of action nearest to `about`, if any.
     std::optional<dealii::Point<3>> center_of_pressure = {};
   };
 

@@ -23,8 +23,7 @@ namespace lamella
     /// Contact law of each contact, in the order of the scene.
     std::vector<KktResidual> contacts;
     /// Largest sum of all forces on one body (loads, reactions, contacts,
-    /// springs), over the largest single force, or couple over the size of the
-    /// body.
+    /// springs), over the largest single force, or couple over the body size.
     double force_balance = 0.;
     /// Largest sum of all moments about the center of a body, over its size and
     /// the largest force of `force_balance`: errors of lever arms and of
@@ -34,8 +33,7 @@ namespace lamella
     /// the spring forces in `internal`.
     double residual = 0.;
     /// Strain energy 1/2 integral (e - e_0)^T C (e - e_0) dV, e_0 thermal, and
-    /// half the work of loads and reactions (external work of proportional
-    /// forces).
+    /// half the work of loads and reactions, the external work.
     double energy = 0., external_work = 0.;
     /// Strain energy of each body; zero where it is rounding.
     std::vector<double> energies;
@@ -44,8 +42,7 @@ namespace lamella
     double stabilization_energy = 0., stabilization_share = 0.;
     /// |energy - external_work - half the contact forces times displacements|
     /// over the larger of the first two, springs included: zero by Clapeyron's
-    /// theorem. With heat, `energy` is that of total strains, and f_0 also does
-    /// work.
+    /// theorem. With heat, `energy` is that of total strains, plus f_0's work.
     double energy_balance = 0.;
     /// Largest rotation [rad]; Eq. 5 neglects about half its square.
     double max_rotation = 0.;
@@ -54,8 +51,7 @@ namespace lamella
     bool   is_large   = false;
     double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.,
            shape_change = 0.;
-    /// Effects of large deflections, not set by check_state(), which solves
-    /// nothing.
+    /// Effects of large deflections; not set by check_state().
     NonlinearityEstimate beyond;
     /// Largest component of all displacements, including those of obstacles.
     double max_displacement = 0.;

@@ -59,8 +59,7 @@ namespace lamella
     among(const std::vector<unsigned int> &of) const;
 
     /// Returns K^-1 B^T lambda, the displacements due to the forces @p lambda
-    /// in the distinct rows @p of, expanded by G, hence zero in prescribed
-    /// DoFs.
+    /// in the distinct rows @p of, zero in prescribed DoFs.
     BlockVector
     displacement(const std::vector<unsigned int> &of,
                  const std::vector<double>       &lambda) const;

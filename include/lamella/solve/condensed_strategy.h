@@ -97,8 +97,7 @@ namespace lamella
     using Violations = std::vector<std::pair<double, unsigned int>>;
 
     /// Returns the initial working set: rows that are active or have a force,
-    /// and those included, unless most would be idle. Empty without closed
-    /// rows.
+    /// and those included, unless most would be idle.
     std::vector<unsigned int>
     initial_working_set(const ContactProblem &problem) const;
 

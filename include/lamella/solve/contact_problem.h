@@ -28,8 +28,7 @@ namespace lamella
   /// have one entry per contact constraint (GapConstraints).
   struct ContactProblem
   {
-    /// Gap g_state [length] and force lambda_state at the state, per
-    /// constraint.
+    /// Gap g_state [length] and force lambda_state of each constraint.
     std::vector<double> gap, force;
     /// Estimates lambda_bar of the multipliers (method of multipliers), or
     /// zero. A good one leaves less penetration due to the compliance d.
@@ -84,8 +83,7 @@ namespace lamella
     /// Number of active constraints.
     std::size_t active = 0;
     /// Constraints that violate the law (penetrating; with `full` also
-    /// tensile), and the largest violation [length]; none if the set is
-    /// correct.
+    /// tensile), and the largest violation [length].
     std::vector<unsigned int> changed;
     double                    violation = 0.;
   };

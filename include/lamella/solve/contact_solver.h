@@ -78,8 +78,7 @@ namespace lamella
 
     /// Callback for a line of text per iteration; no output by default.
     Progress progress;
-    /// Description of a gap row: contact, body, position; by default its
-    /// number.
+    /// Description of a gap row; by default its number.
     Describe describe;
 
     /// Returns the linear solution at load factor @p factor without active
@@ -192,8 +191,7 @@ namespace lamella
       /// Sticking constraints beyond mu lambda_n, and slipping ones whose slip
       /// is along their shear force.
       std::vector<unsigned int> friction_violations;
-      /// Largest |g + a lambda| of other active constraints, |v| of sticking
-      /// ones.
+      /// Largest |g + a lambda| of the others, |v| of sticking ones.
       double gap = 0.;
 
       bool
@@ -238,8 +236,7 @@ namespace lamella
                           const bool        was_slow) const;
 
     /// Returns the first problem, about the state without contact forces, with
-    /// the forces of @p previous constraints that penetrate in @p free as
-    /// estimates.
+    /// @p previous forces that penetrate in @p free as estimates.
     ContactProblem
     first_problem(const State      &free,
                   const LoadFactor &factor,
@@ -271,8 +268,7 @@ namespace lamella
     double
     correct(State &state, const LoadFactor &factor);
 
-    /// Corrects @p at_least times, then until is_refined(); returns all
-    /// correct().
+    /// Corrects @p at_least times until is_refined(); returns all correct().
     std::vector<double>
     refine(State &state, const LoadFactor &factor, const unsigned int at_least);
 

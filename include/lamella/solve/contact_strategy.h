@@ -101,8 +101,7 @@ namespace lamella
     virtual bool
     forces_are_accurate() const = 0;
 
-    /// Returns what else to try if the search does not converge, in part of a
-    /// sentence.
+    /// Returns what else to try without convergence, part of a sentence.
     virtual std::string
     remedy() const = 0;
 

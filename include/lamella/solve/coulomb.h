@@ -46,16 +46,14 @@ namespace lamella
     PointVectors            force;
     std::vector<PointState> states;
     /// Largest component of lambda - P(lambda - v), with the projection P onto
-    /// the cone of lambda_n, in the scaled problem, over the largest force
-    /// above one.
+    /// the cone of lambda_n, scaled by forces above one.
     double error = 0.;
     /// Sign of det(R W C), with the rows R of sticking constraints and gaps and
     /// the columns C of their forces: -1 for an unstable solution; 1 if no
     /// point is closed. W is regularized, which excludes its near-nullspace
     /// (more contact points than surface DoFs).
     int stability = 1;
-    /// Step of the chain that ended the first round, and number of linear
-    /// systems.
+    /// Method that ended the first round, and number of linear systems.
     std::string  by;
     unsigned int iterations = 0;
   };
@@ -87,9 +85,8 @@ namespace lamella
     unsigned int cone_rounds = 6;
     /// Smallest friction coefficient of a cone.
     double min_friction = 1e-4;
-    /// Decreasing regularization: initial shares of the diagonal, from the
-    /// current forces and from zero; factors; tolerance; limits of rounds and
-    /// sweeps.
+    /// Decreasing regularization: initial shares of the diagonal, factors,
+    /// tolerance, limits of rounds and sweeps.
     double first_compliance = 0.1, second_compliance = 1.;
     double decrease_factor = 0.1, slow_decrease_factor = 0.3,
            increase_factor = 5., solved = 1e-9;

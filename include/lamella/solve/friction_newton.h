@@ -71,17 +71,15 @@ namespace lamella
       std::vector<PointState> states;
     };
 
-    /// Linearized law: new force = lambda + change - sum of weight times B_on
-    /// du.
+    /// Linearized law: new force = lambda + change - sum weight B_on du.
     struct Law
     {
       PointVectors             change;
       std::vector<PenaltyTerm> terms;
     };
 
-    /// Rounding of the gaps of open rows, of gaps and slips of closed rows, and
-    /// of forces; rho [force / length] of normals, of tangents without slip, of
-    /// all.
+    /// Rounding of gaps of open rows, of gaps and slips of closed rows, and of
+    /// forces; rho [force / length] of normals, and of tangents.
     struct Scales
     {
       double closed = 0., slip_rounding = 0., small = 0., rho = 0.;

@@ -68,15 +68,13 @@ namespace lamella
   dealii::Tensor<1, 3>
   in_scene(const GapConstraint &row, const dealii::Tensor<1, 2> &components);
 
-  /// Returns the slip s(u) of @p row at load factor @p factor along its
-  /// tangents.
+  /// Returns the slip s(u) of @p row at @p factor along its tangents.
   dealii::Tensor<1, 2>
   slip_of(const GapConstraint &row,
           const BlockVector   &u,
           const LoadFactor    &factor);
 
-  /// Adds B^T lambda of @p row to @p f, of @p normal and, with friction, @p
-  /// shear.
+  /// Adds B^T lambda of @p row, with @p normal and @p shear force, to @p f.
   void
   add_force(const GapConstraint        &row,
             const double                normal,

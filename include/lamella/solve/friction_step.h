@@ -60,8 +60,7 @@ namespace lamella
            const LoadFactor     &factor,
            State                &state);
 
-  /// Ends the load step of moving contacts: the slips of the next start at
-  /// zero.
+  /// Ends the load step of moving contacts; the next slips start at zero.
   void
   end_moved_step(const GapConstraints &rows,
                  const State          &before,

@@ -106,8 +106,7 @@ namespace lamella
     next_active_set(const Iterate             &at,
                     const std::vector<double> &overlap,
                     const double               closed);
-    /// Returns the point at @p t between @p from and @p to with its law's
-    /// forces.
+    /// Returns the point at @p t between @p from and @p to with its forces.
     Iterate
     interpolate_iterate(const ContactProblem &problem,
                         const Iterate        &from,

@@ -125,8 +125,7 @@ namespace lamella
   class LoadPath
   {
   public:
-    /// Additional distance between two results of a load step, beside
-    /// change_of().
+    /// Additional distance between two results, beside change_of().
     using ChangeMeasure = std::function<double(const SolvedStep &one,
                                                const SolvedStep &other,
                                                const State      &before)>;
@@ -145,7 +144,7 @@ namespace lamella
       change_measure = std::move(more);
     }
 
-    /// Resumes after the first @p n_done >= 1 steps, of which the last gave @p
+    /// Resumes after the first @p n_done >= 1 steps, the last of which gave @p
     /// last.
     void
     resume(const unsigned int n_done, State last);
@@ -222,8 +221,7 @@ namespace lamella
     /// Returns the stored state nearest to @p factor, the newer of two.
     StoredState
     nearest(const double factor) const;
-    /// Returns the stored state nearest to @p factor passed by step @p
-    /// load_step.
+    /// Returns the nearest stored state that step @p load_step has passed.
     StoredState
     nearest_passed(const double factor, const unsigned int load_step);
     /// Returns the state at the end of step @p load_step.

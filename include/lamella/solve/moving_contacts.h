@@ -23,8 +23,7 @@ namespace lamella
     MultiplierTransfer(const std::vector<ContactInterface> &contacts,
                        const State                         &state);
 
-    /// Assigns the stored values to the rows of @p contacts in @p state, else
-    /// zero.
+    /// Assigns the stored values to the rows of @p contacts in @p state.
     void
     transfer_to(const std::vector<ContactInterface> &contacts,
                 State                               &state) const;
@@ -167,12 +166,10 @@ namespace lamella
     /// Throws NumericsError: @p how contact @p c was lost.
     [[noreturn]] void
     lose(const unsigned int c, const std::string &how);
-    /// Throws MissingEnds or NumericsError: an active constraint of @p c faces
-    /// nothing.
+    /// Throws MissingEnds or NumericsError: a constraint of @p c is lost.
     [[noreturn]] void
     release_facing(const unsigned int c);
-    /// Returns true if another contact has rows for the body's ends that face
-    /// @p c.
+    /// Returns true if another contact has rows for ends that face @p c.
     bool
     ends_have_constraints(const unsigned int c) const;
     /// Returns true if a row between the bodies of contact @p c is active.

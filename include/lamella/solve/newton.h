@@ -20,8 +20,7 @@ namespace lamella
   struct NewtonParameters
   {
     unsigned int max_iterations = 30;
-    /// Tolerance of equilibrium: norm of unbalanced forces over internal or
-    /// loads.
+    /// Tolerance of equilibrium: unbalanced forces over internal or loads.
     double force_tolerance = arithmetic::rounding_of_solutions;
     /// Limits for slender bodies, whose forces have a rounding of about (L /
     /// h)^3 1e-16. Below `stagnation_level`, two iterations that leave more
@@ -46,8 +45,7 @@ namespace lamella
     /// Correction over the scene's size that is small if springs determine it.
     double converged_change = 1e-7;
     /// A motion against springs is unstable if its stiffness is below minus
-    /// this share of the contact force over the size of the scene, else
-    /// neutral.
+    /// this share of the contact force over the size of the scene.
     double instability_share = 0.2;
     /// Limit of the new pairings in a step.
     unsigned int max_pairings = 3;
@@ -178,8 +176,7 @@ namespace lamella
          const bool                predicted,
          Equilibrium              &at);
 
-    /// Tries step() with and without prediction; failure changes only @p at's
-    /// count.
+    /// Tries step() with and without prediction; counts iterations in @p at.
     bool
     attempt(const LoadFactor &to, Equilibrium &at);
 
@@ -264,8 +261,7 @@ namespace lamella
                          const LoadFactor  &to,
                          State             &state) const;
 
-    /// Adds the forces S w of springs, scaled by @p regularization_factor, to
-    /// @p f.
+    /// Adds the forces @p regularization_factor S w of springs to @p f.
     void
     add_spring_forces(const double       regularization_factor,
                       const BlockVector &w,
@@ -297,8 +293,7 @@ namespace lamella
 
     /// Stores in @p at, and reports, the residuals of forces and gaps:
     /// condensed forces @p r at @p factor over loads or internal forces, or 0
-    /// if they are rounding of initial forces. Returns true if they are within
-    /// bounds.
+    /// if they are rounding. Returns true if they are within bounds.
     bool
     measure(const TangentOperator &here,
             const BlockVector     &r,
@@ -319,8 +314,7 @@ namespace lamella
       stagnates(const double share) const;
     };
 
-    /// Returns true if iterations end with @p unbalanced and the last @p
-    /// change.
+    /// Returns true if @p unbalanced and the last @p change end iterations.
     bool
     is_equilibrium(const ResidualHistory &unbalanced,
                    const double           change) const;
@@ -339,8 +333,7 @@ namespace lamella
     bool
     is_negligible(const BlockVector &way) const;
 
-    /// Returns true if gap violations @p missed satisfy the law at that @p
-    /// size.
+    /// Returns true if violations @p missed satisfy the law at that @p size.
     bool
     satisfies_contact_law(const ResidualHistory &missed,
                           const double           size) const;

@@ -61,8 +61,7 @@ namespace lamella
   std::vector<std::string>
   warnings_of(const NonlinearityEstimate &found, const Structure &structure);
 
-  /// Throws NumericsError for a stiffening above 1 or a buckling factor below
-  /// 1.
+  /// Throws NumericsError: stiffening above 1 or buckling factor below 1.
   void
   check_linear_range(const NonlinearityEstimate &found,
                      const Structure            &structure);

@@ -91,8 +91,7 @@ namespace lamella
     SolverKind solver = SolverKind::automatic;
     /// Bytes per machine; 0: the available memory.
     double memory_limit = 0.;
-    /// Largest rotation for linear kinematics (Eq. 5) [rad]; beyond is an
-    /// error.
+    /// Largest rotation for linear kinematics (Eq. 5) [rad].
     double     rotation_limit = 0.;
     OutOfRange beyond_linear  = OutOfRange::refuse;
     /// Enables estimates of large deflections and the check of units; reference
@@ -104,8 +103,7 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Reads the top level of a scene. Throws InputError without a load factor,
-    /// for numbers out of range, and for a linear solver that `full` cannot
-    /// use.
+    /// for numbers out of range, and for a linear solver that `full` lacks.
     static SolveParameters
     parse(const Entries &in);
   };

@@ -30,8 +30,7 @@ namespace lamella
     std::vector<unsigned int> active;
     /// Friction variables; empty without friction.
     FrictionState friction;
-    /// History of each contact, with the rows of the forces, at finite
-    /// rotations.
+    /// History of each contact at finite rotations, with the forces' rows.
     std::vector<ContactHistory> pairings;
 
     /// Offsets of the stabilizing springs; empty: zero force at u = 0.

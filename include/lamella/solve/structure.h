@@ -109,14 +109,12 @@ namespace lamella
     bool
     has_springs() const;
 
-    /// Returns r_k(u) of all springs, offsets that make them free of force at
-    /// @p u.
+    /// Returns r_k(u) of all springs: offsets free of force at @p u.
     SpringOffsets
     spring_lengths(const BlockVector &u) const;
 
     /// Returns the load vector f(t, u) at t = @p factor, not condensed: f . v
-    /// is the work of all loads on v (Eq. 10). Only follower loads depend on @p
-    /// u.
+    /// is the work of all loads on v (Eq. 10); @p u matters to follower loads.
     BlockVector
     load(const LoadFactor &factor, const BlockVector &u) const;
 
@@ -195,8 +193,7 @@ namespace lamella
     DofIndex
     n_dofs() const;
 
-    /// Returns the diagonal of all bodies' bounding box, the reference of
-    /// lengths.
+    /// Returns the diagonal of the bounding box of all bodies.
     double
     size() const;
 
@@ -232,8 +229,7 @@ namespace lamella
              const LoadFactor    &factor,
              const SpringOffsets &rest = {}) const;
 
-    /// Returns integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T, as in
-    /// residual().
+    /// Returns integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T.
     BlockVector
     internal_forces(const BlockVector &u, const SpringOffsets &rest = {}) const;
 
@@ -248,8 +244,7 @@ namespace lamella
 
   private:
     /// Returns u_p of the rows of @p history at load factor 1. Throws
-    /// InputError with support @p names if dependent rows have different
-    /// histories.
+    /// InputError with @p names if dependent rows have different histories.
     BlockVector
     prescribed_in(const unsigned int              history,
                   const std::vector<std::string> &names) const;

@@ -75,8 +75,7 @@ namespace lamella
 
     /// Returns the prescribed displacements from load factor @p from, that of
     /// the state, to @p to. With finite rotations this is the first-order
-    /// increment: second-order terms would compress a beam that has not bent
-    /// yet.
+    /// increment: second-order terms would compress an unbent beam.
     BlockVector
     support_increment(const LoadFactor &from, const LoadFactor &to) const;
 
@@ -87,8 +86,7 @@ namespace lamella
       double           share = 0.;
     };
     /// Returns the largest error at load factor @p at of rows that no
-    /// correction follows, with a tolerance for the effect of rotations on
-    /// warping.
+    /// correction follows.
     SupportError
     largest_support_error(const LoadFactor &at) const;
 
@@ -96,13 +94,11 @@ namespace lamella
     StiffnessTerms
     terms(const unsigned int body) const;
 
-    /// Returns K(u) @p w of all bodies and springs, not condensed, from
-    /// strains.
+    /// Returns K(u) @p w of bodies and springs, not condensed, from strains.
     BlockVector
     apply(const BlockVector &w) const;
 
-    /// Returns the solver for the condensed stiffness of @p body, if there is
-    /// one.
+    /// Returns the solver for the condensed stiffness of @p body.
     const LinearSolver &
     solver(const unsigned int body) const;
 
@@ -146,8 +142,7 @@ namespace lamella
     const BlockVector                          state;
     const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
-    /// Moved rows, and the value of each in the state; empty unless they
-    /// rotate.
+    /// Moved rows, and the value of each in the state, if they rotate.
     std::vector<PrescribedFunctional>          moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;
@@ -155,8 +150,7 @@ namespace lamella
     mutable std::vector<double> stiffest;
   };
 
-  /// Returns the tangent at u = 0 with solvers, for all states of linear
-  /// bodies.
+  /// Returns the tangent at u = 0 with solvers.
   std::shared_ptr<const TangentOperator>
   linearized(const Structure &structure,
              const SolverKind requested = SolverKind::automatic,
