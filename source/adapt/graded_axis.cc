@@ -13,6 +13,13 @@
 #include <functional>
 #include <map>
 
+// Graded meshes of axes by equidistribution of the density 1 / s(y) of elements
+// (de Boor, Lect. Notes Math. 363, Springer 1974, 12-20):
+// 1. grading_targets(): the places that need short elements (supports, loads,
+//    edges of contact), and the parts of the axis that are loaded all along;
+// 2. size_at(): the element size s(y), which grows linearly from each place;
+// 3. graded_breaks(): N = int dy / s elements between two places, each with
+//    1 / N of that integral.
 namespace lamella
 {
   using namespace dealii;
@@ -28,13 +35,17 @@ namespace lamella
             const std::vector<LoadedPart>   &loaded,
             const GradingRules              &rules)
     {
-      // Makes the first element, over which s grows, as long as given.
+      // The first element, of length a, has int_0^a dy / (c a + growth y) = 1
+      // if c = growth / (exp(growth) - 1); the next is exp(growth) times
+      // longer.
       const double first = rules.growth / std::expm1(rules.growth);
       double       size  = length / rules.least;
       for (const ShortElement &place : places)
         size =
           std::min(size,
                    first * place.size + rules.growth * std::abs(y - place.y));
+      // B4 is exact at its ends (Tong, AIAA J. 7 (1969) 178-180); inside, a
+      // line load leaves the bubble q h^4 / (384 E I).
       for (const LoadedPart &part : loaded)
         if (part.begin <= y && y <= part.end)
           size = std::min(size, part.span / rules.elements_per_span);
@@ -101,6 +112,7 @@ namespace lamella
     {
       for (unsigned int i = 1; i < n; ++i)
         {
+          // Inverse linear interpolation in the monotone table.
           const double wanted = integral.back() * i / n;
           const auto   above =
             std::upper_bound(integral.begin(), integral.end(), wanted);
@@ -141,6 +153,8 @@ namespace lamella
           std::any_of(loaded.begin(), loaded.end(), [&](const auto &part) {
             return part.begin < end && part.end > begin;
           });
+        // The allowance avoids a further element for an integral barely above
+        // an integer.
         const unsigned int n =
           n_elements(integral.back() - rules.rounding_allowance,
                      is_loaded ? 2. : 1.,
@@ -197,6 +211,9 @@ namespace lamella
       const auto [a, fa] = *std::prev(lowest);
       const auto [b, fb] = *lowest;
       const auto [c, fc] = *std::next(lowest);
+      // Newton's divided differences (successive parabolic interpolation;
+      // Brent, Algorithms for Minimization without Derivatives, 1973, Ch. 5):
+      //   p(y) = f_a + left (y - a) + bend (y - a) (y - b),  p' = 0.
       const double left = (fb - fa) / (b - a), right = (fc - fb) / (c - b),
                    bend = (right - left) / (c - a);
       return bend > 0. ? 0.5 * (a + b) - 0.5 * left / bend : b;
@@ -246,13 +263,15 @@ namespace lamella
             begin = std::min(begin, y);
             end   = std::max(end, y);
           }
+      // A contact shorter than H acts on the beam like a line contact.
       const double size = rules.contact * H;
       if (end - begin < H)
         {
           places.push_back({nearest(gaps), size, true});
           return;
         }
-      // Extended contact: short elements at its edges, a limit in between.
+      // Extended contact: short elements at its edges, where the pressure
+      // concentrates, and places every (end - begin) / n in between.
       for (const double edge : {begin, end})
         places.push_back({edge, size, true});
       const double n = std::ceil(
@@ -277,7 +296,9 @@ namespace lamella
         {
           if (region.body != number)
             continue;
-          // Conditions on the whole surface do not change at the ends.
+          // A clamped end disturbs the section over a length of about H
+          // (Saint-Venant's principle). Conditions on the whole surface do not
+          // change at the ends.
           for (const double y : {0., beam.axis().length()})
             if (is_clamp(region, y, beam.axis().length()) &&
                 !region.is_whole_body() &&
@@ -318,8 +339,7 @@ namespace lamella
 
 
 
-    /// Returns the grading targets of supports, loads and contacts on body
-    /// @p number.
+    /// Returns the places of supports, loads and contacts on body @p number.
     std::vector<ShortElement>
     places_of(const unsigned int                   number,
               const Bodies                        &bodies,
@@ -366,6 +386,7 @@ namespace lamella
             return one.place().to_body(
               other.place().to_scene(Point<3>(0., y, 0.)))[1];
           };
+          // Both ends must coincide, in the same direction of the axes.
           const double tolerance = arithmetic::same_position * length;
           if (std::abs(other.axis().length() - length) > tolerance ||
               std::abs(y_in_one_of(0.)) > tolerance ||
@@ -435,6 +456,7 @@ namespace lamella
                     const Tensor<1, 3>                 &gravity,
                     const GradingRules                 &rules)
     {
+      // Spans of loaded parts end at supported places, hence places come first.
       const Bodies plain = plain_beams(bodies, meshes);
       distribute_total_forces(loads, plain);
       apply_temperatures(loads, plain);
@@ -454,7 +476,8 @@ namespace lamella
 
 
 
-  // Two passes: contacts on equal elements, then on the graded axes.
+  // A fixed-point iteration of two passes, as gaps depend on the mesh that
+  // samples them: contacts on equal elements, then on the graded axes.
   void
   grade_axes(std::vector<BodyDescription>   &bodies,
              const SectionMeshes            &meshes,

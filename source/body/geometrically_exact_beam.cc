@@ -5,7 +5,8 @@
 // of its sections and its state. Forces: geometrically_exact_forces.cc; output
 // at points: geometrically_exact_points.cc. Rotations are unit quaternions at
 // nodes, interpolated linearly (Romero, Comput. Mech. 34 (2004) 121-133);
-// strains divide by |Q|, hence are objective.
+// strains divide by |Q|, hence are objective (the requirement of Jelenic and
+// Crisfield, Comput. Methods Appl. Mech. Eng. 171 (1999) 141-171).
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
@@ -107,13 +108,16 @@ namespace lamella
     const SaintVenant states(*deformable_section);
     twist_stretch = std::make_unique<TwistStretch>(states);
     make_laws(keeps_normal);
+    // c of M = D k (1 + c k^2), less Wagner's share, which the law contains.
     stiffening = stiffening_by_shape(states);
     stiffening[1] -= twist_stretch->stiffening();
   }
 
 
 
-  // Gauss rule with as many points as the degree: reduced integration.
+  // Gauss rule with as many points as the degree: reduced integration against
+  // shear locking (Zienkiewicz, Taylor and Too, Int. J. Numer. Meth. Eng. 3
+  // (1971) 275-290; for this beam, Simo and Vu-Quoc).
   void
   GeometricallyExactBeam::make_stations()
   {
@@ -134,7 +138,9 @@ namespace lamella
   void
   GeometricallyExactBeam::make_laws(const bool keeps_normal)
   {
-    // Stiffness against shear over that against stretch, a penalty for EBBT.
+    // Stiffness against shear over that against stretch: penalty of Kirchhoff's
+    // constraint Gamma_x = Gamma_z = 0 for EBBT. In a cantilever of height h it
+    // leaves 3 E I / (10^4 E A L^2) = 2.5e-5 (h / L)^2 of the deflection.
     constexpr double       normal = 1e4;
     const SectionOperator *before = nullptr;
     along_axis().for_each_element(
@@ -212,7 +218,11 @@ namespace lamella
 
 
 
-  // Column k of D: the section forces of a unit of strain k (SectionOperator).
+  // Column k of D: the section forces of a unit of strain k (SectionOperator),
+  //   D_ck = int b_c . C b_k dA,
+  // with the strain field b_k of the section for e_k = 1. The six columns of
+  // Gamma and kappa are the cross-sectional stiffness; those of a and a' couple
+  // it to warping.
   std::shared_ptr<GeometricallyExactBeam::Law>
   GeometricallyExactBeam::make_law(
     const SectionOperator &section_operator) const
@@ -240,7 +250,9 @@ namespace lamella
 
 
 
-  // Wagner's term: row and column of kappa_y^2 / 2 from TwistStretch.
+  // Wagner's term: row and column of kappa_y^2 / 2 from TwistStretch, with its
+  // strain epsilon_2 = r^2 e_yy + D_s v:
+  //   D_cw = int b_c . C epsilon_2 dA,  D_ww = int epsilon_2 . C epsilon_2 dA.
   void
   GeometricallyExactBeam::add_twist_stretch(Law &law) const
   {
@@ -258,7 +270,9 @@ namespace lamella
 
 
 
-  // Section forces on fields, collected as stresses work-conjugate to e.
+  // Section forces on fields, collected as stresses work-conjugate to e: if
+  // strain c makes the field amplitude f_c e_c, its stress is f_c times the
+  // force on the field.
   std::vector<double>
   GeometricallyExactBeam::on_strains(const std::vector<unsigned int> &list,
                                      const FieldParts                &work,
@@ -282,7 +296,7 @@ namespace lamella
 
   // ---- the state
 
-  // Rotation vector from the slopes u_y,z = theta_x, u_y,x = -theta_z, times h.
+  // Rotation vector from the slopes u_y,z = -theta_x, u_y,x = theta_z, times h.
   Tensor<1, 3>
   GeometricallyExactBeam::rotation(const unsigned int node,
                                    const Vector      &u) const
@@ -297,7 +311,12 @@ namespace lamella
 
 
 
-  // Left multiplication of the spin on the rotation, exp(du) q(u).
+  // Left multiplication of the spin on the rotation, exp(du) q(u) (Simo and
+  // Vu-Quoc; compound rotations by quaternions: Crisfield, Non-linear Finite
+  // Element Analysis of Solids and Structures, Vol. 2, Wiley 1997, Ch. 16). The
+  // vectors in u have angles of 0 to pi; their jump at pi has no effect, as
+  // quaternions are composed and interpolated. Spins a and b in two planes make
+  // a twist of second order, a x b / 2 (Baker, Campbell and Hausdorff).
   Vector
   GeometricallyExactBeam::retract(const Vector &u, const Vector &change) const
   {
@@ -370,6 +389,7 @@ namespace lamella
     for (const unsigned int node : axis().nodes_of_cell(cell))
       {
         result.q.push_back(quaternion_of(rotation(node, u)));
+        // q and -q are the same rotation: interpolation takes the shorter arc.
         if (result.q.back() * result.q.front() < 0.)
           result.q.back() *= -1.;
         const DofIndex first = dofs().first(node);
@@ -388,7 +408,8 @@ namespace lamella
 
 
 
-  // Linear interpolation of quaternions, not normalized; Q' likewise.
+  // Linear interpolation of quaternions, not normalized; Q' likewise:
+  //   Q = sum N_i q_i,  Q' = sum N_i' q_i = sum N_i' (q_i - q_0).
   GeometricallyExactBeam::Frame
   GeometricallyExactBeam::frame_at(const AxisPoint &point,
                                    const Element   &element)
@@ -435,6 +456,9 @@ namespace lamella
 
 
   // ---- local numbers: of each node r, spin and warpings
+  //
+  // With DoF = factor x local unknown, virtual work gives the congruence
+  //   f_dof = f_local / factor,  K_ij,dof = K_ij,local / (factor_i factor_j).
 
   std::vector<GeometricallyExactBeam::LocalDof>
   GeometricallyExactBeam::local_dofs(const unsigned int cell) const

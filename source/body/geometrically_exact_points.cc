@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Points of the geometrically exact beam, x = X_c + r + R (X - X_c + Phi a):
-// positions, rows of displacements, tangents of forces, and samples.
+// positions, rows of displacements, tangents of forces, and samples (kinematics
+// of Simo, Comput. Methods Appl. Mech. Eng. 49 (1985) 55-70, with warping as in
+// Simo and Vu-Quoc, Int. J. Solids Struct. 27 (1991) 371-393). With the offset
+// v = X - X_c + Phi a, the interpolated Q = sum N_i q_i and forces F at points:
+//   displacement  u = r + (R - 1) (X - X_c) + R Phi a,
+//   rows          B = dx/d(r_i, theta_i, a_i)             (by_local()),
+//   forces        f = B^T F,
+//   tangent       df/d(r_i, theta_i, a_i) = F . d2x       (add_force()).
+// Contacts and loads act through B; the tangent of B^T F is the part of the
+// geometric stiffness that belongs to forces off the axis.
 
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
@@ -18,7 +27,11 @@ namespace lamella
 
   // ---- a section in a state
 
-  // Section fields with the strains as axial derivatives of rigid fields.
+  // Section fields with the strains as axial derivatives of rigid fields:
+  //   u_x' = Gamma_x, u_y' = Gamma_y, u_z' = Gamma_z,
+  //   (u_y,z)' = -kappa_x, (rotation about y)' = kappa_y, (u_y,x)' = kappa_z.
+  // Rigid fields themselves are zero in section axes; modes of the section
+  // space add their values a and derivatives a'.
   GeometricallyExactBeam::SectionState
   GeometricallyExactBeam::section_state(const unsigned int cell,
                                         const Frame       &frame) const
@@ -65,7 +78,7 @@ namespace lamella
   Tensor<1, 3>
   GeometricallyExactBeam::from_center(const SectionPoint &point) const
   {
-    // The slopes are (x - x_c) / h and (z - z_c) / h along y.
+    // The slope fields are (x - x_c) / h and (z - z_c) / h along y.
     const auto along = [&](const unsigned int alpha) {
       const auto found =
         std::find(point.fields->begin(), point.fields->end(), alpha);
@@ -79,6 +92,7 @@ namespace lamella
 
 
 
+  // u in body axes; state.warping has the coefficients of Phi a by fields.
   Tensor<1, 3>
   GeometricallyExactBeam::displacement(const SectionPoint &point,
                                        const SectionState &state) const
@@ -95,6 +109,8 @@ namespace lamella
 
   // ---- points of it
 
+  // Columns of Phi: modes of the section space, combined from the fields of the
+  // section cell (the CUF expansion F_tau).
   GeometricallyExactBeam::PointFields
   GeometricallyExactBeam::fields_at(const Location::Place &place) const
   {
@@ -127,7 +143,7 @@ namespace lamella
 
 
 
-  // R of the section in scene axes.
+  // Change of basis from body to scene axes, A^T R A.
   Tensor<2, 3>
   GeometricallyExactBeam::rotation_at(const Location &location,
                                       const Vector   &u) const
@@ -186,7 +202,8 @@ namespace lamella
 
 
 
-  // dx/dr = N_i, dx/dspin = d(R v)/dQ N_i dq_i, dx/da = R Phi N_i.
+  // dx/dr = N_i, dx/dspin = d(R v)/dQ N_i dq_i, dx/da = R Phi N_i, with dq_i =
+  // (0, theta_i) q_i / 2. Equal spins of all nodes sum to theta x R v.
   std::vector<Tensor<1, 3>>
   GeometricallyExactBeam::by_local(const PointFields &at,
                                    const Element     &element)
@@ -222,6 +239,7 @@ namespace lamella
 
 
 
+  // Rows in scene axes; a DoF is `factor` times its local unknown.
   void
   GeometricallyExactBeam::add_rows(const Location::Place         &place,
                                    const double                   share,
@@ -261,7 +279,13 @@ namespace lamella
 
 
 
-  // Second variation of the potential of a dead force.
+  // Second variation of the work F . x at fixed F. x is linear in r, and R v in
+  // v, so only spin-spin and spin-warping blocks exist:
+  //   K_ij = L_i^T H L_j + delta_ij c_i 1,   H = F . d2(R v)/d(Q, v)2,
+  // with L_i = N_i dq_i/dtheta_i or N_i Phi. c_i is the curvature of the unit
+  // sphere: along the geodesic exp(t theta) q the second derivative of q is
+  // -|theta|^2 q / 4. This is the Hessian on SO(3), symmetric in any state
+  // (Simo, Comput. Methods Appl. Mech. Eng. 96 (1992) 189-200).
   void
   GeometricallyExactBeam::add_force(const PointFields        &at,
                                     const Tensor<1, 3>       &force,
@@ -299,6 +323,8 @@ namespace lamella
 
 
 
+  // Row L_i^T H times the L_j of all nodes; the spin-warping block is also
+  // added transposed, as add_force() visits spins only.
   void
   GeometricallyExactBeam::add_force_row(const PointFields        &at,
                                         const Element            &element,
@@ -334,7 +360,8 @@ namespace lamella
     const Vector                                      &u,
     const std::function<void(const StiffnessBlock &)> &use) const
   {
-    // Blocks by axis elements.
+    // Blocks by axis elements. The forces keep their directions in the scene; a
+    // location on several elements has equal shares.
     std::map<unsigned int, LAPACKFullMatrix<double>> of_cells;
     for (unsigned int k = 0; k < locations.size(); ++k)
       for (const Location::Place &place : locations[k].places)
@@ -359,6 +386,8 @@ namespace lamella
 
 
 
+  // Wagner's strain, relaxed by warping in the section's plane; a rigid section
+  // has the stretch r^2 of fibers, completed by its theory.
   Voigt
   GeometricallyExactBeam::twist_strain(const SectionPoint &point) const
   {
@@ -369,7 +398,11 @@ namespace lamella
 
 
 
-  // Small strain in section axes, plus kappa_y^2 / 2 times the fiber stretch.
+  // Small strain in section axes, plus kappa_y^2 / 2 times the fiber stretch,
+  //   epsilon = sum_tau (q_tau D_s F_tau + q_tau' D_y F_tau)
+  //             + kappa_y^2 / 2 epsilon_2
+  // (the split of CUF; Carrera, Cinefra, Petrolo and Zappino, Finite Element
+  // Analysis of Structures through Unified Formulation, Wiley 2014).
   Voigt
   GeometricallyExactBeam::strain_at(const SectionPoint &point,
                                     const SectionState &state) const
@@ -386,6 +419,8 @@ namespace lamella
 
 
 
+  // Stress C (epsilon - epsilon_0) in section axes, which rotate by R: small
+  // strains make it the Cauchy stress R^T sigma R.
   FieldSample
   GeometricallyExactBeam::sample_of_section(const SectionPoint &point,
                                             const double        y,
@@ -439,7 +474,10 @@ namespace lamella
 
 
 
-  // Root mean square of the axial strain, and changes of shape by curvature.
+  // Largest principal strain; root mean square of the axial strain,
+  //   (int epsilon_yy^2 dA / A)^(1/2);
+  // and the change of stiffness by the change of shape, sum_k c_k kappa_k^2
+  // (Brazier, Proc. R. Soc. Lond. A 116 (1927) 104-114; stiffening_by_shape()).
   void
   GeometricallyExactBeam::add_strains(const SectionState &state,
                                       Deformation        &deformation) const
@@ -466,7 +504,8 @@ namespace lamella
 
 
 
-  // Energy e . D e / 2, less e . D e_0 if heated, and extremes at stations.
+  // Energy e . D e / 2, less e . D e_0 if heated, and extremes at stations:
+  //   U = sum_stations w (s / 2 - s_0) . e,  s = D e,  s_0 = D e_0.
   Deformation
   GeometricallyExactBeam::deformation(const Vector &u) const
   {

@@ -224,9 +224,9 @@ namespace lamella
 
 
 
-    // Fan of triangles from the first corner. Weights are areas on the facet:
-    // those in the chord plane over the cosine of the angle between both
-    // normals.
+    // Fan of triangles from the first corner; a segment is convex. Weights are
+    // areas on the facet: those in the chord plane over the cosine of the angle
+    // between both normals.
     void
     Integrator::add_segment(const Cell                      &cell,
                             const ChordPlane                &plane,
@@ -291,7 +291,8 @@ namespace lamella
 
 
     // Inverse map: Newton's method for the (s, t) whose projection along the
-    // plane's normal is the point p.
+    // plane's normal is the point p,
+    //   p - P x(s, t) = 0,  Jacobian [e_1, e_2]^T [d_s x, d_t x].
     Integrator::SlavePoint
     Integrator::slave_point_at(const Cell       &cell,
                                const ChordPlane &plane,

@@ -101,6 +101,8 @@ namespace lamella
 
   // Column j of R K^-1 C + d: the compliance of row j, for a slipping row that
   // of B_n^T + mu e_a B_t,a^T, since its shear force follows its normal force.
+  // Slip makes it nonsymmetric, as Coulomb's slip rule is nonassociated
+  // (Wriggers, Computational Contact Mechanics, Springer 2006).
   std::vector<double>
   CondensedStrategy::contact_system(const ActiveConstraints &closed)
   {
@@ -254,7 +256,9 @@ namespace lamella
                                      const std::vector<unsigned int> &part,
                                      const std::vector<double> &forces) const
   {
-    // v = [g_state; s_state - s_0] + C (lambda - lambda_state) + a lambda.
+    // v = [g_state; s_state - s_0] + C (lambda - lambda_state) + a lambda
+    // = q + W (lambda - lambda_state), with W = C + a and
+    // q = [g_state; s_state - s_0] + a lambda_state.
     CoulombProblem                  small;
     PointCompliance                &W       = small.compliance;
     const std::vector<unsigned int> numbers = with_slips(part);
@@ -445,6 +449,9 @@ namespace lamella
       return solution;
     joining.resize(std::min(joining.size(), first_rows));
 
+    // Cutting planes (Kelley, J. SIAM 8 (1960) 703-712): the most violated rows
+    // join, at most as many as the set has (or first_rows). Rows that close
+    // because others have closed join once at the end.
     std::set<unsigned int> left;
     bool                   all_interactions = false;
     while (true)

@@ -167,6 +167,8 @@ namespace lamella
         PointVectors load = d.z;
         for (unsigned int i = 0; i < W.n_points(); ++i)
           load[i] -= residual[i];
+        // With dz = T^-1 quotient(right, lambda) - T^-2 dx eliminated:
+        //   (W + T^-2) dx = T^-1 quotient(right, lambda) - residual.
         std::vector<double> rows = W.by_rows(load);
         factor->solve(rows);
         d.x = W.by_points(rows);
@@ -175,7 +177,7 @@ namespace lamella
         return d;
       }
 
-      /// -lambda o lambda.
+      /// Returns -lambda o lambda, the right side of the predictor.
       PointVectors
       affine() const
       {
@@ -185,7 +187,8 @@ namespace lamella
         return right;
       }
 
-      /// The second-order error of the direction @p d.
+      /// Returns the second-order error of the direction @p d,
+      /// (T^-1 dx) o (T dz).
       Tensor<1, 3>
       correction(const unsigned int point, const ConePair &d) const
       {
