@@ -21,8 +21,8 @@ namespace lamella
     return text;
   }
 
-  /// Returns the line `Note: TEXT. [ID]` of @p note, a text with its identifier
-  /// and without a full stop.
+  /// Returns the console's line of @p note, a text with its identifier and
+  /// without a full stop: the text as a sentence, then the identifier.
   inline std::string
   note_line(const std::string &note)
   {

@@ -13,7 +13,7 @@
 namespace lamella
 {
   /// A value of a load as text: a number, a function of x, y, z in the language
-  /// of muParser, or empty; `load.force[2] = -1000.` or `-1000*sin(pi*y/2)`.
+  /// of muParser (-1000*sin(pi*y/2)), or empty.
   class Formula
   {
   public:

@@ -40,8 +40,8 @@ namespace lamella
    * EBBT, TBT, TE-N and SV. The models have half of the elements (or a quarter:
    * HalvedAxisPlan) and
    *   H_p  the run's theories and degrees;
-   *   H_r  LE with one degree more, other theories replaced by
-   *        LE-HalvedAxisPlan::degree;
+   *   H_r  LE with one degree more, other theories replaced by LE of the
+   *        degree of HalvedAxisPlan;
    *   H_l  one degree less than H_p if all bodies are LE, else than H_r.
    * With s = J(H_r) - J(H_p) the bar is
    *   2 |s| + |J(run) - J(H_p)|,
