@@ -272,10 +272,17 @@ namespace lamella
   new_name(const std::string &path)
   {
     constexpr const char *renamed[][3] = {
+      {"Body", "Elements", "Kinematics/Axis elements"},
       {"Body", "Hold", "Isostatic support"},
+      {"Body", "Isostatic", "Isostatic support"},
       {"Body", "Stabilisation", "Stabilization"},
       {"Contact", "Discretisation", "Discretization"},
       {"Contact", "Points on", "Slave side"},
+      {"Load", "Delta T", "Temperature"},
+      {"Load", "Moment", "Couple"},
+      {"Load", "Torque", "Couple"},
+      {"Material", "E", "Isotropic"},
+      {"Material", "Expansion", "Thermal expansion"},
       {"Measure", "Of", "Difference"},
       {"Measure", "Over", "Divided by"},
       {"Section", "Fibre angle", "Fiber angle"},

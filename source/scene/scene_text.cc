@@ -413,7 +413,7 @@ namespace lamella
           if (!renamed.empty())
             throw InputError("scene.renamed-entry: the entry '" +
                              last_part(item.path) + "'" + where +
-                             " is now called '" + renamed + "'. Rename it.")
+                             " is called '" + renamed + "'. Rename it.")
               .at(place(item));
           const std::string nearest =
             nearest_name(last_part(item.path),

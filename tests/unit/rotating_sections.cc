@@ -372,7 +372,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_turn_is_free)
   const Vector u      = some_state(*body);
   const double energy = body->deformation(u).energy;
   Tensor<1, 3> theta({0.5, -0.9, 1.4});
-  Vector       rotated(u.size()), spin(u.size());
+  Vector       turned(u.size()), spin(u.size());
   const auto   motions = body->rigid_motions_at(u);
   for (const double angle : {0.6, pi / 2., pi, 2. * pi})
     {
