@@ -9,63 +9,67 @@ namespace lamella
   /// methods and thresholds of warnings are defined where they are used.
   namespace arithmetic
   {
-    /// Lower limit of a divisor or reference size that may be zero.
+    /// Lower limit of a divisor or reference value, against division by zero.
     constexpr double smallest_divisor = 1e-300;
 
     // ---- what rounding leaves of zero, relative to the terms that cancel
 
-    /// Relative to the terms: a few operations on numbers of one order, such as
-    /// a shape function at the other nodes. About fifty double epsilons.
+    /// Rounding error, relative to the terms, of a few operations on numbers of
+    /// one order, such as a shape function at a node where it vanishes. About
+    /// 50 epsilons.
     constexpr double rounding = 1e-14;
-    /// Relative to the terms: long sums, as rows over the nodes of a body,
-    /// components after rotations, rows of a law.
+    /// Rounding error of long sums, relative to the terms, such as products
+    /// with a matrix row or tensor components after a rotation.
     constexpr double rounding_of_sums = 1e-13;
-    /// Relative to the terms: results of longer computations computed in two
-    /// ways (roots, iterates, projections, forces that balance).
+    /// Rounding error of longer computations, relative to the terms: roots,
+    /// iterates, projections, sums of forces in equilibrium.
     constexpr double rounding_of_results = 1e-12;
-    /// Relative to the terms: solutions of linear equations and quantities
-    /// quadratic in them, as energies.
+    /// Rounding error, relative to the terms, of solutions of linear equations
+    /// and of energies computed from these solutions.
     constexpr double rounding_of_solutions = 1e-10;
-    /// Relative to the largest number beside it: shown as zero in tables and
-    /// messages; also the difference of equal values of a run.
+    /// Numbers below this fraction of the largest number in the same table or
+    /// message are printed as zero. Two values of one run that differ less are
+    /// equal.
     constexpr double negligible = 1e-9;
 
     // ---- places, relative to a length
 
-    /// Relative to the size of a body: distance of equal places computed from
-    /// decimal texts, rotations and inverse maps.
+    /// Points closer than this fraction of the body's size coincide, if
+    /// computed from decimal input, rotations and inverse maps.
     constexpr double same_position = 1e-9;
-    /// Relative to the length of an axis or the sides of a section: distance of
-    /// equal places if a section or a wall may be a hundredth of it.
+    /// Points closer than this fraction of the axis length or section side
+    /// coincide, where a section or wall may be 100 times smaller.
     constexpr double same_position_along = 1e-10;
-    /// Relative to the diagonal of a section: distance of equal places through
-    /// the inverse of a possibly curved map.
+    /// Points of a section closer than this fraction of its diagonal coincide,
+    /// if computed by inverting a curved map.
     constexpr double same_position_across = 1e-8;
-    /// Relative to the length of an element, a cell or a side: distance of
-    /// equal places if no part is shorter.
+    /// Points closer than this fraction of an element, cell or side coincide,
+    /// if the length of that element, cell or side is the smallest one.
     constexpr double same_in_element = 1e-6;
-    /// Tolerance of known unit coordinates, as those of an element's nodes.
+    /// Tolerance for reference coordinates in [0, 1], such as those of nodes.
     constexpr double same_unit = 1e-10;
 
     // ---- angles
 
-    /// Sine between parallel directions that the user gives.
+    /// Directions from the input are parallel if the sine of their angle is
+    /// less.
     constexpr double parallel_sine = 1e-6;
-    /// Sine of a degenerate corner: a cell with it has no interior.
+    /// A cell is degenerate if the sine of a corner angle is less.
     constexpr double degenerate_sine = 1e-8;
 
     // ---- numbers that are less accurate than rounding
 
-    /// Relative difference of equal numbers that users write with six digits.
+    /// Relative difference below which two numbers of the input are equal;
+    /// users write six digits.
     constexpr double decimal_tolerance = 1e-6;
     /// Relative to the integral of the magnitude: accuracy of integrals over
     /// cut or curved elements and of users' expressions.
     constexpr double quadrature_tolerance = 1e-6;
-    /// Relative to the initial length: the remainder of a vector, a row or a
-    /// motion that depends on earlier ones, and so must not be a divisor.
+    /// A vector is linearly dependent on others if its remainder after
+    /// orthogonalization is below this fraction of its initial length.
     constexpr double dependency_tolerance = 1e-6;
-    /// Relative to the larger one: difference of a quantity that a mesh or a
-    /// solver gives twice, such as lengths of equal elements.
+    /// Relative difference below which two results of a mesh or a solver are
+    /// equal, such as the lengths of two elements.
     constexpr double same_value = 1e-6;
   } // namespace arithmetic
 } // namespace lamella

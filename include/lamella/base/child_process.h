@@ -9,29 +9,31 @@
 
 namespace lamella
 {
-  /// End of a child process. Success: status 0 and signal 0.
+  /// Exit status and result of a child process, which succeeded if both its
+  /// exit status and its signal are 0.
   struct ProcessEnd
   {
     /// Exit status; -1 if a signal ended the process.
     int status = 0;
-    /// The signal, or 0.
+    /// Number of the signal that ended the process; 0 if there was none.
     int signal = 0;
     /// True if the limit of processor time was reached; the signal is SIGXCPU.
     bool time_limit_reached = false;
-    /// Wall seconds from start to end; the limit counts processor seconds.
+    /// Elapsed (wall-clock) time of the process in seconds.
     double seconds = 0.;
-    /// Result of the work of run_forked(); empty if the work failed.
+    /// Return value of the function that run_forked() ran; empty if it failed.
     std::string result;
   };
 
   /**
-   * Runs @p program, a path that no shell interprets, with the arguments
-   * @p words and waits for its end. The program is killed with this process and
-   * gets neither standard input nor MPI's environment variables. It overwrites
-   * the files @p output and @p errors; if empty, its output goes where this
-   * process prints. It is killed one second after @p processor_seconds of all
-   * threads together, in whole seconds (0: no limit). Throws InputError if it
-   * cannot be started.
+   * Runs the executable at the path @p program, without a shell, with the
+   * arguments @p words and waits for its end. The child process is killed if
+   * this process ends. The child gets neither standard input nor MPI's
+   * environment variables. Its standard output and error output overwrite the
+   * files @p output and @p errors; with empty names, the child prints to the
+   * streams of this process. The child is killed one second after its threads
+   * have used @p processor_seconds in total (whole seconds; 0: no limit).
+   * Throws InputError if the program cannot be started.
    */
   ProcessEnd
   run_process(const std::string              &program,
@@ -41,15 +43,15 @@ namespace lamella
               const double                    processor_seconds = 0.);
 
   /**
-   * Runs @p work in a copy of this process and waits for its end. Files, time
-   * limit and lifetime are as in run_process(); exit status and error message
-   * are those of outcome_of(). Loaded libraries are reused, which saves a third
-   * of a second. MPI must not have been started here; @p work starts its own.
+   * Runs @p work in a child process created by fork() and waits for its end.
+   * Output files, time limit and lifetime are as in run_process(); exit status
+   * and error message are those of outcome_of(). The child reuses the loaded
+   * libraries, which saves 0.3 s. MPI must not have been started in this
+   * process; @p work starts MPI in the child.
    *
-   * ProcessEnd::result contains the result of @p work. The copy ends by
-   * _exit(), without destructors of this process's objects. Throws InputError
-   * if no process can be created. This process no longer ignores SIGCHLD
-   * afterwards.
+   * ProcessEnd::result is the return value of @p work. The child ends by
+   * _exit() without calling destructors. Throws InputError if fork() fails.
+   * Sets the handling of SIGCHLD to the default.
    */
   ProcessEnd
   run_forked(const std::function<std::string()> &work,
@@ -57,15 +59,15 @@ namespace lamella
              const std::string                  &errors,
              const double                        processor_seconds = 0.);
 
-  /// Replaces this process by @p program, a path that no shell interprets, with
-  /// the arguments @p words. MPI must not have been started here. Throws
-  /// InputError if the program cannot be started.
+  /// Replaces this process by the executable at the path @p program, without a
+  /// shell, with the arguments @p words. MPI must not have been started before.
+  /// Throws InputError if the program cannot be started.
   [[noreturn]] void
   exec_program(const std::string              &program,
                const std::vector<std::string> &words);
 
-  /// Returns the path of a python3 with the module @p module; empty if there is
-  /// none. The system's is tried before the first in PATH.
+  /// Returns the path of a python3 that can import @p module; empty if none is
+  /// found. The system's python3 is tried first, then the first in PATH.
   std::string
   python_with(const std::string &module);
 

@@ -15,18 +15,20 @@
 
 namespace lamella
 {
-  /// An entry of a scene: its path and its text. Accessors return the value in
-  /// the requested form or throw InputError with path, text, rule and remedy;
-  /// refuse() is for checks by the caller. An entry is independent of its
-  /// parameter handler. A piece of an entry may become an Entry with the path
-  /// of the whole.
+  /// The path and the text of one entry of a parameter file (scene). Accessors
+  /// convert the text to the requested type or throw InputError with path,
+  /// text, violated condition and remedy. Callers report failures of further
+  /// checks by refuse(). The entry does not refer to its ParameterHandler. A
+  /// substring may be wrapped in an Entry with the same path, to be converted
+  /// separately.
   class Entry
   {
   public:
-    /// Stores @p path, as `Body upper/Kinematics/Theory`, and @p text, trimmed.
+    /// Stores the @p path, e.g. `Body upper/Kinematics/Theory`, and the trimmed
+    /// @p text.
     Entry(const std::string &path, const std::string &text);
 
-    /// Returns the path for messages, subsections first, separated by slashes.
+    /// Returns the path: subsections and entry name, separated by slashes.
     const std::string &
     path() const
     {
@@ -40,29 +42,33 @@ namespace lamella
       return what;
     }
 
-    /// Returns whether the text is empty, the default of an optional entry.
+    /// Returns whether the text is empty, as for an optional entry without
+    /// value.
     bool
     is_empty() const
     {
       return what.empty();
     }
 
-    /// Throws InputError(path, value, rule, remedy). @p rule is the condition
-    /// or the fault, without a full stop; @p remedy is whole sentences, or
-    /// empty.
+    /// Throws InputError with the path and the text of this entry. @p rule is
+    /// the violated condition or the fault, without a full stop; @p remedy
+    /// consists of whole sentences or is empty.
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 
-    /// Throws InputError::missing() for a required entry, with @p remedy.
+    /// Throws InputError::missing() for this required, but empty entry, with @p
+    /// remedy.
     [[noreturn]] void
     refuse_missing(const std::string &remedy) const;
 
-    /// Returns the number that the whole text spells (see number_error()).
-    /// Throws InputError unless it is zero or of a size between 1e-30 and 1e30.
+    /// Returns the text converted to a number (see number_error()). Throws
+    /// InputError unless the number is zero or its magnitude is between 1e-30
+    /// and 1e30.
     double
     number() const;
 
-    /// Returns the number in a @p piece of the text. Messages quote the piece.
+    /// Returns the substring @p piece converted to a number; messages quote @p
+    /// piece.
     double
     number(const std::string &piece) const;
 
@@ -70,37 +76,41 @@ namespace lamella
     double
     positive() const;
 
-    /// Returns a whole number from @p least to @p most, in any spelling (1e3,
-    /// 8.0). Throws InputError for anything else.
+    /// Returns an integer from @p least to @p most, which may be written as 1e3
+    /// or 8.0. Throws InputError for any other text.
     unsigned int
     whole(const unsigned int least, const unsigned int most) const;
 
-    /// Returns the numbers between commas (outside of parentheses, see
-    /// split()); none for an empty text. Throws InputError as number() does.
+    /// Returns the numbers of a comma-separated list (see split()); an empty
+    /// list for an empty text. Throws InputError as number() does.
     std::vector<double>
     numbers() const;
-    /// Returns numbers() that ascend between 0 and @p end, called @p name in
-    /// messages: positions that divide a length. Throws InputError for others.
+    /// Returns the positions that divide the length @p end into intervals:
+    /// numbers that ascend strictly between 0 and @p end. Messages call the
+    /// length @p name. Throws InputError if the numbers do not ascend within
+    /// these bounds.
     std::vector<double>
     ascending(const double end, const std::string &name) const;
-    /// Returns numbers() that are whole, each from @p least to @p most.
+    /// Returns a list of integers, each from @p least to @p most.
     std::vector<unsigned int>
     whole_numbers(const unsigned int least, const unsigned int most) const;
 
-    /// Returns three numbers between commas, a position or direction in the
-    /// axes of the entry. Throws InputError for another count.
+    /// Returns a position or direction: three numbers separated by commas, in
+    /// the coordinate system that the entry uses. Throws InputError if there
+    /// are not three.
     dealii::Point<3>
     point() const;
-    /// Returns the point in a @p piece of the text.
+    /// Returns the substring @p piece converted to a point.
     dealii::Point<3>
     point(const std::string &piece) const;
 
-    /// Returns `true` or `false`. Throws InputError for any other word.
+    /// Returns whether the text is `true`. Throws InputError unless the text is
+    /// `true` or `false`.
     bool
     boolean() const;
 
-    /// Returns the value of the enumeration @p E with this name. Throws
-    /// InputError that lists the names if there is none.
+    /// Returns the value of the enumeration @p E whose name is the text. Throws
+    /// InputError, which lists the valid names, if there is no such value.
     template <typename E>
     E
     choice() const
@@ -111,17 +121,17 @@ namespace lamella
         selection<E>().description(dealii::Patterns::PatternBase::Machine));
     }
 
-    /// Returns the trimmed pieces between @p separator; none for an empty text.
-    /// Keeps empty pieces between two separators.
+    /// Splits the text at each @p separator and returns the trimmed substrings,
+    /// including empty ones; an empty list for an empty text.
     std::vector<std::string>
     items(const char separator = ',') const
     {
       return split(what, separator);
     }
 
-    /// Returns the text, which must be among @p names of the scene's @p list.
-    /// Throws InputError otherwise: `there is no KIND 'text'. The nearest of
-    /// LIST ...`
+    /// Returns the text if it is one of @p names. Otherwise throws InputError:
+    /// `there is no KIND 'text'. The nearest of LIST ...`, with @p kind and @p
+    /// list inserted.
     const std::string &
     among(const std::vector<std::string> &names,
           const std::string              &kind,
@@ -134,8 +144,9 @@ namespace lamella
     std::string where, what;
   };
 
-  /// The entries of the current subsection of a ParameterHandler, with its
-  /// path. The handler must outlive the object and stay in that subsection.
+  /// The entries of the current subsection of a ParameterHandler and the path
+  /// of that subsection. The handler must outlive this object and must not
+  /// leave that subsection.
   class Entries
   {
   public:
@@ -145,7 +156,7 @@ namespace lamella
       , subsection(path)
     {}
 
-    /// Returns the path, as `Body upper/Kinematics`; empty at the top level.
+    /// Returns the path, e.g. `Body upper/Kinematics`; empty at the top level.
     const std::string &
     path() const
     {
@@ -157,8 +168,8 @@ namespace lamella
     Entry
     operator[](const std::string &name) const;
 
-    /// Throws InputError for the subsection as a whole, without a value, such
-    /// as conflicts between entries.
+    /// Throws InputError for the whole subsection, e.g. for a conflict between
+    /// its entries. Arguments as in Entry::refuse().
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 

@@ -9,18 +9,18 @@ namespace lamella
 {
   /// Lagrange polynomials on [0, 1] at the Gauss-Lobatto points x_i,
   ///   L_i(x) = prod_{j != i} (x - x_j) / (x_i - x_j).
-  /// They equal deal.II's Polynomials::Lagrange, but are evaluated together,
-  /// with derivatives and without allocation. The points include both ends, so
-  /// neighbors share nodes; they are equidistant up to degree 2. Products on
-  /// the unit square are the trace functions phi_k of facets.
+  /// This class equals deal.II's Polynomials::Lagrange, but evaluates all
+  /// functions together, with derivatives and without allocation. The points
+  /// include both ends, so neighboring elements share nodes. Products L_i(s)
+  /// L_j(t) on the unit square are the shape functions of surface facets.
   class GaussLobattoBasis
   {
   public:
-    /// Largest number of functions, for arrays of fixed size.
+    /// Largest number of functions of a basis, for arrays of fixed size.
     static constexpr unsigned int max_size = 64;
 
     /// Constructs @p degree + 1 functions; 1 <= degree < max_size. Throws
-    /// ExcNotImplemented for more.
+    /// ExcNotImplemented for a higher degree.
     explicit GaussLobattoBasis(const unsigned int degree);
 
     /// Returns the cached basis of @p degree. Not thread-safe.
@@ -41,9 +41,9 @@ namespace lamella
       return points[i];
     }
 
-    /// Evaluates the functions at @p x and, unless null, their first and second
-    /// derivatives. Arrays have room for size() numbers. Nodes and points
-    /// outside of [0, 1] are permitted. n^2 operations for n functions.
+    /// Evaluates all functions at @p x, and their first and second derivatives
+    /// if these pointers are not null. Each array has room for size() numbers.
+    /// @p x may be a node or outside of [0, 1]. Takes size()^2 operations.
     void
     evaluate(const double x,
              double      *values,

@@ -11,13 +11,13 @@
 
 namespace lamella
 {
-  /// Returns the nodes (s_i, t_j) of the grid of two bases on the unit square,
-  /// the first coordinate running fastest.
+  /// Returns the nodes (s_i, t_j) of the tensor-product grid of two bases on
+  /// the unit square. The index i of the first coordinate runs fastest.
   std::vector<dealii::Point<2>>
   grid_points(const GaussLobattoBasis &s, const GaussLobattoBasis &t);
 
-  /// Computes the functions L_i(s) L_j(t) of these nodes at @p st into
-  /// @p values.
+  /// Evaluates the shape functions L_i(s) L_j(t) of the grid_points() at the
+  /// point @p st, in the same order, and stores them in @p values.
   void
   evaluate_on_grid(const GaussLobattoBasis &s,
                    const GaussLobattoBasis &t,

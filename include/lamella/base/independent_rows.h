@@ -9,11 +9,11 @@
 
 namespace lamella
 {
-  /// Returns the numbers of independent rows of @p A by pivoted Cholesky
-  /// factorization of A A^T (as LAPACK's dgeqp3 of A^T). Each is the row with
-  /// the longest remainder orthogonal to the rows before. Ends if the remainder
-  /// is below @p relative times the longest row: the chosen rows span all
-  /// others.
+  /// Returns the indices of linearly independent rows of @p A that span all
+  /// rows, by pivoted Cholesky factorization of A A^T (like LAPACK's dgeqp3 of
+  /// A^T). Each step selects the row with the longest component orthogonal to
+  /// the selected rows. Ends if that length is below @p relative times the
+  /// longest row.
   std::vector<unsigned int>
   select_independent_rows(const dealii::LAPACKFullMatrix<double> &A,
                           const double relative = 0.);

@@ -7,15 +7,16 @@
 
 namespace lamella
 {
-  /// Installs a handler that prints @p words (at most 1000 characters) to the
-  /// error output if the user ends the program (Ctrl-C, kill). The exit status
-  /// is then 130 or 143. Must be called by one thread, and by one process of
-  /// several.
+  /// Installs a signal handler that prints @p words (at most 1000 characters)
+  /// to standard error if the user ends the program (Ctrl-C or kill). The exit
+  /// status after such a signal is 130 or 143. Must be called by one thread, in
+  /// a parallel run by one process only.
   void
   set_interruption_message(const std::string &words);
 
-  /// Delays such a signal during its lifetime, so that writing completes. A
-  /// second signal of the same kind ends the program at once.
+  /// Delays the signals of Ctrl-C and kill during its lifetime, so that files
+  /// are written completely. A second signal of the same kind ends the program
+  /// at once.
   class SignalBlock
   {
   public:

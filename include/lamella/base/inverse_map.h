@@ -14,15 +14,14 @@
 
 namespace lamella
 {
-  /// Result of inverting a map.
+  /// Result of inverse_image(), which inverts a map x(u) of the unit cube.
   template <int dim>
   struct InverseImage
   {
-    /// Last iterate u. Outside of the cube, the map is continued as far as
-    /// @p keep permits.
+    /// Last iterate u of the Newton iteration; may be outside of the unit cube.
     dealii::Point<dim> unit;
-    /// Length of the last step in unit coordinates: rounding if converged,
-    /// large if x(u) = x has no solution.
+    /// Length of the last Newton step in reference coordinates u: below 1e-14
+    /// if converged, large if x(u) = x has no solution.
     double change = std::numeric_limits<double>::max();
   };
 
@@ -30,13 +29,14 @@ namespace lamella
    * Solves x(u) = x for a map x(u) of the unit cube by Newton's method,
    *   u <- u + (dx/du)^-1 (x - x(u)),
    * from @p start until the step is below 1e-14, for at most 20 steps. Throws
-   * no exception: the caller checks the residual or `change`; a singular
-   * Jacobian gives NaN.
+   * no exception: the caller must check the residual or InverseImage::change. A
+   * singular Jacobian gives NaN.
    *
    * @param start initial u
    * @param is_affine whether x(u) is affine, so that one step is exact
-   * @param missing u -> (x - x(u), dx/du), both in the same unit of length
-   * @param keep u -> whether to continue; may bring u back to the cube
+   * @param missing returns the residual x - x(u) and the Jacobian dx/du at u
+   * @param keep called with each new u, which it may modify, e.g. clip to the
+   * cube; returns whether to continue
    */
   template <int dim, typename Missing, typename Keep>
   InverseImage<dim>
@@ -62,8 +62,8 @@ namespace lamella
     return found;
   }
 
-  /// Clips @p unit to [-0.5, 1.5] in each coordinate and returns true, as the
-  /// `keep` of inverse_image().
+  /// Clips each coordinate of @p unit to [-0.5, 1.5] and returns true. To be
+  /// used as the parameter `keep` of inverse_image().
   template <int dim>
   bool
   clip_to_neighborhood(dealii::Point<dim> &unit)

@@ -9,7 +9,8 @@
 
 namespace lamella
 {
-  /// Returns the Lagrange polynomial of point @p i of @p points at @p t.
+  /// Returns the value at @p t of the Lagrange polynomial that is 1 at node @p
+  /// i and 0 at the other nodes @p points.
   inline double
   lagrange(const std::vector<double> &points,
            const unsigned int         i,
@@ -22,7 +23,7 @@ namespace lamella
     return value;
   }
 
-  /// Returns the Legendre polynomials P_0(t) ... P_n(t).
+  /// Returns the values of the Legendre polynomials P_0(t) ... P_n(t).
   inline std::vector<double>
   legendre(const unsigned int n, const double t)
   {
@@ -33,10 +34,11 @@ namespace lamella
     return P;
   }
 
-  /// Returns the weights of values at @p n_points Gauss points of [0, 1] in
-  /// their least-squares polynomial of degree @p degree at @p t,
+  /// Returns the weights that extrapolate values at the @p n_points Gauss
+  /// points t_k of [0, 1] to @p t by the least-squares polynomial of degree @p
+  /// degree,
   ///   w_k sum_n (2 n + 1) P_n(2 t_k - 1) P_n(2 t - 1),   w_k Gauss weights.
-  /// Interpolates the values if the degree is n_points - 1.
+  /// The polynomial interpolates the values if the degree is n_points - 1.
   inline std::vector<double>
   gauss_projection(const unsigned int n_points,
                    const unsigned int degree,

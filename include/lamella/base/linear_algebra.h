@@ -22,29 +22,30 @@ namespace dealii::TrilinosWrappers
 
 namespace lamella
 {
-  // The linear algebra of the program. A vector of the scene has one block per
-  // body. Contact couples bodies only through linear functionals; only the
-  // strategy `full` has a matrix of the whole scene.
+  // Types of vectors and matrices. A vector of the whole scene has one block
+  // per body. Contact couples bodies only through linear functionals; only the
+  // solution strategy `full` assembles one matrix of all bodies.
 
-  /// The number of a DoF within its body, from 0; constrained DoFs count.
+  /// The number of a degree of freedom (DoF) within its body, from 0, with
+  /// constrained DoFs included.
   using DofIndex = dealii::types::global_dof_index;
 
-  /// A number per DoF of one body, whole on every process: displacements u or
-  /// forces f, conjugate to each other, so that f . u is a work.
+  /// A displacement vector u or its work-conjugate nodal force vector f of one
+  /// body, with one entry per DoF. Every process stores the whole vector.
   using Vector = dealii::Vector<double>;
 
-  /// A Vector per body, in the order of the scene's Bodies.
+  /// The displacements or nodal forces of all bodies, one block per body.
   using BlockVector = dealii::BlockVector<double>;
 
-  /// A sparse matrix of one body on one process; refers to its SparsityPattern.
+  /// A sparse matrix of one body on one process, without owning its pattern.
   using Matrix = dealii::SparseMatrix<double>;
 
-  /// u = G v + u_p: a DoF as an affine combination of others. Call close()
-  /// before any use.
+  /// Affine constraints u = G v + u_p, which express constrained DoFs of u by
+  /// the unconstrained DoFs v. Call close() before use.
   using Constraints = dealii::AffineConstraints<double>;
 
-  /// Matrix and vector that processes share, each with a contiguous range of
-  /// rows (base/processes.h). Only declared, so that headers need no Trilinos.
+  /// Distributed matrix and vector: each process owns a contiguous range of
+  /// rows. Only forward-declared, so that headers do not include Trilinos.
   using SharedMatrix = dealii::TrilinosWrappers::SparseMatrix;
   using SharedVector = dealii::TrilinosWrappers::MPI::Vector;
 } // namespace lamella

@@ -13,14 +13,16 @@ namespace lamella
   /**
    * A sparse affine functional of the DoFs of one body,
    *   r(u) = c + sum_k w_k u_k,
-   * such as a gap, a stress, or a displacement component at a point (Eq. 7),
+   * such as a gap, a stress, or the displacement component c at a point X (Eq.
+   * 7),
    *   u_c(X) = sum_tau,i F_tau(x, z) N_i(y) u_tau_i_c.
    *
-   * The weights of u_c(X) are also the load vector of a unit force along c at X
-   * (add_to()). Supports are equations of functionals, gaps differences of two
-   * (Eq. 16), springs and penalties rank-one terms k r^T r. The unit of r is a
-   * length for displacements and gaps, 1 for strains, force/length^2 for
-   * stresses. An entry takes 16 bytes. BodyFunctional adds the body.
+   * with section functions F_tau and axis shape functions N_i. The weights w_k
+   * of u_c(X) are also the load vector of a unit force along c at X (add_to()).
+   * A support is an equation r(u) = 0, a gap the difference of two functionals
+   * (Eq. 16), a spring a rank-one stiffness k w w^T. The unit of r is a length
+   * for displacements and gaps, 1 for strains, force/length^2 for stresses. An
+   * entry takes 16 bytes.
    */
   class LinearFunctional
   {
@@ -28,46 +30,50 @@ namespace lamella
     /// Number k of a DoF and its weight w_k.
     using Entry = std::pair<DofIndex, double>;
 
-    /// Adds @p weight to the weight of @p dof. Zeros are skipped; a DoF may
-    /// occur several times until compress().
+    /// Adds @p weight to the weight of @p dof; zeros are skipped. Until
+    /// compress() is called, several entries may have the same DoF.
     void
     add(const DofIndex dof, const double weight);
 
-    /// Adds @p value to the constant part.
+    /// Adds @p value to the constant part c.
     void
     add_constant(const double value);
 
-    /// Adds @p factor times @p other, of the same body, with its constant part.
+    /// Adds @p factor times the functional @p other of the same body, including
+    /// its constant part.
     void
     add(const LinearFunctional &other, const double factor);
 
-    /// Sorts the entries by DoF and merges equal ones. Weights that cancel stay
-    /// as zeros (drop_below()).
+    /// Sorts the entries by DoF and sums those of the same DoF. Sums of zero
+    /// remain (see drop_below()).
     void
     compress();
 
-    /// Removes entries below @p relative times the largest magnitude. Rounding
-    /// errors of interpolation would otherwise couple unrelated DoFs.
+    /// Removes weights whose magnitude is below @p relative times the largest,
+    /// such as rounding errors, which would couple unrelated DoFs.
     void
     drop_below(const double relative);
 
-    /// Returns r(u) for the whole vector @p u, constrained DoFs included.
+    /// Returns r(u) for the displacements @p u of the body, with the values of
+    /// constrained DoFs.
     double
     operator()(const Vector &u) const;
 
-    /// Adds @p factor times w to f, the load that does work @p factor on a unit
-    /// of r (Eq. 8): a force if r is a length.
+    /// Adds @p factor times the weights w to the load vector @p f. @p factor is
+    /// the generalized force conjugate to r (Eq. 8), e.g. a force if r is a
+    /// length.
     void
     add_to(Vector &f, const double factor) const;
 
     /// Returns the functional of the unconstrained DoFs,
     ///   r(G v + u_p) = (r G) v + const., w_red = G^T w,
-    /// with G the homogeneous part of the closed @p constraints. The constant
-    /// part is kept, without inhomogeneities; the result is compressed.
+    /// where the closed @p constraints are u = G v + u_p. The result has the
+    /// weights w_red, compressed, and the constant part c of r, without r(u_p).
     LinearFunctional
     reduced(const Constraints &constraints) const;
 
-    /// Returns the entries in order of addition, or by DoF after compress().
+    /// Returns the entries in the order of addition; sorted by DoF after
+    /// compress().
     const std::vector<Entry> &
     entries() const
     {
@@ -89,18 +95,20 @@ namespace lamella
   /// A linear functional with the number of its body.
   struct BodyFunctional
   {
-    /// Number of the body, and of its block in scene vectors.
+    /// Number of the body, which is also the number of its block in a
+    /// BlockVector.
     unsigned int     body = 0;
     LinearFunctional row;
 
-    /// Returns r(u_b) for the block b of this body.
+    /// Returns the value of the functional for the displacements of its body, a
+    /// block of @p u.
     double
     operator()(const BlockVector &u) const
     {
       return row(u.block(body));
     }
 
-    /// Adds to that block as LinearFunctional::add_to() does.
+    /// Adds @p factor times the weights to the block of the body in @p f.
     void
     add_to(BlockVector &f, const double factor) const
     {

@@ -9,7 +9,7 @@
 
 namespace lamella
 {
-  /// Bytes per MB in tables and summaries: 1024^2; a GB in gigabytes() is 1e9.
+  /// Bytes per MB in tables and summaries; gigabytes() uses 1 GB = 1e9 bytes.
   constexpr double megabyte = 1024. * 1024.;
 
   /// Returns the resident memory of this process in bytes (VmRSS of Linux).
@@ -19,29 +19,29 @@ namespace lamella
   double
   peak_memory();
 
-  /// Throws InputError if a limit on the address space (ulimit -v) is too low
-  /// for OpenBLAS. Must be called first.
+  /// Throws InputError if the limit on the address space (ulimit -v) is too low
+  /// for OpenBLAS. Must be called at the start of the program.
   void
   require_address_space();
 
-  /// Returns the sum of @p bytes over the processes on this machine.
-  /// Collective.
+  /// Returns the sum of @p bytes over the processes on this machine. Must be
+  /// called by all processes.
   double
   sum_over_machine(const double bytes);
 
-  /// Returns the memory in bytes that the processes on a machine can still use
-  /// together, the minimum over all machines. It is limited by the machine, its
-  /// control group (a container, a batch job) and @p limit, in bytes per
-  /// machine (0: none). File caches count as free. Collective.
+  /// Returns the free memory in bytes for all processes of a machine together,
+  /// the minimum over all machines. It is limited by the machine, its control
+  /// group (container, batch job) and @p limit, in bytes per machine (0: none).
+  /// File caches count as free. Must be called by all processes.
   double
   available_memory(const double limit = 0.);
 
-  /// Returns the bytes of an entry `2 GB`, `500 MB` (decimal, with a blank) or
-  /// `auto`, which is 0. Throws InputError for anything else.
+  /// Converts an entry such as `2 GB` or `500 MB` to bytes (1 GB = 1e9 bytes);
+  /// returns 0 for `auto`. Throws InputError for any other text.
   double
   to_bytes(const Entry &entry);
 
-  /// Returns @p bytes as in "2.4 GB" (1e9 bytes), with two or three digits.
+  /// Returns @p bytes as text, e.g. "2.4 GB" (1 GB = 1e9 bytes).
   std::string
   gigabytes(const double bytes);
 } // namespace lamella

@@ -8,18 +8,19 @@
 namespace lamella
 {
   /**
-   * Starts MPI, and deal.II's use of it, for the object's lifetime; Trilinos
-   * needs it for one process, too. Must be the first object of a `main`, on
-   * every process, and its destructor the last use of MPI.
+   * Starts MPI in its constructor and ends MPI in its destructor. Trilinos
+   * needs MPI even for one process. On every process, the object must be
+   * constructed first in `main`.
    *
-   * Without a launcher, Open MPI uses no network, daemon or session folder,
-   * which start slowly and sometimes fail (`orte_session_dir failed`).
-   * Environment settings have precedence.
+   * Without a launcher (mpirun), Open MPI is configured without network, daemon
+   * and session folder, which start slowly and sometimes fail
+   * (`orte_session_dir failed`). Settings in the environment have precedence.
    */
   class MpiSession
   {
   public:
-    /// Starts MPI for one thread. MPI may change @p argc and @p argv.
+    /// Starts MPI with one thread per process. MPI may change @p argc and @p
+    /// argv.
     MpiSession(int &argc, char **&argv);
 
   private:
@@ -27,18 +28,18 @@ namespace lamella
     dealii::Utilities::MPI::MPI_InitFinalize session;
   };
 
-  /// Ignores SIGXFSZ (file size limit) and SIGPIPE (closed reader): the stream
-  /// fails instead, and OutputFile::commit() checks it.
+  /// Ignores the signals SIGXFSZ (file size limit) and SIGPIPE (closed pipe).
+  /// Instead, writing fails, which OutputFile::commit() reports.
   void
   ignore_write_signals();
 
-  /// Returns the number of processes that a launcher (mpirun) has started,
-  /// or 1. Available before MPI is started.
+  /// Returns the number of processes that a launcher (mpirun) has started; 1
+  /// without a launcher. May be called before MPI is started.
   unsigned int
   n_launched_processes();
 
-  /// Limits deal.II and OpenBLAS, if loaded, to @p n threads. Other BLAS
-  /// libraries use their environment variables.
+  /// Limits deal.II and OpenBLAS to @p n threads. Other BLAS libraries are
+  /// controlled by environment variables only.
   void
   limit_threads(const unsigned int n);
 } // namespace lamella

@@ -11,33 +11,34 @@
 
 namespace lamella
 {
-  /// Name of a value of the enumeration @p E.
+  /// A value of the enumeration @p E and its name.
   template <typename E>
   struct NameOf
   {
-    /// The value.
+    /// Value of the enumeration.
     E value;
     /// Name in scenes, tables and messages.
     const char *name;
   };
 
   /**
-   * List of names of the enumeration @p E, used for reading, writing and
-   * patterns. Specialized beside the enumeration,
+   * List of names of the enumeration @p E, for reading and writing its values.
+   * Specialized in the header of the enumeration, e.g.
    *   template <>
    *   struct Names<Strategy>
    *   {
    *     static constexpr NameOf<Strategy> all[] = {
    *       {Strategy::condensed, "condensed"}, {Strategy::full, "full"}};
    *   };
-   * in the order of messages. Values without a name (`undefined`) cannot be
-   * written in a scene. Names and values must be unique.
+   * Messages list the names in this order. Values without a name, such as
+   * `undefined`, cannot occur in an input file. Names and values must be
+   * unique.
    */
   template <typename E>
   struct Names;
 
-  /// Returns the name of @p value; empty if it has none. SFINAE excludes types
-  /// without a list.
+  /// Returns the name of @p value; empty if @p value has no name. SFINAE
+  /// excludes types without a specialization of Names.
   template <typename E, std::size_t = sizeof(Names<E>)>
   std::string
   name_of(const E value)
@@ -48,7 +49,8 @@ namespace lamella
     return "";
   }
 
-  /// Returns the value called @p name (case-sensitive), if there is one.
+  /// Returns the value called @p name (case-sensitive); std::nullopt if there
+  /// is none.
   template <typename E>
   std::optional<E>
   named(const std::string &name)
@@ -59,7 +61,8 @@ namespace lamella
     return std::nullopt;
   }
 
-  /// Returns the pattern of an entry that takes one of the names.
+  /// Returns the deal.II pattern of an entry whose text is one of the names of
+  /// @p E.
   template <typename E>
   dealii::Patterns::Selection
   selection()

@@ -7,12 +7,12 @@
 
 namespace lamella
 {
-  /// Makes @p v orthogonal to the vectors @p basis from number @p first on by
-  /// Gram-Schmidt, twice against rounding,
+  /// Orthogonalizes @p v to the vectors b_j of @p basis with j >= @p first by
+  /// Gram-Schmidt, applied twice against rounding errors,
   ///   part_j = (v, b_j), v <- v - sum_j part_j b_j.
-  /// @p v is not normalized. @p basis is orthonormal in @p product, which is
-  /// bilinear, symmetric and positive definite. Returns the sums of part_j, the
-  /// coefficients of the old v, from @p first on. T is a number or a tensor.
+  /// @p basis must be orthonormal in the inner product @p product. @p v is not
+  /// normalized. Returns the coefficients of the original v in the basis, from
+  /// number @p first on. T is a number or a tensor.
   template <typename T, typename Product>
   std::vector<double>
   make_orthogonal(std::vector<T>                    &v,

@@ -8,38 +8,39 @@
 
 namespace lamella
 {
-  /// A file that is written as PATH.new in the same folder and then renamed, so
-  /// that readers never find a part of it. The old file survives failures.
+  /// An output file that is written as PATH.new and finally renamed to PATH, so
+  /// that PATH is never incomplete. If writing fails, an existing file PATH is
+  /// unchanged.
   class OutputFile
   {
   public:
-    /// Opens the file and creates the folder of @p path if needed. commit()
-    /// returns whether that failed.
+    /// Opens the file PATH.new and creates the folder of @p path if needed.
+    /// Failures are reported by commit().
     explicit OutputFile(const std::string &path);
-    /// Removes a file that was not put in place.
+    /// Removes PATH.new if commit() has not renamed it.
     ~OutputFile();
     OutputFile(const OutputFile &) = delete;
 
-    /// Returns the stream to write to, valid until commit().
+    /// Returns the output stream, which is valid until commit().
     std::ostream &
     stream()
     {
       return file;
     }
 
-    /// Closes the stream and renames the file; call it once. Returns whether
-    /// this and all writing succeeded.
+    /// Closes the stream and renames the file; must be called only once.
+    /// Returns whether opening, writing and renaming succeeded.
     bool
     commit();
 
   private:
-    /// Final path, and path during writing.
+    /// Final path of the file, and its path PATH.new during writing.
     std::string   path, beside;
     std::ofstream file;
   };
 
   /// Writes @p text into the file @p path by an OutputFile. Throws InputError
-  /// if it fails.
+  /// if writing fails.
   void
   write_file(const std::string &path, const std::string &text);
 
@@ -48,7 +49,8 @@ namespace lamella
   void
   append_to_file(const std::string &path, const std::string &text);
 
-  /// Throws InputError: @p path cannot be written, with the system's reason.
+  /// Throws InputError with the message that the file @p path cannot be written
+  /// and the reason from the operating system.
   [[noreturn]] void
   throw_cannot_write(const std::string &path);
 } // namespace lamella

@@ -12,8 +12,7 @@
 
 namespace lamella
 {
-  /// Patterns of entries: deal.II's with the ranges of a scene's numbers (zero,
-  /// or a size between 1e-30 and 1e30), and two more.
+  /// Patterns for deal.II's ParameterHandler, which check the text of entries.
   namespace patterns
   {
     /// Returns the pattern of any number from -1e30 to 1e30.
@@ -24,28 +23,29 @@ namespace lamella
     dealii::Patterns::Double
     positive();
 
-    /// Returns the pattern of any number of numbers between commas.
+    /// Returns the pattern of a comma-separated list of numbers of any length.
     dealii::Patterns::List
     numbers();
-    /// Returns the pattern of exactly @p n numbers, as 3 of a point.
+    /// Returns the pattern of exactly @p n comma-separated numbers, e.g. 3 for
+    /// a point.
     dealii::Patterns::List
     numbers(const unsigned int n);
 
-    /// A whole number from @p least to @p most in any spelling, such as 1e3 or
-    /// 8.0.
+    /// The pattern of an integer between two bounds, which may be written as
+    /// 1e3 or 8.0.
     class Whole : public dealii::Patterns::PatternBase
     {
     public:
-      /// Stores the bounds, both included.
+      /// Stores the smallest and the largest permitted integer.
       Whole(const unsigned int least, const unsigned int most);
 
-      /// Returns whether @p text is a valid whole number within the bounds.
+      /// Returns whether @p text is an integer within the bounds.
       bool
       match(const std::string &text) const override;
       /// Returns the description of deal.II's Integer with the same bounds.
       std::string
       description(const OutputStyle style = Machine) const override;
-      /// Returns a copy, as deal.II's ParameterHandler keeps one.
+      /// Returns a copy of this pattern.
       std::unique_ptr<dealii::Patterns::PatternBase>
       clone() const override;
 
@@ -53,7 +53,8 @@ namespace lamella
       unsigned int least, most;
     };
 
-    /// A word in place of another pattern: `auto`, `none`, or empty.
+    /// The pattern of an entry that is a given word (`auto`, `none` or empty)
+    /// or matches another pattern.
     class WordOrPattern : public dealii::Patterns::PatternBase
     {
     public:
@@ -79,15 +80,16 @@ namespace lamella
     WordOrPattern
     optional(const dealii::Patterns::PatternBase &other);
 
-    /// Throws InputError for @p entry, which does not match the pattern with
-    /// the machine description @p pattern. The rule is made from the
-    /// description: bounds of numbers and lists, names of a selection, `, or
-    /// WORD` for WordOrPattern.
+    /// Throws InputError for @p entry, which does not match a pattern. @p
+    /// pattern is the machine-readable description of that pattern. The message
+    /// lists the valid values: bounds of numbers and lists, names of a
+    /// selection, or the word of a WordOrPattern.
     [[noreturn]] void
     refuse(const Entry &entry, const std::string &pattern);
 
-    /// Throws InputError for @p entry, with the pattern that @p prm declares at
-    /// its path. Slow: writes the declaration as JSON to find the pattern.
+    /// Throws InputError for @p entry, which does not match the pattern
+    /// declared in @p prm. Slow, since it finds the pattern by writing @p prm
+    /// as JSON.
     [[noreturn]] void
     refuse(const Entry &entry, const dealii::ParameterHandler &prm);
   } // namespace patterns

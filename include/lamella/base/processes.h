@@ -9,11 +9,11 @@
 
 namespace lamella
 {
-  // The processes of a run: each has the whole scene and whole vectors.
-  // Matrices, their solution and the loops over elements are distributed: each
-  // process has a contiguous part of a body.
+  // The MPI processes of a run. Each process stores the whole scene and whole
+  // vectors. Matrices, their solution and loops over elements are distributed:
+  // each process owns a contiguous range of the DoFs and elements of a body.
 
-  /// Returns the communicator of the run.
+  /// Returns the MPI communicator of the run.
   inline MPI_Comm
   communicator()
   {
@@ -45,17 +45,16 @@ namespace lamella
     return this_process() == 0;
   }
 
-  /// Returns whether @p here is true on all processes, so that they agree on
-  /// errors that only one has met. Collective.
+  /// Returns whether @p here is true on all processes, so that all throw an
+  /// exception if one fails. Must be called by all processes.
   inline bool
   true_on_all_processes(const bool here)
   {
     return dealii::Utilities::MPI::min(int(here), communicator()) == 1;
   }
 
-  /// Replaces the shares @p v by their sum over the processes, equal to the
-  /// last bit on all. @p v has the same size everywhere, and zeros outside of a
-  /// process's share. Collective.
+  /// Replaces @p v by its sum over all processes, bitwise equal on all. @p v
+  /// has the same size on all processes. Must be called by all processes.
   inline void
   sum_over_processes(Vector &v)
   {

@@ -10,8 +10,8 @@
 
 namespace lamella
 {
-  /// Returns the text of @p message (Message) without white space and full
-  /// stops at its end, for use within a sentence.
+  /// Returns the text of @p message, without its identifier, white space and
+  /// full stops at the end, so that the text can be part of a longer sentence.
   inline std::string
   strip_period(const std::string &message)
   {
@@ -21,8 +21,8 @@ namespace lamella
     return text;
   }
 
-  /// Returns the console's line of @p note, a text with its identifier and
-  /// without a full stop: the text as a sentence, then the identifier.
+  /// Returns the console line `Note: TEXT. [ID]` of @p note, which has the form
+  /// `ID: TEXT`.
   inline std::string
   note_line(const std::string &note)
   {

@@ -14,59 +14,61 @@ namespace lamella
   std::string
   trimmed(const std::string &text);
 
-  /// Returns the first 50 and last 25 characters of @p text and its length; all
-  /// of a text of up to 100.
+  /// Returns @p text if it has at most 100 characters; otherwise its first 50
+  /// and last 25 characters and its length.
   std::string
   abridged(const std::string &text);
 
-  /// Splits @p text at each @p separator outside of parentheses (muParser
-  /// expressions stay whole) and trims the pieces. Empty pieces are kept, also
-  /// at the end; a blank text has none.
+  /// Splits @p text at each @p separator outside of parentheses, as in muParser
+  /// expressions, and returns the trimmed substrings, including empty ones.
+  /// Returns an empty list for a blank text.
   std::vector<std::string>
   split(const std::string &text, const char separator);
 
-  /// Returns @p text with each @p what, not empty, replaced by @p by.
+  /// Returns @p text with each occurrence of @p what replaced by @p by. @p what
+  /// must not be empty.
   std::string
   replaced(std::string text, const std::string &what, const std::string &by);
 
-  /// Bounds of a scene's nonzero numbers: their fourth powers (moments of
-  /// areas), and squares of stiffness times length^4, are still doubles.
+  /// Bounds of the magnitude of nonzero numbers in the input. Fourth powers
+  /// (second moments of area) and products of stiffnesses do not overflow.
   constexpr double smallest_number = 1e-30, largest_number = 1e30;
 
-  /// An error in a text, in the form of Entry::refuse(): a rule without a full
-  /// stop, a remedy in sentences.
+  /// An error in a text: the arguments of Entry::refuse().
   struct TextError
   {
-    /// Rule and remedy; empty if there is no error.
+    /// Violated condition and remedy; both are empty if there is no error.
     std::string rule, remedy;
   };
 
-  /// Returns the error if @p text does not spell one finite number within the
-  /// bounds. Point and exponent as in C; no unit.
+  /// Checks that @p text is one number without a unit, in the notation of C,
+  /// that is zero or between smallest_number and largest_number in magnitude.
+  /// Returns an empty error if it is valid.
   TextError
   number_error(const std::string &text);
 
-  /// Returns the number that @p text spells; requires no number_error().
+  /// Converts @p text to a number. @p text must have no number_error().
   double
   to_number(const std::string &text);
 
-  /// Returns @p names as `a, b, c`; empty for no names.
+  /// Returns @p names joined by @p separator, e.g. `a, b, c`.
   std::string
   joined(const std::vector<std::string> &names,
          const std::string              &separator = ", ");
 
-  /// Returns @p value with @p digits significant digits, as `%g`.
+  /// Returns @p value with @p digits significant digits, in the format `%g`.
   std::string
   to_text(const double value, const int digits = 6);
 
-  /// Returns `(x, y, z)` with six digits a coordinate.
+  /// Returns @p point as `(x, y, z)` with six digits per coordinate.
   std::string
   to_text(const dealii::Point<3> &point);
-  /// Returns `(x, z)` of a point in a section, with six digits.
+  /// Returns a @p point of a section as `(x, z)` with six digits per
+  /// coordinate.
   std::string
   to_text(const dealii::Point<2> &point);
 
-  /// Returns @p v as `(x, y, z)`; components below 1e-9 of its length read 0.
+  /// Returns @p v as `(x, y, z)`; components below 1e-9 times its length are 0.
   std::string
   to_text(const dealii::Tensor<1, 3> &v);
 } // namespace lamella

@@ -9,21 +9,21 @@
 
 namespace lamella
 {
-  /// The units of a scene. They label results and convert built-in materials.
-  /// All other numbers must be in the consistent system of the labels: `m, N`
-  /// has stresses in Pa, `mm, N` in MPa; `none` has no labels and converts no
-  /// number.
+  /// The unit labels of a scene and the conversion factor of built-in
+  /// materials. All numbers of the input must be consistent with the labels:
+  /// `m, N` implies stresses in Pa, `mm, N` in MPa; with `none`, there are no
+  /// labels and conversions.
   struct Units
   {
     /// Labels for tables and messages; empty in a scene without units.
     std::string length = "m";
     std::string force  = "N";
     std::string stress = "Pa";
-    /// Value of one pascal in the scene's unit of stress: 1e-6 for `mm, N`.
+    /// One pascal in the scene's unit of stress, e.g. 1e-6 for `mm, N`.
     double pascal = 1.;
 
-    /// Returns the units of `m, N`, `mm, N` or `none`. Throws InputError for
-    /// anything else.
+    /// Returns the units of @p entry, which must be `m, N`, `mm, N` or `none`.
+    /// Throws InputError for any other text.
     static Units
     parse(const Entry &entry);
   };

@@ -7,13 +7,13 @@
 
 namespace lamella
 {
-  /// Returns the program version, `MAJOR.MINOR.PATCH` . A resumed run must have
-  /// the same.
+  /// Returns the program version, `MAJOR.MINOR.PATCH`. A run can only be
+  /// resumed by the same version.
   std::string
   version();
 
-  /// Returns the output of --version: versions of program, libraries and
-  /// compiler.
+  /// Returns the output of `lamella --version`: the versions of the program,
+  /// its libraries and the compiler.
   std::string
   full_version();
 } // namespace lamella

@@ -12,14 +12,14 @@
 
 namespace lamella
 {
-  /// The factor L of A = P^T L L^T P with the sparsity of a BlockPattern: the
-  /// numeric part of factorize_blocks(). A is assembled into L on and below the
-  /// diagonal and factorized in place: each completed block updates the later
-  /// ones.
+  /// The Cholesky factor L of A = P^T L L^T P, stored by dense blocks with the
+  /// sparsity of a BlockPattern; the numerical part of factorize_blocks(). The
+  /// lower triangle of A is assembled into the storage of L and factorized in
+  /// place by a right-looking algorithm.
   class BlockFactor
   {
   public:
-    /// Stores the pattern without allocating entries.
+    /// Stores the @p pattern without allocating the entries of L.
     explicit BlockFactor(BlockPattern pattern);
 
     const BlockPattern &
@@ -28,18 +28,19 @@ namespace lamella
       return pattern;
     }
 
-    /// Allocates the entries of A, zero. Throws std::bad_alloc.
+    /// Allocates the entries and sets them to zero. May throw std::bad_alloc.
     void
     allocate();
-    /// Returns the address of the entries of column DoF @p column of A in the
-    /// rows of block @p block, as if that began with DoF 0; nullptr above the
-    /// diagonal. The two must couple.
+    /// Returns a pointer p to the entries of A in the column of DoF @p column
+    /// and the rows of @p block, so that p[i] is the entry of DoF i; nullptr if
+    /// they are above the diagonal. The column and the block must couple.
     double *
     column_begin(const DofIndex column, const unsigned int block);
     double &
     diagonal(const DofIndex dof);
 
-    /// Replaces A by L. Throws NotPositiveDefinite; @p what names A in it.
+    /// Replaces A by L. Throws NotPositiveDefinite, whose message names A by @p
+    /// what.
     void
     factorize(const std::string &what);
     /// Returns the squared ratio of the smallest to the largest pivot.
@@ -49,14 +50,14 @@ namespace lamella
       return reciprocal;
     }
 
-    /// Computes x = L^-1 x or x = L^-T x for the @p count columns from @p x on,
-    /// in the order of L.
+    /// Compute x = L^-1 x (forward) or x = L^-T x (backward) for @p count
+    /// consecutive vectors at @p x, permuted to the elimination order.
     void
     forward(double *const x, const dealii::types::blas_int count) const;
     void
     backward(double *const x, const dealii::types::blas_int count) const;
 
-    /// Returns a view that refers to this object.
+    /// Returns a view of L, which does not own its data.
     SupernodalFactor
     view() const;
 
@@ -71,11 +72,11 @@ namespace lamella
     {
       return entry.data() + pattern.first_entry[s];
     }
-    /// Returns the smallest and the largest pivot of the completed column @p s.
-    /// Throws as factorize() does.
+    /// Returns the smallest and the largest pivot of block column @p s. Throws
+    /// NotPositiveDefinite if a pivot is not positive.
     std::pair<double, double>
     pivots(const unsigned int s, const std::string &what) const;
-    /// Subtracts the contribution of column @p s of L from the later columns.
+    /// Subtracts the contribution of block column @p s of L from later columns.
     void
     update(const unsigned int s);
     [[noreturn]] void

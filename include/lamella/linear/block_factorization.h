@@ -7,33 +7,36 @@
 
 namespace lamella
 {
-  /// Dense blocks of a matrix, one per pair of nodes of an element.
+  /// Partition of the DoFs of a matrix into dense blocks, e.g. one block per
+  /// node of the axis of a beam, and the coupling of the blocks.
   struct DenseBlocks
   {
-    /// Block g has the DoFs first[g] to first[g + 1] - 1; as many entries as
-    /// blocks, and n_dofs at the end.
+    /// Block g has the DoFs first[g] to first[g + 1] - 1. The last entry, after
+    /// those of all blocks, is the number of DoFs.
     std::vector<DofIndex> first;
-    /// Sets of blocks that all couple with each other: the nodes of an element.
+    /// Sets of mutually coupled blocks, such as the nodes of an element.
     std::vector<std::vector<unsigned int>> cliques;
   };
 
   /**
-   * Factorizes the stiffness of @p terms, condensed by @p constraints, block by
-   * block: A = P^T L L^T P, where P permutes blocks.
+   * Factorizes the stiffness matrix A of @p terms, condensed by @p constraints,
+   * by dense blocks: A = P^T L L^T P, where P permutes blocks.
    *
-   * Terms are assembled into L (its lower triangle by supernodes, one per
-   * block; SupernodalFactor) without a sparse matrix. They are factorized there
-   * by LAPACK's potrf and the BLAS's trsm, syrk and gemm. Memory is 8 bytes per
-   * nonzero of L. Springs and constraints may couple any blocks.
+   * A is assembled into the storage of L (see SupernodalFactor, one supernode
+   * per block) without a sparse matrix, and factorized in place by LAPACK and
+   * BLAS. L takes 8 bytes per nonzero. Springs and constraints may couple any
+   * blocks.
    *
-   * Blocks of one clique (inner nodes of an element) are eliminated first, the
-   * others by nested dissection along their numbers. The first and the last
-   * block are eliminated at the end. A chain then has a fill of a few blocks
-   * per node; the length of a half-solved row is logarithmic in their number.
+   * Elimination order: first the blocks that belong to only one clique (inner
+   * nodes of an element), then the other blocks by nested dissection along
+   * their numbers, at last the first and the last block. For a chain of n
+   * elements, the fill-in is a few blocks per node, and a row of
+   * ForwardSolvedRows has O(log n) blocks.
    *
-   * @p monitor receives the size before memory is allocated, then the end of
-   * the assembly. Throws NotPositiveDefinite as factorize() does, with the same
-   * condition estimate, and NumericsError without enough memory. Serial.
+   * @p monitor is called with the size of L before memory is allocated, and at
+   * the end of the assembly. The condition estimate is that of factorize().
+   * Throws NotPositiveDefinite, with @p what as name of A, if a pivot is not
+   * positive, and NumericsError if memory is insufficient. Serial.
    */
   std::unique_ptr<LinearSolver>
   factorize_blocks(const StiffnessTerms &terms,

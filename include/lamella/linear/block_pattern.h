@@ -12,20 +12,21 @@
 
 namespace lamella
 {
-  /// Sparsity of the factor L of a matrix of dense blocks with the elimination
-  /// order: the symbolic part of factorize_blocks(). Each block is a supernode
-  /// of L. Blocks are numbered in the order of elimination.
+  /// Sparsity and elimination order of the Cholesky factor L of a matrix of
+  /// dense blocks; the symbolic part of factorize_blocks(). Each block is a
+  /// supernode of L. Blocks are numbered in the order of elimination.
   struct BlockPattern
   {
-    /// A block below the diagonal: its number, and its first row in the column.
+    /// A block of L below the diagonal: number of the block row, and its first
+    /// row within the storage of the block column.
     struct Part
     {
       unsigned int            block;
       dealii::types::blas_int row;
     };
 
-    /// Analyzes the matrix of @p terms, coupled by constraints and springs,
-    /// too.
+    /// Computes the elimination order and the pattern of L for the stiffness
+    /// matrix of @p terms. Constraints and springs couple further blocks.
     BlockPattern(const StiffnessTerms &terms,
                  const DenseBlocks    &blocks,
                  const Constraints    &constraints);
@@ -40,7 +41,8 @@ namespace lamella
     {
       return first_entry.back();
     }
-    /// Returns the number of columns of L of block @p s, and of their rows.
+    /// Return the number of columns of L in block @p s and the number of rows
+    /// stored for each of these columns.
     dealii::types::blas_int
     width(const unsigned int s) const
     {
@@ -55,13 +57,14 @@ namespace lamella
     /// Block of each DoF, and first DoF of each block.
     std::vector<unsigned int> block_of;
     std::vector<DofIndex>     first_dof;
-    /// Blocks below each block, ascending.
+    /// Nonzero blocks below the diagonal in each block column, ascending.
     std::vector<std::vector<Part>> parts;
-    /// Arrays of SupernodalFactor.
+    /// Arrays of SupernodalFactor with the same names.
     std::vector<std::int64_t> column, first_row, first_entry, row, permutation;
 
   private:
-    /// Returns the groups of coupled blocks by their numbers in @p blocks.
+    /// Returns the sets of blocks coupled by elements, springs or constraints,
+    /// with the block numbers of @p blocks.
     std::vector<std::vector<unsigned int>>
     cliques_of(const StiffnessTerms &terms,
                const DenseBlocks    &blocks,
@@ -70,7 +73,8 @@ namespace lamella
     void
     number_columns(const DenseBlocks               &blocks,
                    const std::vector<unsigned int> &order);
-    /// Adds the next column of L, with the blocks @p below its diagonal.
+    /// Appends the next block column of L, with the nonzero blocks @p below its
+    /// diagonal.
     template <typename Blocks>
     void
     add_column(const Blocks &below);

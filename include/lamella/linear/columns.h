@@ -9,9 +9,9 @@
 
 namespace lamella
 {
-  /// Returns A X for a sparse matrix A and many columns X. Several columns are
-  /// processed together, so that an entry of A is read once for all of them.
-  /// Sums have the order of a product with one vector.
+  /// Returns the product A X of a sparse and a dense matrix. Several columns of
+  /// X are processed together, to read each entry of A once. Each column of the
+  /// result is bitwise equal to a matrix-vector product.
   dealii::LAPACKFullMatrix<double>
   times_columns(const Matrix &A, const dealii::LAPACKFullMatrix<double> &X);
 } // namespace lamella

@@ -7,14 +7,15 @@
 
 namespace lamella
 {
-  /// The factor L of a dense symmetric positive definite matrix A = L L^T, by
-  /// LAPACK. n^3/3 operations to factorize, 2 n^2 to solve. Serial.
+  /// The Cholesky factor L of a dense symmetric positive definite n x n matrix
+  /// A = L L^T, by LAPACK. The factorization takes n^3/3 operations, a solution
+  /// 2 n^2.
   class DenseCholesky
   {
   public:
-    /// Factorizes the matrix given as @p n consecutive columns, of which only
-    /// the lower triangle is read; n may be zero. Throws NumericsError, naming
-    /// @p what, if a pivot is not positive.
+    /// Factorizes the n x n @p matrix, stored by columns, of which only the
+    /// lower triangle is read; @p n may be zero. Throws NumericsError, with @p
+    /// what as name of the matrix, if a pivot is not positive.
     DenseCholesky(std::vector<double> matrix,
                   const unsigned int  n,
                   const char *const   what);
@@ -24,7 +25,7 @@ namespace lamella
     solve(std::vector<double> &x) const;
 
   private:
-    /// L in the lower triangle, by columns; original entries above.
+    /// Columns of L in the lower triangle; unchanged entries of A above.
     std::vector<double> factor;
     int                 n;
   };

@@ -7,13 +7,14 @@
 
 namespace lamella
 {
-  /// The factors P A = L U of a dense matrix with partial pivoting, by LAPACK.
-  /// 2 n^3 / 3 operations to factorize, 2 n^2 to solve. Serial.
+  /// The LU factorization P A = L U of a dense n x n matrix with partial
+  /// pivoting, by LAPACK. The factorization takes 2 n^3 / 3 operations, a
+  /// solution 2 n^2.
   class DenseLU
   {
   public:
-    /// Factorizes the matrix given as @p n consecutive columns; n may be zero.
-    /// It is singular if a pivot is zero.
+    /// Factorizes the n x n @p matrix, stored by columns; @p n may be zero. The
+    /// matrix counts as singular only if a pivot is exactly zero.
     DenseLU(std::vector<double> matrix, const unsigned int n);
 
     bool
@@ -22,7 +23,7 @@ namespace lamella
       return singular;
     }
 
-    /// Returns the smallest over the largest pivot; 0 if singular.
+    /// Returns the ratio of the smallest to the largest pivot; 0 if singular.
     double
     pivot_ratio() const;
 
@@ -41,12 +42,13 @@ namespace lamella
     bool                singular;
   };
 
-  /// Returns x = A^-1 b, if A is singular the x of least norm sum d_i x_i^2
-  /// among the minimizers of A x - @p b. Row i is weighted with 1 / sqrt d_i,
-  /// where d_i > 0 is the size of its diagonal. @p matrix has n consecutive
-  /// columns. A is singular if a pivot of the weighted matrix is below
-  /// @p rounding times the largest; smaller singular values are then zero
-  /// (LAPACK's gesdd).
+  /// Returns x = A^-1 b for the n x n @p matrix A, stored by columns. If A is
+  /// singular, x is the least-squares solution of A x = @p b that minimizes sum
+  /// d_i x_i^2. Rows and columns are scaled by 1 / sqrt d_i, where d_i > 0 is
+  /// the magnitude of the diagonal entry. A is singular if a pivot of the
+  /// scaled matrix is below @p rounding times the largest pivot; singular
+  /// values (LAPACK's gesdd) below @p rounding times the largest are then
+  /// treated as zero.
   std::vector<double>
   solve_dependent(const std::vector<double> &matrix,
                   const std::vector<double> &d,

@@ -11,17 +11,19 @@
 
 namespace lamella
 {
-  /// A row of the five matrices of one factor of a beam stiffness, of the axis
-  /// or the section: its ascending columns, and the entries (p, q) = (0, 0),
-  /// (0, 1), (1, 0), (1, 1) of each, that of transverse shear last.
+  /// One row of the five axis matrices A_pq or of the five section matrices,
+  /// whose Kronecker products are the stiffness of a beam. Each column has five
+  /// entries: those for (p, q) = (0, 0), (0, 1), (1, 0), (1, 1), the orders of
+  /// the derivatives, and that of transverse shear. Columns ascend.
   struct FactorRow
   {
     std::vector<unsigned int>          columns;
     std::vector<std::array<double, 5>> entries;
   };
 
-  /// Returns row @p r of five matrices with one pattern; @p matrix_number(m)
-  /// returns matrix m. Columns for which @p wanted is false are omitted.
+  /// Returns row @p r of five matrices with the same sparsity pattern. @p
+  /// matrix_number(m) returns matrix m. Columns c with @p wanted(c) false are
+  /// omitted.
   template <typename Factor, typename Wanted>
   FactorRow
   factor_row(const Factor      &matrix_number,

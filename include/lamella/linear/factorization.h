@@ -8,19 +8,19 @@
 
 namespace lamella
 {
-  /// Exception: a factorization failed at the DoF @p dof of the matrix. Usual
-  /// causes are an unconstrained rigid motion, and a slenderness or stiffness
-  /// ratio beyond double precision.
+  /// Exception thrown if a Cholesky factorization has a pivot that is not
+  /// positive. Usual causes are an unconstrained rigid-body motion, and a
+  /// slenderness or stiffness ratio beyond double precision.
   class NotPositiveDefinite : public NumericsError
   {
   public:
-    /// Sets the @p message for the user, as of any NumericsError.
+    /// Stores the @p message for the user and the number @p dof of the DoF.
     NotPositiveDefinite(const std::string &message, const DofIndex dof)
       : NumericsError(message)
       , dof(dof)
     {}
 
-    /// First DoF, in elimination order, with a pivot that is not positive.
+    /// First DoF in elimination order whose pivot is not positive.
     const DofIndex dof;
   };
 
@@ -30,18 +30,19 @@ namespace lamella
    * ordering, serial). The condition estimate is the squared ratio of the
    * largest to the smallest diagonal entry of L.
    *
-   * The matrix is copied without exact zeros. @p monitor is called between
-   * symbolic analysis and factorization. Throws NotPositiveDefinite, naming the
-   * matrix @p what, if a pivot is not positive, and NumericsError if the factor
-   * does not fit in memory.
+   * The nonzero entries are copied. @p monitor is called between symbolic
+   * analysis and factorization. Throws NotPositiveDefinite, with @p what as
+   * name of the matrix, if a pivot is not positive, and NumericsError if the
+   * factor does not fit in memory.
    */
   std::unique_ptr<LinearSolver>
   factorize(const Matrix        &matrix,
             const std::string   &what,
             const FactorMonitor &monitor = {});
 
-  /// Matrix entries in MUMPS's coordinate format, with 1-based rows and
-  /// columns. Entries at the same place are summed, across processes, too.
+  /// Matrix entries in MUMPS's coordinate format, with rows and columns
+  /// numbered from 1. Entries of the same row and column are summed, also over
+  /// processes.
   struct MatrixEntries
   {
     /// Entry k is values[k] at (rows[k], columns[k]).
@@ -52,8 +53,8 @@ namespace lamella
   /// Entries of the upper triangle of a symmetric matrix.
   struct UpperTriangle : MatrixEntries
   {
-    /// Adds an entryunless zero or below the diagonal; @p row and @p column
-    /// count from 0.
+    /// Adds an entry. Zeros and entries below the diagonal are ignored. @p row
+    /// and @p column are numbered from 0.
     void
     add(const DofIndex row, const DofIndex column, const double value)
     {
@@ -65,20 +66,23 @@ namespace lamella
     }
   };
 
-  /// A matrix of constant pattern, analyzed once and factorized repeatedly, for
-  /// the Newton method of the `full` strategy (K + K^p, Eq. 22).
+  /// Direct solver for a sequence of matrices with the same sparsity pattern,
+  /// which is analyzed only once. Used for the tangent matrices of Newton's
+  /// method in the solution strategy `full`, which assembles all bodies.
   class RepeatedFactorization
   {
   public:
     virtual ~RepeatedFactorization() = default;
 
-    /// Factorizes the matrix with @p values in the order of this process's
-    /// pattern. Throws NumericsError as factorize() does. Collective.
+    /// Factorizes the matrix with the entries @p values, in the order of the
+    /// pattern that this process passed to analyze_shared(). Throws
+    /// NumericsError if the matrix is singular or memory is insufficient. Must
+    /// be called by all processes.
     virtual void
     factorize(std::vector<double> values) = 0;
 
-    /// Computes x = A^-1 x with the last factorization. Whole vectors, the same
-    /// on all processes. Collective.
+    /// Computes x = A^-1 x with the last factorization. @p x is the whole
+    /// vector and equal on all processes. Must be called by all processes.
     virtual void
     solve(Vector &x) const = 0;
 
@@ -87,17 +91,17 @@ namespace lamella
     sign_of_determinant() const = 0;
   };
 
-  /// Symmetry of a matrix for MUMPS.
+  /// Kind of matrix that MUMPS factorizes.
   enum class Symmetry
   {
     definite, ///< symmetric positive definite, upper triangle given
     none      ///< all entries; pivots are chosen
   };
 
-  /// Returns a factorization for the matrix of @p n rows with the given
-  /// @p pattern, of which each process passes its part. @p what names the
-  /// matrix in messages. Throws NumericsError if the analysis fails.
-  /// Collective.
+  /// Analyzes a matrix of @p n rows with MUMPS and returns the object that
+  /// factorizes it. Each process passes a subset of the sparsity @p pattern. @p
+  /// what is the name of the matrix in messages. Throws NumericsError if the
+  /// analysis fails. Must be called by all processes.
   std::unique_ptr<RepeatedFactorization>
   analyze_shared(const DofIndex     n,
                  MatrixEntries      pattern,
@@ -105,17 +109,18 @@ namespace lamella
                  const std::string &what);
 
   /**
-   * Factorizes the matrix of @p n rows, of which each process has a part of the
-   * entries, with MUMPS (multifrontal, L D L^T without pivoting). Collective,
-   * as are all functions of the result.
+   * Factorizes a matrix of @p n rows with MUMPS (multifrontal L D L^T without
+   * pivoting). Each process passes a subset of the entries. This function and
+   * all functions of the result must be called by all processes.
    *
-   * The interfaces of deal.II and Trilinos treat every matrix as unsymmetric
-   * and solve for one right-hand side at a time, so MUMPS is called directly.
-   * The entries are freed after the factorization. The ordering is minimum
-   * degree, or nested dissection if that gives less fill
-   * (doc/guides/running-in-parallel.md). Throws NumericsError as factorize()
-   * does, and if entries are not finite. No condition estimate. The solved rows
-   * are RowProducts.
+   * MUMPS is called directly, since the interfaces of deal.II and Trilinos
+   * treat every matrix as unsymmetric and solve for one right-hand side at a
+   * time. The entries are freed after the factorization. The ordering is
+   * minimum degree, or nested dissection if that has less fill-in
+   * (doc/guides/running-in-parallel.md). Throws NumericsError if the matrix is
+   * not positive definite, memory is insufficient or entries are not finite.
+   * There is no condition estimate. LinearSolver::solved_rows() returns
+   * RowProducts.
    */
   std::unique_ptr<LinearSolver>
   factorize_shared(const DofIndex       n,

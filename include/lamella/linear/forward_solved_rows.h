@@ -12,15 +12,16 @@
 
 namespace lamella
 {
-  /// The factor L of A = P^T L L^T P by supernodes, sets of columns with the
-  /// same rows. Supernode s has the columns column[s] to column[s+1] and the
-  /// rows row[first_row[s]] to row[first_row[s+1]], beginning with its columns;
-  /// its entries begin at entry[first_entry[s]], column by column. The layout
-  /// is CHOLMOD's. Refers to the factor.
+  /// View of the Cholesky factor L of A = P^T L L^T P, in CHOLMOD's layout of
+  /// supernodes, sets of columns with the same rows. Supernode s has the
+  /// columns from column[s] to before column[s+1] and the rows from
+  /// row[first_row[s]] to before row[first_row[s+1]]; its first rows are its
+  /// columns. Its entries begin at entry[first_entry[s]], column by column.
+  /// Does not own the arrays.
   struct SupernodalFactor
   {
-    /// Number of rows of L and of supernodes (column, first_row and first_entry
-    /// have n_supernodes + 1 entries).
+    /// Number of rows of L and number of supernodes. The arrays column,
+    /// first_row and first_entry have n_supernodes + 1 entries.
     std::size_t         n = 0, n_supernodes = 0;
     const std::int64_t *column = nullptr, *first_row = nullptr,
                        *first_entry = nullptr, *row = nullptr;
@@ -31,26 +32,26 @@ namespace lamella
   };
 
   /**
-   * Half-solved rows b_k, the columns of Y = L^-1 P B^T, with B A^-1 B^T = Y^T
-   * Y:
+   * Forward solutions of constraint rows b_k, the rows of B: the columns of Y =
+   * L^-1 P B^T, which give the compliance B A^-1 B^T = Y^T Y, since
    *   A^-1 = P^T L^-T L^-1 P, so b_i A^-1 b_j = (L^-1 P b_i) . (L^-1 P b_j).
    *
-   * A row involves a few DoFs. Its column vanishes outside the supernodes of
-   * these DoFs and their ancestors in the elimination tree (the parent of a
-   * supernode has its first row below the columns; Gilbert 1994). Only these
-   * entries are computed and stored, per supernode in a dense block of all
-   * columns that pass through it. Supernodes are eliminated from the leaves up
-   * for all new columns together, by LAPACK's trtrs and the BLAS's gemm. Memory
-   * is 8 bytes for each row of a supernode and column that passes through it.
+   * A row b_k involves a few DoFs. Its column of Y is nonzero only in the
+   * supernodes of these DoFs and their ancestors in the elimination tree
+   * (Gilbert 1994). The parent of a supernode contains its first row below the
+   * diagonal block. Only these entries are computed and stored, 8 bytes each,
+   * in one dense block per supernode. Supernodes are eliminated from the leaves
+   * to the root for all new columns together, by LAPACK's trtrs and BLAS's
+   * gemm.
    */
   class ForwardSolvedRows
   {
   public:
-    /// Refers to the data of @p factor, which must outlive this object.
+    /// Keeps a view of @p factor, whose data must outlive this object.
     explicit ForwardSolvedRows(const SupernodalFactor &factor);
 
-    /// Half-solves @p rows together. Weights of one DoF are summed; constants
-    /// are ignored.
+    /// Computes the columns of Y for all @p rows together. Weights of the same
+    /// DoF are summed; constant parts are ignored.
     void
     append(const std::vector<LinearFunctional> &rows);
 
@@ -61,23 +62,23 @@ namespace lamella
       return n_columns;
     }
 
-    /// Returns y_i . y_j of the columns i from @p first on with all j, at [j *
-    /// (size() - first) + i - first]: (m - first) x m numbers.
+    /// Returns the products y_i . y_j of the columns i >= @p first with all
+    /// columns j of Y, at [j * (m - first) + i - first], m = size().
     std::vector<double>
     products(const unsigned int first) const;
 
-    /// Returns Y @p lambda in the order of L, with one number of @p lambda per
-    /// column; P^T L^-T times the result is A^-1 B^T lambda.
+    /// Returns Y @p lambda in the row order of L, with one entry of @p lambda
+    /// per column of Y. P^T L^-T times the result is A^-1 B^T lambda.
     Vector
     combination(const std::vector<double> &lambda) const;
 
   private:
-    /// Part of one call of append() in a supernode.
+    /// Entries of Y in one supernode, computed by one call of append().
     struct Block
     {
-      /// Ascending numbers of columns of Y.
+      /// Numbers of the columns of Y that are nonzero here, ascending.
       std::vector<unsigned int> columns;
-      /// Values, as many rows as the supernode has columns, column by column.
+      /// Entries, stored by columns; one row per column of the supernode.
       std::vector<double> values;
     };
 
@@ -88,25 +89,27 @@ namespace lamella
       return factor.column[supernode + 1] - factor.column[supernode];
     }
 
-    /// Returns the parent supernode; the number of supernodes for a root.
+    /// Returns the parent in the elimination tree; n_supernodes for a root.
     std::size_t
     parent(const std::size_t supernode) const;
 
-    /// Fills P B^T of @p rows into new blocks, from column @p first of Y.
+    /// Creates the blocks of new columns of Y, from column @p first on, with
+    /// the weights of @p rows.
     void
     scatter(const std::vector<LinearFunctional> &rows,
             const unsigned int                   first);
 
-    /// Solves L_11 X = B for the last block of @p supernode; subtracts L_21 X.
+    /// Solves L_11 X = B for the last block B of @p supernode, with its
+    /// diagonal block L_11 of L, and subtracts L_21 X from its ancestors.
     void
     eliminate(const std::size_t supernode);
 
-    /// Subtracts @p change, L_21 X of @p supernode, from its ancestors.
+    /// Subtracts @p change = L_21 X from the ancestors of @p supernode.
     void
     update_ancestors(const std::size_t          supernode,
                      const std::vector<double> &change);
 
-    /// Factor, position of each row of A in L, supernode of each column of L.
+    /// View of L, row of L of each row of A, supernode of each column of L.
     SupernodalFactor         factor;
     std::vector<std::size_t> position, supernode_of;
     /// Blocks of each supernode, one per call of append().
@@ -115,8 +118,9 @@ namespace lamella
     unsigned int n_columns = 0;
   };
 
-  /// Returns rows half-solved by @p factor as SolvedRows. @p backward computes
-  /// x = P^T L^-T x of a combination(). Refers to the data of both.
+  /// Returns SolvedRows that use ForwardSolvedRows with @p factor. @p backward
+  /// computes x = P^T L^-T x. The data of both arguments must outlive the
+  /// result.
   std::unique_ptr<SolvedRows>
   make_forward_solved(const SupernodalFactor       &factor,
                       std::function<void(Vector &)> backward);

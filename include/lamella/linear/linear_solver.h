@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `linear`: matrices and their solvers. It has the assembled
-// stiffness, the factorizations by CHOLMOD, MUMPS and dense blocks, conjugate
-// gradients, and the products B K^-1 B^T of contact constraints, behind
-// LinearSolver. It is independent of beams, supports and contacts.
+// The module `linear`: the assembled stiffness matrix, its factorization by
+// CHOLMOD, MUMPS or dense blocks, conjugate gradients, and the compliance B
+// K^-1 B^T of contact constraints. It is independent of beams, supports and
+// contacts.
 
 #ifndef lamella_linear_linear_solver_h
 #define lamella_linear_linear_solver_h
@@ -18,8 +18,8 @@
 
 namespace lamella
 {
-  /// Solver for the stiffness of a body, assumed symmetric positive definite.
-  /// Body::solver_kind() determines which ones a body supports.
+  /// Kind of linear solver for the symmetric positive definite stiffness matrix
+  /// of a body. Body::solver_kind() checks whether the body supports it.
   enum class SolverKind
   {
     automatic, ///< choice by body and number of processes
@@ -40,46 +40,47 @@ namespace lamella
       {SolverKind::cg, "cg"}};
   };
 
-  /// Size of a factor from the symbolic analysis of the matrix pattern.
+  /// Memory requirement of a matrix factor, predicted by symbolic analysis.
   struct FactorSize
   {
-    /// Numbers stored for the factor by all processes, 8 bytes each.
+    /// Number of nonzeros of the factor on all processes, 8 bytes each.
     double non_zeros = 0.;
-    /// Bytes of this process, including the workspace of the factorization.
+    /// Memory on this process in bytes, including workspace.
     double bytes = 0.;
   };
 
-  /// Callback before the memory of a factor is allocated, on all processes or
-  /// on none. An exception prevents the allocation.
+  /// Callback before the memory of a factor is allocated. It is called on all
+  /// processes, and may throw an exception to prevent the allocation.
   using FactorMonitor = std::function<void(const FactorSize &)>;
 
-  /// Returns a lower bound of the multiplications for a factor with @p n
-  /// columns and @p non_zeros: z^2 / n.
+  /// Returns a lower bound, non_zeros^2 / n, of the number of multiplications
+  /// for computing a factor with @p n columns and @p non_zeros nonzeros.
   inline double
   operations_of_factor(const double non_zeros, const double n)
   {
     return non_zeros * non_zeros / n;
   }
 
-  /// Callbacks of the construction of a solver, each optional and called once,
-  /// in the order of declaration. `blocks` reports the size first.
+  /// Optional callbacks during the construction of a solver, each called once,
+  /// first `assembled`, then `factor_sized`; for SolverKind::blocks vice versa.
   struct SolverMonitor
   {
-    /// Called on all processes when the matrix is assembled.
+    /// Called on all processes after the assembly of the matrix.
     std::function<void()> assembled;
-    /// Called between analysis and factorization; never for `cg`.
+    /// Called between symbolic analysis and factorization; not for `cg`.
     FactorMonitor factor_sized;
   };
 
-  /// Effort of a solver so far.
+  /// Statistics of a solver: its kind, memory and iterations so far.
   struct SolverStatistics
   {
-    /// Kind of solver, never `automatic` in a result.
+    /// Kind of solver; never SolverKind::automatic if returned by a solver.
     SolverKind kind = SolverKind::automatic;
-    /// Nonzeros of the factor; 0 if there is none.
+    /// Number of nonzeros of the factor; 0 for conjugate gradients.
     double non_zeros = 0.;
-    /// Number of right-hand sides, of their total iterations and those of the
-    /// slowest; no iterations with a factor.
+    /// Number of solved right-hand sides, number of iterations in total, and
+    /// largest number of iterations for one right-hand side; 0 iterations for
+    /// direct solvers.
     unsigned int solutions = 0, iterations = 0, max_iterations_per_solve = 0;
   };
 
@@ -89,40 +90,42 @@ namespace lamella
   to_text(const SolverStatistics &statistics);
 
   /**
-   * Solved rows b_k for the compliance B A^-1 B^T. Refers to its solver.
-   * Collective where processes share the matrix, with the same arguments and
-   * results on all.
+   * Constraint rows b_k, the rows of B, with the solutions A^-1 b_k or
+   * equivalent data, for the compliance B A^-1 B^T. The solver must outlive
+   * this object. If the matrix is distributed, all processes must call each
+   * function with the same arguments; the results are equal.
    *
    * The compliance is the Schur complement of contact: with the contact forces
    * lambda and the initial gaps g_0,
    *   A v = f + B^T lambda, B v + g_0 = 0
    * is statically condensed to
    *   (B A^-1 B^T) lambda = -(g_0 + B A^-1 f).
-   * Entry (i, j) is the gap of row i due to a unit force in row j: length/force
-   * where rows are gaps. Rows must come from LinearFunctional::reduced(),
-   * without constants. They are numbered in the order of appending.
+   * Entry (i, j) is the change of gap i due to a unit contact force j
+   * [length/force]. Rows must be results of LinearFunctional::reduced(); their
+   * constant parts are ignored. Rows are numbered in the order of appending.
    */
   class SolvedRows
   {
   public:
     virtual ~SolvedRows() = default;
 
-    /// Solves for @p rows together, which is faster per row. Throws
-    /// NumericsError if an iteration does not converge.
+    /// Appends @p rows and solves for all of them together, which is faster
+    /// than one by one. Throws NumericsError if an iteration does not converge.
     virtual void
     append(const std::vector<LinearFunctional> &rows) = 0;
 
-    /// Returns the number m of all rows appended so far.
+    /// Returns the number m of appended rows.
     virtual unsigned int
     size() const = 0;
 
-    /// Returns b_i A^-1 b_j of the rows i from @p first on with all j, at [j *
-    /// (size() - first) + i - first]: an (m - first) x m matrix.
+    /// Returns the entries b_i A^-1 b_j of the compliance for rows i >= @p
+    /// first and all rows j, at [j * (m - first) + i - first].
     virtual std::vector<double>
     products(const unsigned int first) const = 0;
 
-    /// Returns A^-1 B^T @p lambda, one entry per row: a whole vector of the
-    /// body, in which constrained DoFs are still to be distributed.
+    /// Returns the displacements A^-1 B^T @p lambda of the body due to the
+    /// forces @p lambda, one per row. The caller must compute constrained DoFs
+    /// by AffineConstraints::distribute().
     virtual Vector
     displacement(const std::vector<double> &lambda) const = 0;
   };
@@ -130,25 +133,26 @@ namespace lamella
 
 
   /**
-   * The inverse of a symmetric positive definite matrix A, by factorization or
-   * iteration. Vectors are whole on every process. Collective where processes
-   * share the matrix, with the same arguments and results on all.
+   * A solver for linear systems with a symmetric positive definite matrix A,
+   * direct or iterative. Every process stores whole vectors. If the matrix is
+   * distributed, all processes must call each function with the same arguments.
    *
-   * Owns its data and must outlive its SolvedRows. Refinement against the
-   * residual from strains removes the rounding errors of the assembled matrix
-   * (doc/theory/stable-basis.md).
+   * The solver owns its data and must outlive its SolvedRows. Rounding errors
+   * of the assembled matrix can be removed by iterative refinement with
+   * residuals computed from strains (doc/theory/stable-basis.md).
    */
   class LinearSolver
   {
   public:
     virtual ~LinearSolver() = default;
 
-    /// Computes x = A^-1 x; @p x is zero in constrained DoFs. Throws
-    /// NumericsError if an iteration does not converge.
+    /// Computes x = A^-1 x. @p x must be zero in constrained DoFs. Throws
+    /// NumericsError if the iteration does not converge.
     virtual void
     solve(Vector &x) const = 0;
 
-    /// Solves for several right-hand sides; faster together with some solvers.
+    /// Solves for several right-hand sides, with some solvers simultaneously.
+    /// This default implementation calls solve() for each of them.
     virtual void
     solve_all(std::vector<Vector> &x) const
     {
@@ -156,7 +160,7 @@ namespace lamella
         solve(one);
     }
 
-    /// Returns an empty set of solved rows that refers to this solver.
+    /// Returns an empty SolvedRows, which keeps a reference to this solver.
     virtual std::unique_ptr<SolvedRows>
     solved_rows() const = 0;
 

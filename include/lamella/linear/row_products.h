@@ -7,27 +7,28 @@
 
 namespace lamella
 {
-  /// Solved rows of a solver without half solutions (MUMPS, conjugate
-  /// gradients). It stores B A^-1 B^T only; a displacement takes another
-  /// solution. m rows cost m solutions and m^2/2 numbers, 8 bytes each, on
-  /// every process.
+  /// SolvedRows of solvers that do not provide L^-1 b (MUMPS, conjugate
+  /// gradients). Stores only the compliance B A^-1 B^T, so displacement()
+  /// solves again. m rows take m solutions and 4 m^2 bytes on every process.
   class RowProducts : public SolvedRows
   {
   public:
-    /// Returns b_j A^-1 b_i of all given rows j and the rows i from @p first
-    /// on, at [(i - first) * number of rows + j]. Collective if the solver is.
+    /// Function that returns b_j A^-1 b_i for all @p rows j and the rows i >=
+    /// @p first, at [(i - first) * n_rows + j].
     using Solve = std::function<
       std::vector<double>(const std::vector<LinearFunctional> &rows,
                           const unsigned int                   first)>;
 
-    /// Refers to @p solver, of @p n_dofs unknowns.
+    /// Keeps a reference to @p solver, of @p n_dofs unknowns, which must
+    /// outlive this object.
     RowProducts(const LinearSolver &solver, const DofIndex n_dofs, Solve solve);
 
-    /// Calls Solve once, for @p rows with all earlier ones.
+    /// Appends @p rows and computes their products with all rows by one call of
+    /// Solve.
     void
     append(const std::vector<LinearFunctional> &rows) override;
 
-    /// Returns the number of rows appended so far.
+    /// Returns the number of appended rows.
     unsigned int
     size() const override
     {
@@ -37,19 +38,19 @@ namespace lamella
     std::vector<double>
     products(const unsigned int first) const override;
 
-    /// Costs one solution.
+    /// Returns A^-1 B^T @p lambda by one solution with A.
     Vector
     displacement(const std::vector<double> &lambda) const override;
 
   private:
-    /// Solver, which outlives its rows.
+    /// Solver, which must outlive this object.
     const LinearSolver &solver;
     DofIndex            n_dofs;
     Solve               solve;
     /// Rows in the order of appending.
     std::vector<LinearFunctional> rows;
-    /// Products of each row with those up to the end of its batch: kept[i][j] =
-    /// b_j A^-1 b_i, the lower triangle and more.
+    /// Products kept[i][j] = b_j A^-1 b_i of each row i with all rows j that
+    /// were appended before or together with row i.
     std::vector<std::vector<double>> kept;
   };
 } // namespace lamella

@@ -15,21 +15,23 @@
 
 namespace lamella
 {
-  /// Stiffness entries between all @p rows and all @p columns, to be added. A
-  /// beam block is a row of the Kronecker products of axis and section
-  /// matrices, sums of the fundamental nuclei (Eq. 12). Other bodies may use
-  /// element matrices.
+  /// A dense block of stiffness contributions for all pairs of @p rows and @p
+  /// columns. For a beam, a block is a row of the Kronecker products of axis
+  /// and section matrices, sums of fundamental nuclei (Eq. 12); for other
+  /// bodies, an element stiffness matrix.
   struct StiffnessBlock
   {
-    /// DoFs of the body before constraints. Values of common DoFs are summed.
+    /// DoFs of the body, including constrained DoFs. Blocks with common DoFs
+    /// are summed.
     std::vector<DofIndex> rows, columns;
     /// True if @p columns is sorted, which saves a search.
     bool columns_ascend = false;
-    /// Values row by row, (i, j) at [i * columns.size() + j], force/length;
-    /// empty if only the pattern is requested.
+    /// Entries by rows, (i, j) at [i * columns.size() + j], in force/length;
+    /// empty if only the sparsity pattern is needed.
     std::vector<double> values;
 
-    /// Adds the block times @p w to @p f.
+    /// Adds the product of the block and the displacements @p w to the forces
+    /// @p f.
     void
     add_product(const Vector &w, Vector &f) const
     {
@@ -43,72 +45,74 @@ namespace lamella
   /// force/length if r is a length.
   using SpringTerm = std::pair<LinearFunctional, double>;
 
-  /// Terms of the stiffness of a bodybefore condensation, the sum of all blocks
-  /// and springs k r^T r.
+  /// The stiffness of a body before the condensation of constraints: the sum of
+  /// all blocks and springs k r^T r.
   struct StiffnessTerms
   {
     /// Number of rows of the whole matrix, constrained ones included.
     DofIndex n_dofs = 0;
-    /// DoFs whose rows this process owns; contiguous.
+    /// Contiguous range of DoFs whose matrix rows this process owns.
     dealii::IndexSet owned;
-    /// Calls its second argument with each block of the unconstrained
-    /// stiffness, with values if the first is true: all blocks, or this
-    /// process's share in a distributed assembly. Called several times.
+    /// Calls its second argument for each block of the unconstrained stiffness.
+    /// If the first argument is false, the blocks have no values. In a
+    /// distributed assembly, each process has a subset of the blocks. Called
+    /// several times.
     std::function<void(const bool,
                        const std::function<void(const StiffnessBlock &)> &)>
       for_each_block;
-    /// Springs of the body, the same list on every process.
+    /// Springs of the body, equal on every process.
     std::vector<SpringTerm> springs;
   };
 
-  /// The stiffness of a body, condensed by the homogeneous part of its
-  /// constraints,
-  ///   A = G^T K G, u = G v + u_p,
-  /// with the stiffness K of the terms and the unconstrained DoFs v. All DoFs
-  /// keep their numbers; rows and columns of constrained DoFs are empty except
-  /// for a positive diagonal.
+  /// The assembled stiffness matrix of a body, condensed by the homogeneous
+  /// part of its constraints u = G v + u_p,
+  ///   A = G^T K G,
+  /// with the stiffness K of the StiffnessTerms and the unconstrained DoFs v. A
+  /// has the DoF numbers of K; rows and columns of constrained DoFs are zero
+  /// except for a positive diagonal entry.
   class StiffnessMatrix
   {
   public:
     virtual ~StiffnessMatrix() = default;
 
-    /// Calls @p use with row, column and value of the entries in the rows owned
-    /// by this process: both triangles, zeros of the pattern included.
+    /// Calls @p use(row, column, value) for all entries of the rows owned by
+    /// this process, in both triangles, including zeros of the pattern.
     virtual void
     for_each_entry(
       const std::function<void(DofIndex, DofIndex, double)> &use) const = 0;
 
-    /// Returns the whole diagonal. Collective where processes share the matrix.
+    /// Returns the whole diagonal. If the matrix is distributed, must be called
+    /// by all processes.
     virtual Vector
     diagonal() const = 0;
 
     /// Returns a solver, which does not refer to this object. Throws
-    /// NumericsError, naming the matrix @p what, if it is not positive
-    /// definite; CHOLMOD throws NotPositiveDefinite with the DoF. @p monitor
-    /// receives the size of a factor. Collective where processes share the
-    /// matrix.
+    /// NumericsError, with @p what as name of the matrix, if the matrix is not
+    /// positive definite; with CHOLMOD, NotPositiveDefinite. @p monitor is
+    /// called with the size of the factor. If the matrix is distributed, must
+    /// be called by all processes.
     virtual std::unique_ptr<LinearSolver>
     factorize(const std::string   &what,
               const FactorMonitor &monitor = {}) const = 0;
 
-    /// Frees the entries if factorize() has copied them before it calls its
-    /// monitor, which may call this to make room for the factor.
+    /// Frees the matrix entries if factorize() has copied them. May be called
+    /// by the monitor of factorize(), to provide memory for the factor.
     virtual void
     release()
     {}
   };
 
-  /// Assembles a deal.II SparseMatrix on one process, to be factorized by
-  /// CHOLMOD. @p constraints must be closed.
+  /// Assembles the stiffness matrix on one process, as a deal.II SparseMatrix,
+  /// to be factorized by CHOLMOD. @p constraints must be closed.
   std::unique_ptr<StiffnessMatrix>
   assemble_serial(const StiffnessTerms &terms, const Constraints &constraints);
 
-  /// Assembles a Trilinos sparse matrix with the rows terms.owned on each
-  /// process; blocks may add to rows of other processes. @p kind = mumps
-  /// factorizes it; cg uses conjugate gradients, preconditioned by smoothed
-  /// aggregation (ML) that preserves the @p near_null_space, such as rigid
-  /// motions. @p constraints must be closed and the same on all processes.
-  /// Collective.
+  /// Assembles the stiffness matrix as a distributed Trilinos matrix. Each
+  /// process owns the rows terms.owned; its blocks may contribute to rows of
+  /// other processes. @p kind is the solver, mumps or cg (see
+  /// make_conjugate_gradients(), also for @p near_null_space). @p constraints
+  /// must be closed and equal on all processes. Must be called by all
+  /// processes.
   std::unique_ptr<StiffnessMatrix>
   assemble_distributed(const StiffnessTerms      &terms,
                        const Constraints         &constraints,
