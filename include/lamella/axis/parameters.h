@@ -11,25 +11,26 @@
 namespace lamella
 {
   /**
-   * The entries of a body's `subsection Kinematics` for its axis mesh and beam
-   * element, with defaults in parentheses:
+   * Declares and parses the entries for the mesh of the axis in a body's
+   * `subsection Kinematics`, with defaults in parentheses:
    *   Axis element     B2, B3 or B4                    (B4)
-   *   Axis elements    a number, one for each piece,
+   *   Axis elements    numbers of elements, one per interval,
    *                    or auto [FACTOR]                (10)
-   *   Axis breaks      distances that end a piece      (none)
+   *   Axis breaks      y that end an interval          (none)
    *   Axis nodes       Gauss-Lobatto or equidistant    (Gauss-Lobatto)
    *   Shear strains    auto, assumed or full           (auto)
-   * `auto` is `assumed` for B2 and B3, which lock otherwise, and `full` for B4.
+   * For shear strains, `auto` means `assumed` for B2 and B3, which otherwise
+   * lock in shear, and `full` for B4.
    */
   struct AxisParameters
   {
-    /// Declares the entries in the subsection that @p prm is in.
+    /// Declares the entries in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the mesh of an axis of @p length from the entries @p in. Throws
-    /// InputError for breaks that do not ascend within the length, and unless
-    /// each piece has from 1 to 100000 elements.
+    /// Returns the mesh described by @p in for an axis of @p length. Throws
+    /// InputError for breaks that do not ascend within the length and for
+    /// intervals without 1 to 100000 elements.
     static AxisMesh
     parse(const Entries &in, const double length);
   };

@@ -56,8 +56,8 @@ namespace lamella
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 
-    /// Throws InputError::missing() for this required, but empty entry, with @p
-    /// remedy.
+    /// Throws InputError::missing() for this required, but empty entry, with
+    /// @p remedy.
     [[noreturn]] void
     refuse_missing(const std::string &remedy) const;
 
@@ -67,8 +67,8 @@ namespace lamella
     double
     number() const;
 
-    /// Returns the substring @p piece converted to a number; messages quote @p
-    /// piece.
+    /// Returns the substring @p piece converted to a number; messages quote
+    /// @p piece.
     double
     number(const std::string &piece) const;
 
@@ -130,8 +130,8 @@ namespace lamella
     }
 
     /// Returns the text if it is one of @p names. Otherwise throws InputError:
-    /// `there is no KIND 'text'. The nearest of LIST ...`, with @p kind and @p
-    /// list inserted.
+    /// `there is no KIND 'text'. The nearest of LIST ...`, with @p kind and
+    /// @p list inserted.
     const std::string &
     among(const std::vector<std::string> &names,
           const std::string              &kind,

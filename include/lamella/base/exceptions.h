@@ -24,8 +24,8 @@ namespace lamella
   struct Message
   {
     /// Splits @p source, of the form `ID: TEXT`, or `TEXT [ID]` if taken from
-    /// the message of an earlier exception. The identifier is empty if @p
-    /// source has neither form.
+    /// the message of an earlier exception. The identifier is empty if
+    /// @p source has neither form.
     explicit Message(const std::string &source);
 
     /// Returns the text for the user, `TEXT [ID]`.

@@ -9,8 +9,8 @@
 
 namespace lamella
 {
-  /// Returns the value at @p t of the Lagrange polynomial that is 1 at node @p
-  /// i and 0 at the other nodes @p points.
+  /// Returns the value at @p t of the Lagrange polynomial that is 1 at node
+  /// @p i and 0 at the other nodes @p points.
   inline double
   lagrange(const std::vector<double> &points,
            const unsigned int         i,
@@ -35,8 +35,8 @@ namespace lamella
   }
 
   /// Returns the weights that extrapolate values at the @p n_points Gauss
-  /// points t_k of [0, 1] to @p t by the least-squares polynomial of degree @p
-  /// degree,
+  /// points t_k of [0, 1] to @p t by the least-squares polynomial of degree
+  /// @p degree,
   ///   w_k sum_n (2 n + 1) P_n(2 t_k - 1) P_n(2 t - 1),   w_k Gauss weights.
   /// The polynomial interpolates the values if the degree is n_points - 1.
   inline std::vector<double>

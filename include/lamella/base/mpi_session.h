@@ -19,8 +19,8 @@ namespace lamella
   class MpiSession
   {
   public:
-    /// Starts MPI with one thread per process. MPI may change @p argc and @p
-    /// argv.
+    /// Starts MPI with one thread per process. MPI may change @p argc and
+    /// @p argv.
     MpiSession(int &argc, char **&argv);
 
   private:

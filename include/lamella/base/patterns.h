@@ -80,9 +80,9 @@ namespace lamella
     WordOrPattern
     optional(const dealii::Patterns::PatternBase &other);
 
-    /// Throws InputError for @p entry, which does not match a pattern. @p
-    /// pattern is the machine-readable description of that pattern. The message
-    /// lists the valid values: bounds of numbers and lists, names of a
+    /// Throws InputError for @p entry, which does not match a pattern.
+    /// @p pattern is the machine-readable description of that pattern. The
+    /// message lists the valid values: bounds of numbers and lists, names of a
     /// selection, or the word of a WordOrPattern.
     [[noreturn]] void
     refuse(const Entry &entry, const std::string &pattern);

@@ -14,8 +14,8 @@ namespace lamella
   {
   public:
     /// Factorizes the n x n @p matrix, stored by columns, of which only the
-    /// lower triangle is read; @p n may be zero. Throws NumericsError, with @p
-    /// what as name of the matrix, if a pivot is not positive.
+    /// lower triangle is read; @p n may be zero. Throws NumericsError, with
+    /// @p what as name of the matrix, if a pivot is not positive.
     DenseCholesky(std::vector<double> matrix,
                   const unsigned int  n,
                   const char *const   what);

@@ -21,9 +21,9 @@ namespace lamella
     std::vector<std::array<double, 5>> entries;
   };
 
-  /// Returns row @p r of five matrices with the same sparsity pattern. @p
-  /// matrix_number(m) returns matrix m. Columns c with @p wanted(c) false are
-  /// omitted.
+  /// Returns row @p r of five matrices with the same sparsity pattern.
+  /// @p matrix_number(m) returns matrix m. Columns c with @p wanted(c) false
+  /// are omitted.
   template <typename Factor, typename Wanted>
   FactorRow
   factor_row(const Factor      &matrix_number,

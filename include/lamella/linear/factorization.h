@@ -99,8 +99,8 @@ namespace lamella
   };
 
   /// Analyzes a matrix of @p n rows with MUMPS and returns the object that
-  /// factorizes it. Each process passes a subset of the sparsity @p pattern. @p
-  /// what is the name of the matrix in messages. Throws NumericsError if the
+  /// factorizes it. Each process passes a subset of the sparsity @p pattern.
+  /// @p what is the name of the matrix in messages. Throws NumericsError if the
   /// analysis fails. Must be called by all processes.
   std::unique_ptr<RepeatedFactorization>
   analyze_shared(const DofIndex     n,

@@ -118,8 +118,8 @@ namespace lamella
     virtual unsigned int
     size() const = 0;
 
-    /// Returns the entries b_i A^-1 b_j of the compliance for rows i >= @p
-    /// first and all rows j, at [j * (m - first) + i - first].
+    /// Returns the entries b_i A^-1 b_j of the compliance for rows i >=
+    /// @p first and all rows j, at [j * (m - first) + i - first].
     virtual std::vector<double>
     products(const unsigned int first) const = 0;
 

@@ -15,8 +15,8 @@
 
 namespace lamella
 {
-  /// A dense block of stiffness contributions for all pairs of @p rows and @p
-  /// columns. For a beam, a block is a row of the Kronecker products of axis
+  /// A dense block of stiffness contributions for all pairs of @p rows and
+  /// @p columns. For a beam, a block is a row of the Kronecker products of axis
   /// and section matrices, sums of fundamental nuclei (Eq. 12); for other
   /// bodies, an element stiffness matrix.
   struct StiffnessBlock

@@ -9,27 +9,27 @@
 
 namespace lamella
 {
-  /// A symmetric second-order tensor in the order of the paper's Eq. 4, {xx,
-  /// yy, zz, xy, xz, yz}, in scene, body (x across, y along, z up) or ply axes
-  /// (11, 22, 33, 12, 13, 23). Shear strains are engineering shear strains
-  /// gamma = 2 epsilon; stresses have plain shear stresses.
+  /// A stress or strain with the components {xx, yy, zz, xy, xz, yz} (Eq. 4) in
+  /// scene or body axes (x across, y along the beam, z up), or {11, 22, 33, 12,
+  /// 13, 23} in ply axes. Shear strains are engineering strains gamma = 2
+  /// epsilon.
   using Voigt = dealii::Tensor<1, 6>;
 
-  /// C of sigma = C epsilon (Eq. 6) in the order of Voigt; symmetric,
-  /// [force/length^2]. Its diagonal contains the shear moduli.
+  /// The symmetric 6 x 6 stiffness matrix C of Hooke's law sigma = C epsilon
+  /// (Eq. 6) in the order of Voigt [force/length^2].
   using ElasticTensor = dealii::Tensor<2, 6>;
 
   /// Orthonormal, right-handed vectors e_1, e_2, e_3 as the rows of a matrix.
   using Triad = dealii::Tensor<2, 3>;
 
-  /// Returns the identity.
+  /// Returns the identity matrix.
   Triad
   unit_triad();
 
-  /// The nine constants of an orthotropic material in its own axes: 1 along the
-  /// fiber, 2 across it in the plane of the ply, 3 normal to the ply. nu_ij is
-  /// the contraction along j under tension along i: nu_ij / E_i = nu_ji / E_j.
-  /// All are zero, which is invalid, until set.
+  /// The nine elastic constants of an orthotropic material in its own axes: 1
+  /// along the fiber, 2 across the fiber in the plane of the ply, 3 normal to
+  /// the ply. nu_ij is the contraction along j under tension along i: nu_ij /
+  /// E_i = nu_ji / E_j. The default values of zero are invalid.
   struct EngineeringConstants
   {
     /// Young's moduli along 1, 2 and 3 [force/length^2].
@@ -39,55 +39,56 @@ namespace lamella
     /// Poisson's ratios, dimensionless.
     double nu12 = 0., nu13 = 0., nu23 = 0.;
 
-    /// Returns the isotropic material of Young's modulus @p E and Poisson's
-    /// ratio @p nu, with G = E / (2 (1 + nu)), unchecked.
+    /// Returns the constants of an isotropic material with Young's modulus @p E
+    /// and Poisson's ratio @p nu, G = E / (2 (1 + nu)), without checks.
     static EngineeringConstants
     isotropic(const double E, const double nu);
 
-    /// Describes the first violated condition of positive definiteness of the
-    /// compliance; empty if there is none. The conditions (Lempriere 1968) are:
-    /// all moduli positive, nu_ij^2 < E_i / E_j for each pair, and 1 - nu12
-    /// nu21 - nu23 nu32 - nu13 nu31 - 2 nu21 nu32 nu13 > 0.
+    /// Describes the first violated condition for a positive definite
+    /// compliance; empty if all hold. The conditions (Lempriere 1968) are: all
+    /// moduli positive, nu_ij^2 < E_i / E_j for each pair, and 1 - nu12 nu21 -
+    /// nu23 nu32 - nu13 nu31 - 2 nu21 nu32 nu13 > 0.
     std::string
     violated_condition() const;
 
     /**
-     * Returns C in the material's own axes, in the order {11, 22, 33, 12, 13,
-     * 23}. The constants must be positive definite. The block of the normal
-     * components is the inverse of
+     * Returns the stiffness matrix C in the material's own axes, in the order
+     * {11, 22, 33, 12, 13, 23}. violated_condition() must be empty. The 3 x 3
+     * block of the normal components is the inverse of
      *   [ 1/E1     -nu12/E1  -nu13/E1 ]
      *   [ -nu12/E1  1/E2     -nu23/E2 ]
      *   [ -nu13/E1 -nu23/E2   1/E3    ],
-     * made exactly symmetric; G12, G13, G23 follow on the diagonal, uncoupled.
+     * made exactly symmetric. The other diagonal entries are G12, G13, G23.
      */
     ElasticTensor
     stiffness() const;
   };
 
-  /// Returns the matrix T that transforms strains (with engineering shear
-  /// strains) into the axes of @p triad: epsilon' = T epsilon. Energy is
-  /// invariant, so sigma = T^T sigma' and C = T^T C' T. T is not orthogonal:
-  /// stresses transform with T^-T.
+  /// Returns the matrix T that transforms strains in the order of Voigt into
+  /// the axes of @p triad: epsilon' = T epsilon. Since the energy is invariant,
+  /// sigma = T^T sigma' and C = T^T C' T. T is not orthogonal.
   ElasticTensor
   strain_rotation(const Triad &triad);
 
-  /// Returns T^T C' T from @p local C' in the axes of @p triad: C in the frame
-  /// of its vectors, from ply axes into the body's for ply_axes().
+  /// Returns the stiffness C = T^T C' T in the frame in which the vectors of
+  /// @p triad are given, e.g. the body frame, from the stiffness @p local C' in
+  /// the axes of @p triad, e.g. ply_axes(). T is strain_rotation().
   ElasticTensor
   rotated(const ElasticTensor &local, const Triad &triad);
 
   /// Returns the ply axes in the body frame (x across, y along, z up) for a
   /// fiber at @p degrees, 0 along +y and positive towards +x: e_1 = (sin, cos,
   /// 0), e_3 = (0, 0, 1), e_2 = e_3 x e_1 = (-cos, sin, 0). Sines and cosines
-  /// below 1e-15 are zero, so cross-plies have exact zeros.
+  /// below 1e-15 are set to zero, which is exact for cross-plies.
   Triad
   ply_axes(const double degrees);
 
-  /// Returns the ply axes in the body frame of a ply in the plane of y and t =
-  /// y x n = (n_z, 0, -n_x), with its unit @p normal n = (n_x, n_z) in the
-  /// section. The fiber is at @p degrees, 0 along +y and positive towards t,
+  /// Returns the ply axes in the body frame of a ply with the unit @p normal n
+  /// = (n_x, n_z) in the section. Its plane is spanned by y and t = y x n =
+  /// (n_z, 0, -n_x). The fiber is at @p degrees, 0 along +y and positive
+  /// towards t,
   ///   e_1 = sin t + cos y,  e_3 = n,  e_2 = e_3 x e_1 = -cos t + sin y.
-  /// For n = +z, t is +x: the axes above.
+  /// For n = +z, t is +x, and the result is ply_axes(degrees).
   Triad
   ply_axes(const double degrees, const dealii::Tensor<1, 2> &normal);
 } // namespace lamella

@@ -16,11 +16,11 @@ namespace lamella
   std::vector<std::string>
   library_materials();
 
-  /// Returns the built-in material @p name in the stresses of @p units, with
-  /// sources in doc/reference/materials.md. hertz-200, whose modulus has no
-  /// unit, is not converted. Data that a source lacks are empty. Throws
-  /// InputError with the nearest name if there is none, and with the entry in
-  /// the second form.
+  /// Returns the built-in material @p name, converted to the stress unit of
+  /// @p units. Sources are in doc/reference/materials.md; data that a source
+  /// lacks are empty. hertz-200, whose modulus has no unit, is not converted.
+  /// Throws InputError, which suggests the most similar name, if there is no
+  /// such material. In the second form, the name is the text of @p entry.
   Material
   library_material(const std::string &name, const Units &units);
   Material

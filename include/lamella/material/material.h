@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `material`: elastic constants and their limits, density, expansion
-// and strengths, the rotation of plies, codes of layups, the library of
+// The module `material`: elastic constants, density, thermal expansion and
+// strengths, their rotation into ply axes, laminate codes, the library of
 // built-in materials, and the constitutive law. It is independent of meshes.
 
 #ifndef lamella_material_material_h
@@ -15,15 +15,14 @@
 
 namespace lamella
 {
-  /// Strengths of an orthotropic material in its own axes, positive also in
-  /// compression: tension (t) and compression (c) along 1, 2 and 3 as X, Y and
-  /// Z, and shear. Also used for strains (engineering shear strains) at
-  /// failure.
+  /// Strengths of an orthotropic material in its own axes. X, Y, Z are the
+  /// directions 1, 2, 3, with t for tension and c for compression; all values
+  /// are positive. Also used for ultimate strains (engineering shear strains).
   struct Strengths
   {
-    /// Tension and compression along 1, 2 and 3 [force/length^2].
+    /// Strengths in tension and compression [force/length^2].
     double Xt = 0., Xc = 0., Yt = 0., Yc = 0., Zt = 0., Zc = 0.;
-    /// Shear in the planes 12, 13 and 23 [force/length^2].
+    /// Shear strengths in the planes 12, 13 and 23 [force/length^2].
     double S12 = 0., S13 = 0., S23 = 0.;
   };
 
@@ -31,20 +30,23 @@ namespace lamella
   /// honeycomb (L), 2 across it (W), 3 through the thickness; all positive.
   struct CoreStrengths
   {
-    /// Compression along 3, shear 13 and shear 23 [force/length^2].
+    /// Compressive strength along 3 and shear strengths in the planes 13 and 23
+    /// [force/length^2].
     double crushing = 0., shear_13 = 0., shear_23 = 0.;
   };
 
-  /// Slopes p of Puck's fracture curves at zero normal stress on the fracture
-  /// plane, dimensionless: of shear along the fiber (l) and across it (t),
-  /// towards tension and compression. Defaults are for carbon (Puck, Kopp and
-  /// Knops, Compos. Sci. Technol. 62 (2002) 371-378; pt at its lower end).
+  /// Inclination parameters p of Puck's inter-fiber fracture criterion,
+  /// dimensionless: slopes of the fracture curve at zero normal stress on the
+  /// fracture plane, for shear along (pl) and across the fiber (pt), on the
+  /// tension and compression side. Defaults are for carbon fibers (Puck, Kopp
+  /// and Knops, Compos. Sci. Technol. 62 (2002) 371-378; pt at the lower
+  /// limit).
   struct PuckInclinations
   {
     double pl_tension = 0.35, pl_compression = 0.3;
     double pt_tension = 0.25, pt_compression = 0.25;
 
-    /// Returns the values for glass of that source.
+    /// Returns the values for glass fibers from the same source.
     static PuckInclinations
     glass()
     {
@@ -52,41 +54,42 @@ namespace lamella
     }
   };
 
-  /// A material in its own axes and the units of the scene. Optional data are
-  /// empty if not given.
+  /// Material data in the material's own axes and the units of the scene.
+  /// Optional data that are unknown are empty.
   struct Material
   {
     Material() = default;
 
-    /// Converts elastic constants to a material without other data.
+    /// Constructs a material with the constants @p elastic only.
     Material(const EngineeringConstants &elastic)
       : elastic(elastic)
     {}
 
-    /// Elastic constants; zero, which is invalid, until set.
+    /// Elastic constants; the default values of zero are invalid.
     EngineeringConstants elastic;
-    /// Mass per volume [force s^2 / length^4], as kg/m^3 or t/mm^3.
+    /// Mass density [force s^2 / length^4], i.e. kg/m^3 or t/mm^3.
     std::optional<double> density;
-    /// Thermal expansion alpha_1, alpha_2, alpha_3 [1/K].
+    /// Coefficients of thermal expansion alpha_1, alpha_2, alpha_3 [1/K].
     std::optional<dealii::Tensor<1, 3>> expansion;
-    /// Stresses and strains at failure.
+    /// Strengths as stresses, and ultimate strains.
     std::optional<Strengths> strengths, ultimate_strains;
     /// Tensile yield stress of an isotropic material [force/length^2].
     std::optional<double> yield;
-    /// Core strengths, which make it a sandwich core in the failure criteria.
+    /// Strengths of a sandwich core. If set, the failure criteria treat the
+    /// material as a core.
     std::optional<CoreStrengths> core;
     PuckInclinations             inclinations;
   };
 
-  /// Materials by name in the scene, sorted.
+  /// Materials of the scene by name.
   using Materials = std::map<std::string, Material>;
 
-  /// Linear elasticity with an initial strain epsilon_0 (heat, cure), the only
-  /// constitutive law of the program (Eq. 6 extended),
+  /// Linear elasticity with an initial strain epsilon_0 due to temperature or
+  /// cure, the only constitutive law of the program (extends Eq. 6),
   ///   sigma = C (epsilon - epsilon_0) = dW/depsilon
   ///   W     = 1/2 (epsilon - epsilon_0) . C (epsilon - epsilon_0)
-  /// with engineering shear strains (Eq. 4) and symmetric positive definite C.
-  /// Because of -C epsilon_0, stresses are affine functionals of the DoFs.
+  /// with the stress sigma, the total strain epsilon (engineering shear
+  /// strains, Eq. 4), the energy density W and the stiffness C.
   class ElasticLaw
   {
   public:
@@ -97,29 +100,30 @@ namespace lamella
       , initial(initial_strain)
     {}
 
-    /// Returns C, 6 x 6 [force/length^2].
+    /// Returns the stiffness C [force/length^2].
     const ElasticTensor &
     stiffness() const
     {
       return C;
     }
 
-    /// Returns epsilon_0, the strain without stress.
+    /// Returns the initial strain epsilon_0, for which the stress is zero.
     const Voigt &
     initial_strain() const
     {
       return initial;
     }
 
-    /// Returns C (@p strain - epsilon_0) [force/length^2], for the total strain
-    /// D u (Eq. 5) in the law's axes.
+    /// Returns the stress C (@p strain - epsilon_0) [force/length^2] for the
+    /// total strain in the axes of this law.
     Voigt
     stress(const Voigt &strain) const
     {
       return C * (strain - initial);
     }
 
-    /// Returns the strain energy density W at @p strain [force/length^2].
+    /// Returns the strain energy density W for the total @p strain
+    /// [force/length^2].
     double
     energy_density(const Voigt &strain) const
     {

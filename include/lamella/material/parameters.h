@@ -11,19 +11,20 @@
 
 namespace lamella
 {
-  /// The entries of a `subsection Material NAME`: one of `Library`,
-  /// `Engineering constants` (nine) and `Isotropic` (E, nu); optionally
-  /// `Strengths` (nine, which replace the library's), `Ultimate strains`
-  /// (nine), `Yield`, `Core strengths` (three), `Puck inclinations`.
+  /// Declares and parses a `subsection Material NAME`. It has exactly one of
+  /// the entries `Library`, `Engineering constants` (9 numbers) and `Isotropic`
+  /// (E, nu). Optional are `Strengths` (9, instead of the library's), `Ultimate
+  /// strains` (9), `Yield`, `Core strengths` (3) and `Puck inclinations`.
   struct MaterialParameters
   {
-    /// Declares the entries in the subsection that @p prm is in.
+    /// Declares the entries in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the material in the stresses of @p units. Throws InputError
-    /// unless exactly one of the three entries is given, with valid constants;
-    /// and for a library material, except hertz-200, in a scene without units.
+    /// Returns the material, with library values converted to @p units. Throws
+    /// InputError if not exactly one of the three entries is set, for invalid
+    /// constants, and for a library material in a scene without units (except
+    /// hertz-200).
     static Material
     parse(const Entries &in, const Units &units);
   };

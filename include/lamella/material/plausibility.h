@@ -11,32 +11,33 @@
 
 namespace lamella
 {
-  /// Returns a warning if moduli of @p material, named @p name in the scene,
-  /// are outside of 1 MPa to 2 TPa, so that the unit is probably not that of
-  /// @p units. Cores may be softer in their plane. Empty without doubt or
-  /// without units.
+  /// Returns a warning if a modulus of @p material is outside of 1 MPa to 2
+  /// TPa, so that it is probably not in @p units. @p name is the name of the
+  /// material in the warning. Cores may be softer in their plane. The result is
+  /// empty if the moduli are plausible or the scene has no units.
   std::string
   moduli_warning(const std::string &name,
                  const Material    &material,
                  const Units       &units);
 
   /**
-   * Returns warnings about numbers of @p material, named @p name, whose unit is
-   * probably wrong: moduli_warning(), and numbers outside of the ranges
+   * Returns warnings about values of @p material whose unit is probably wrong:
+   * moduli_warning(), and values outside of the ranges
    *   strength / modulus          1e-4 to 0.3 (whiskers)
    *   ultimate strains            below 0.3
-   *   G_12 / E_1, G_12 / E_2      1e-3 to 10; of plies (E_3 <= E_1), not of
-   *   G_13 / E_1, G_23 / E_2      cores, 13 and 23 as well
+   *   G_12 / E_1, G_12 / E_2      1e-3 to 10
+   *   G_13 / E_1, G_23 / E_2      1e-3 to 10; only of plies (E_3 <= E_1)
    *   density                     5 to 25,000 kg/m^3 (foams, osmium)
    *   thermal expansion           below 1e-3 / K (rubbers have 3e-4)
-   * Ratios are checked without @p units, too. The worst of each kind is named.
+   * Ratios are checked also in scenes without units. Each warning names the
+   * worst value. @p name is the name of the material.
    */
   std::vector<std::string>
   material_warnings(const std::string &name,
                     const Material    &material,
                     const Units       &units);
 
-  /// Returns the largest Young's modulus of @p material, with its name.
+  /// Returns the name, e.g. E1, and the value of the largest Young's modulus.
   std::pair<const char *, double>
   largest_modulus(const Material &material);
 } // namespace lamella

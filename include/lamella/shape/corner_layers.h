@@ -11,32 +11,32 @@
 
 namespace lamella
 {
-  /// Rules for grading sections towards their corners.
+  /// Parameters for grading the mesh of a section towards singular corners.
   struct CornerRules
   {
-    /// Ratio of the distances of successive layers from the corner. The optimum
-    /// for one corner and growing degrees is 0.15 (Szabo and Babuska, Finite
+    /// Grading factor: ratio of the distances of successive layers from the
+    /// corner. 0.15 is optimal for p-extension (Szabo and Babuska, Finite
     /// Element Analysis, 1991, sec. 10.2).
     double ratio = 0.15;
-    /// Angle above which a corner is re-entrant, in degrees. Fillets meshed by
-    /// a few straight edges are below it.
+    /// Interior angle in degrees above which a corner is re-entrant. Fillets
+    /// meshed by a few straight edges have smaller angles.
     double min_reentrant_angle = 225.;
   };
 
-  /// Returns the vertices of @p section with singular stresses, ascending:
+  /// Returns the numbers of the vertices with singular stresses, ascending:
   /// re-entrant corners of its boundary, and ends of interfaces between plies
   /// of different material or angle at the boundary.
   std::vector<unsigned int>
   singular_corners(const SectionMesh &section, const CornerRules &rules = {});
 
   /**
-   * Returns @p section with @p layers layers of cells at each of its
-   * singular_corners(). Every edge that ends there is split at the fractions
-   * r^k from the corner, k = 1 to @p layers, r = CornerRules::ratio. Opposite
-   * edges of the cells are split alike. Plies and side names are inherited;
-   * edges must be straight. Throws InputError, of the entry `Corner layers` of
-   * the subsection @p what, if there are no corners or more than
-   * max_section_cells result.
+   * Returns the mesh @p section with @p layers geometrically graded layers of
+   * cells around each of its singular_corners(). Every edge that ends at such a
+   * corner is split at the fractions r^k of its length, k = 1 to @p layers, r =
+   * CornerRules::ratio. Opposite edges of cells are split equally. Edges must
+   * be straight. Throws InputError for the entry `Corner layers` in the
+   * subsection @p what if there are no singular corners or the result has more
+   * than max_section_cells cells.
    */
   std::shared_ptr<const SectionMesh>
   graded_to_corners(const SectionMesh &section,

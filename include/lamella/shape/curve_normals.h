@@ -11,18 +11,20 @@
 
 namespace lamella
 {
-  /// Outward normals of boundaries of a section, extended to all points by
-  /// projection onto the nearest side. Normals vary linearly along a side
-  /// between the means with its neighbors; x - projection is parallel to them.
-  /// Sides that meet at more than 30 degrees keep their own normals.
+  /// The field of outward unit normals of boundaries of a section, extended to
+  /// all points x of the section. The normal at x is that of the point p on the
+  /// nearest side for which x - p is parallel to the normal. Normals vary
+  /// linearly along a side; at a vertex, the normals of the adjacent sides are
+  /// averaged unless they differ by more than 30 degrees.
   class CurveNormals
   {
   public:
-    /// Collects the sides of the existing boundaries @p names of @p section.
+    /// Collects the sides of the boundaries @p names of @p section.
     CurveNormals(const SectionMesh              &section,
                  const std::vector<std::string> &names);
 
-    /// Returns the unit normal (n_x, n_z). Costs a loop over all sides.
+    /// Returns the unit normal (n_x, n_z) at the point @p x by a loop over all
+    /// sides.
     dealii::Tensor<1, 2>
     at(const dealii::Point<2> &x) const;
 

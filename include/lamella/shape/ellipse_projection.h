@@ -7,14 +7,14 @@
 
 namespace lamella
 {
-  /// Closest-point projection onto the ellipse that a wall follows,
+  /// Closest-point projection onto the elliptical outer surface of a tube,
   ///   E(phi) = center + (a cos phi, b sin phi),
-  /// with the outward normal n = (b cos phi, a sin phi) over its length. Curves
-  /// at a constant depth are parallel to it, and no ellipses unless a = b.
+  /// The outward unit normal is n = (b cos phi, a sin phi) / |...|. Interfaces
+  /// at constant depth are parallel curves, which are ellipses only if a = b.
   class EllipseProjection
   {
   public:
-    /// Constructs an ellipse with semi-axes @p a along x and @p b along z.
+    /// Constructs the ellipse with semi-axes @p a along x and @p b along z.
     EllipseProjection(const dealii::Point<2> &center,
                       const double            a,
                       const double            b)
@@ -23,17 +23,17 @@ namespace lamella
       , b(b)
     {}
 
-    /// Returns the parameter of the closest point to @p x, in (-pi, pi], by
-    /// Newton's method for (x - E) . E' = 0 within the quadrant. Unique at
+    /// Returns the parameter phi in (-pi, pi] of the point closest to @p x, by
+    /// Newton's method for (x - E) . E' = 0 within a quadrant. phi is unique at
     /// depths below the smallest radius of curvature, min(a, b)^2 / max(a, b).
     double
     parameter(const dealii::Point<2> &x) const;
 
-    /// Returns E(@p phi).
+    /// Returns the point E(@p phi) of the ellipse.
     dealii::Point<2>
     point(const double phi) const;
 
-    /// Returns the unit vector n = (n_x, n_z) at E(@p phi).
+    /// Returns the outward unit normal n = (n_x, n_z) at E(@p phi).
     dealii::Tensor<1, 2>
     normal(const double phi) const;
 

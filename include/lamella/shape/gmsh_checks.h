@@ -11,7 +11,8 @@
 
 namespace lamella
 {
-  /// Input of Triangulation, with the elements of the file that it is from.
+  /// Mesh data for Triangulation::create_triangulation(), with the elements of
+  /// the Gmsh file from which cells and lines were created.
   struct GmshMesh
   {
     std::vector<dealii::Point<2>>          vertices;
@@ -20,17 +21,18 @@ namespace lamella
     std::vector<const GmshFile::Element *> elements, lines;
   };
 
-  /// Throws InputError, with its line in the file, if a cell is not convex.
+  /// Throws InputError with the line number in the file if a cell is not
+  /// convex.
   void
   check_cells_are_convex(const GmshMesh &mesh, const Entry &entry);
 
-  /// Throws InputError if the cells around a vertex exceed a full angle:
-  /// overlapping cells with wrong node numbers.
+  /// Throws InputError if the angles of the cells at a vertex exceed 360
+  /// degrees in sum, so that cells overlap.
   void
   check_angles(const GmshMesh &mesh, const Entry &entry);
 
-  /// Keeps the lines of @p mesh that are sides at the boundary. Throws
-  /// InputError if a line is inside, or belongs to two boundaries.
+  /// Removes the lines of @p mesh that are not sides of cells. Throws
+  /// InputError if a line is an interior side or belongs to two boundaries.
   void
   keep_boundary_lines(GmshMesh &mesh, const Entry &entry);
 } // namespace lamella

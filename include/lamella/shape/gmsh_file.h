@@ -15,14 +15,14 @@
 
 namespace lamella
 {
-  /// Contents of a Gmsh mesh file. Each part has its line in the file.
+  /// Contents of a Gmsh mesh file. Each item has its line number for messages.
   struct GmshFile
   {
     /// Element types, as numbered by Gmsh.
     static constexpr int line_type = 1, triangle = 2, quadrilateral = 3,
                          point = 15;
 
-    /// Name of a physical group, with its line in the file.
+    /// Name of a physical group and its line number in the file.
     struct Name
     {
       std::string  name;
@@ -38,23 +38,24 @@ namespace lamella
 
     struct Element
     {
-      /// Element type, one of the above or another of Gmsh's.
+      /// Element type as numbered by Gmsh, e.g. GmshFile::triangle.
       int type = 0;
-      /// Tag of its physical group without sign (orientation); 0 for none.
+      /// Absolute tag of the physical group of the element; 0 if it has none.
       int          group = 0;
       unsigned int line  = 0;
-      /// Indices in @p nodes below. Not set for other types than those above.
+      /// Indices in GmshFile::nodes; only set for the four named types.
       std::array<unsigned int, 4> nodes{};
     };
 
-    /// (dimension, tag) -> name of a physical group.
+    /// Names of physical groups by dimension and tag.
     std::map<std::pair<int, int>, Name> names;
     /// Nodes and elements in the order of the file.
     std::vector<Node>    nodes;
     std::vector<Element> elements;
   };
 
-  /// Throws InputError `PATH = FILE: line LINE: RULE. REMEDY` of @p entry.
+  /// Throws InputError `PATH = FILE: line LINE: RULE. REMEDY` for @p entry,
+  /// whose text is the file name.
   [[noreturn]] void
   refuse_line(const Entry       &entry,
               const unsigned int line,
@@ -63,10 +64,10 @@ namespace lamella
 
   /// Parses @p text, a mesh in Gmsh's text format 4.1 (written since 2019) or
   /// 2.2. The result is consistent: numbers are finite, nodes and elements are
-  /// numbered once, and elements refer to existing nodes. Parts without use for
-  /// a plane mesh (`$Comments`, `$Periodic`) are skipped. Throws InputError of
-  /// @p entry, `Section NAME/File`, with line, error and remedy, at the first
-  /// error. No file is opened.
+  /// numbered once, and elements refer to existing nodes. Sections of the file
+  /// that a plane mesh does not need (`$Comments`, `$Periodic`) are skipped.
+  /// Throws InputError for @p entry, with line number, error and remedy, at the
+  /// first error.
   GmshFile
   read_gmsh_file(const std::string &text, const Entry &entry);
 } // namespace lamella

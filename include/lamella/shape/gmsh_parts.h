@@ -14,11 +14,12 @@
 
 namespace lamella
 {
-  /// Iterator over the nonblank lines of a text. Parses the words of the
-  /// current line and reports errors with its number. Refers to the text.
+  /// Iterator over the nonblank lines of a Gmsh file. Parses the words of the
+  /// current line and reports errors with its line number. The text must
+  /// outlive this object.
   struct GmshLines
   {
-    /// Remedy for most errors.
+    /// Remedy in most error messages.
     static constexpr const char *anew =
       "Write the file anew with 'gmsh -2 NAME.geo -format msh41 -o NAME.msh'.";
 
@@ -27,7 +28,8 @@ namespace lamella
       , entry(entry)
     {}
 
-    /// Returns @p word in quotes, shortened and without unprintable bytes.
+    /// Returns @p word for messages: quoted, abridged, without control
+    /// characters.
     static std::string
     shown(const std::string_view word);
 
@@ -35,15 +37,18 @@ namespace lamella
     bool
     next();
 
-    /// Throws InputError for this line.
+    /// Throws InputError with the number of the current line.
     [[noreturn]] void
     fault(const std::string &rule, const std::string &remedy = anew) const;
 
-    /// Throws InputError unless there are @p n words, described by @p meaning.
+    /// Throws InputError unless the current line has @p n words. @p meaning
+    /// describes these words in the message.
     void
     expect(const std::size_t n, const std::string &meaning) const;
 
-    /// Returns word @p i, a whole number. Throws InputError otherwise.
+    /// Returns word @p i of the line as an integer from @p lowest to
+    /// @p highest. Throws InputError, with @p meaning as name of the number,
+    /// for any other text.
     std::int64_t
     integer(const std::size_t  i,
             const std::string &meaning,
@@ -51,56 +56,60 @@ namespace lamella
             const std::int64_t highest =
               std::numeric_limits<std::int64_t>::max()) const;
 
-    /// Returns word @p i, a finite number. Throws InputError otherwise.
+    /// Returns word @p i of the line as a number. Throws InputError, with
+    /// @p meaning as name of the number, unless the word is a finite number.
     double
     number(const std::size_t i, const std::string &meaning) const;
 
     std::string_view rest;
-    /// Entry that names the file.
+    /// Entry whose text is the file name.
     const Entry                  &entry;
     std::string_view              current;
     std::vector<std::string_view> words;
-    /// Number of the line, from 1.
+    /// Number of the current line, from 1.
     unsigned int line = 0;
   };
 
 
 
-  /// A part of the file between `$NAME` and `$EndNAME`.
+  /// A section of a Gmsh file, from `$NAME` to `$EndNAME`.
   struct GmshPart
   {
-    /// Returns the number of @p things in word @p i, @p lines_each lines each.
+    /// Returns word @p i of the line, a number of @p things. Throws InputError
+    /// if this section has fewer lines than @p lines_each for each of them.
     std::int64_t
     announced(const std::size_t  i,
               const std::string &things,
               const unsigned int lines_each = 1) const;
 
-    /// Advances to the next line, which a count announced.
+    /// Advances to the next line. Throws InputError, which names the expected
+    /// item @p due, if the section has no more lines.
     void
     next_line(const std::string &due);
 
-    /// Throws InputError if there is another line.
+    /// Throws InputError if this section has further lines.
     void
     expect_end();
 
-    /// Lines of the part, starting at `$NAME` and ending with it.
+    /// Iterator over the lines after `$NAME` up to the end of the section.
     GmshLines lines;
-    /// Number of lines that are not blank.
+    /// Number of nonblank lines of the section.
     unsigned int n_lines = 0;
   };
 
 
 
-  /// Parts of a Gmsh file, in any order. Unused parts are skipped.
+  /// The sections `$NAME ... $EndNAME` of a Gmsh file, which may have any
+  /// order.
   class GmshParts
   {
   public:
-    /// Splits @p text, referring to both arguments. Throws InputError of
-    /// @p entry unless the format is text, 4.1 or 2.2, with closed and unique
-    /// parts.
+    /// Splits @p text into sections. Both arguments must outlive this object.
+    /// Throws InputError for @p entry unless the text has the ASCII format 4.1
+    /// or 2.2 and each section is complete and occurs only once.
     GmshParts(const std::string &text, const Entry &entry);
 
-    /// Returns whether nodes and elements are in blocks (version 4.1).
+    /// Returns whether nodes and elements are grouped by entities (format 4.1).
     bool
     in_blocks() const
     {
@@ -113,7 +122,7 @@ namespace lamella
       return parts.count(name) == 1;
     }
 
-    /// Returns the part @p name, which must exist.
+    /// Returns the section @p name, which must exist.
     GmshPart &
     part(const std::string &name);
 
@@ -121,19 +130,19 @@ namespace lamella
     void
     read_format();
 
-    /// Finds the start and end of each part.
+    /// Finds the start and end of each section.
     void
     find_parts();
 
     void
     add_part();
 
-    /// Throws InputError if there is already a part @p name.
+    /// Throws InputError if a section @p name has already been found.
     void
     expect_first(const std::string &name) const;
 
-    /// Returns the part @p name, which begins at the current line, and advances
-    /// to its end. Parts that are not @p wanted are not checked.
+    /// Returns the section @p name, which begins at the current line, and
+    /// advances to its end. Sections that are not @p wanted are not checked.
     GmshPart
     part_to_end(const std::string &name, const bool wanted);
 

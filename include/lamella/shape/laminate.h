@@ -14,22 +14,23 @@
 
 namespace lamella
 {
-  /// A rectangular laminated section, stacked from z = 0 upwards. `angles`,
+  /// A rectangular laminated section with plies from z = 0 upwards. `angles`,
   /// `thicknesses` and `materials` have one entry per ply, bottom to top.
   struct Laminate
   {
     /// Width along x [length].
     double width = 0.;
-    /// Fiber angles in degrees (Ply::angle).
+    /// Fiber angles of the plies in degrees (see Ply::angle).
     std::vector<double> angles;
-    /// Thicknesses [length], positive.
+    /// Thicknesses of the plies [length], positive.
     std::vector<double> thicknesses;
-    /// Names of the materials in the scene.
+    /// Names of the materials of the plies.
     std::vector<std::string> materials;
-    /// Number of cells through the thickness, for all plies or for each.
+    /// Number of cells through the thickness of each ply; a single number
+    /// applies to all plies.
     std::vector<unsigned int> cells_per_ply{1};
-    /// Number of equal cells across the width, for each piece between
-    /// @p across_breaks, ascending positions between 0 and the width.
+    /// Number of equal cells in each interval of the width. The intervals end
+    /// at @p across_breaks, ascending x coordinates between 0 and the width.
     std::vector<unsigned int> cells_across{1};
     std::vector<double>       across_breaks{};
 
@@ -37,47 +38,50 @@ namespace lamella
     double
     height() const;
 
-    /// Returns the plies, bottom to top, with materials from @p library. Throws
-    /// std::out_of_range for an unknown material.
+    /// Returns the plies, bottom to top, with material data from @p library.
+    /// Throws std::out_of_range if it has no material of a ply.
     std::vector<Ply>
     plies(const Materials &library) const;
   };
 
-  /// Returns the structured mesh of @p laminate, cells_across times
-  /// cells_per_ply quadrilaterals per ply. Boundaries 0 to 3 are `left` (x =
-  /// 0), `right`, `bottom` (z = 0) and `top`. The material id of a cell is its
-  /// ply.
+  /// Returns the structured mesh of @p laminate, with cells_across times
+  /// cells_per_ply quadrilaterals in each ply. Boundary ids 0 to 3 are `left`
+  /// (x = 0), `right`, `bottom` (z = 0) and `top`. The material id is the ply
+  /// number.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Laminate &laminate, const Materials &materials);
 
   /**
-   * Classical lamination theory of a stack of plies about the mid-plane: N = A
-   * e + B k, M = B e + D k in the order {yy, xx, xy}, y along the beam (Jones,
+   * The stiffness matrices A, B, D of classical lamination theory, N = A e + B
+   * k, M = B e + D k in the order {yy, xx, xy} with y along the beam (Jones,
    * Mechanics of Composite Materials, 2nd ed., Eqs. 4.22 to 4.24):
    *   A = sum_k Q_k (z_k - z_k-1)
    *   B = 1/2 sum_k Q_k (z_k^2 - z_k-1^2)
    *   D = 1/3 sum_k Q_k (z_k^3 - z_k-1^3)
    * Q_k is the plane-stress stiffness of ply k in the body's axes, z the
    * distance from the mid-plane. e and k are strains and curvatures of the
-   * mid-plane, N and M forces and moments per width. A is in force/length, B in
-   * force, D in force times length. Used for comparisons and for notes on
-   * theories only.
+   * mid-plane, N and M forces and moments per width. Units are force/length for
+   * A, force for B, force times length for D. Used for comparisons and notes
+   * only.
    */
   struct LaminateStiffness
   {
     dealii::Tensor<2, 3> A, B, D;
-    /// Stiffnesses of a strip of the laminate's width b, free to contract and
-    /// twist, EA = b / a_11 [force] and EI = b / d_11 [force x length^2]. The
-    /// compliances a_11 (of e_yy to N_yy) and d_11 (of k_yy to M_yy) are from
-    /// the inverse of the 6 x 6 matrix of A, B, D.
+    /// Axial stiffness EA = b / a_11 [force] and bending stiffness EI = b /
+    /// d_11 [force length^2] of a strip of width b that is free to contract and
+    /// twist. The compliances a_11 = e_yy / N_yy and d_11 = k_yy / M_yy are
+    /// entries of the inverse of the 6 x 6 matrix [A, B; B, D].
     double EA = 0., EI = 0.;
-    /// EI of a strip free to contract, but not to twist [force x length^2].
+    /// Bending stiffness of a strip free to contract, but not to twist [force
+    /// length^2].
     double EI_untwisted = 0.;
-    /// Integral of C_yz,yz, without a shear correction factor [force].
+    /// Shear stiffness, the integral of C_yz,yz over the section, without shear
+    /// correction factor [force].
     double GA = 0.;
   };
 
-  /// Computes the stiffnesses of @p plies (Laminate::plies()) of @p width b.
+  /// Computes the stiffnesses of a laminate of the @p plies, bottom to top, and
+  /// the @p width b.
   LaminateStiffness
   laminate_stiffness(const std::vector<Ply> &plies, const double width);
 } // namespace lamella

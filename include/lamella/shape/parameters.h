@@ -11,23 +11,23 @@
 
 namespace lamella
 {
-  /// The entries of a `subsection Section NAME`, in common for all shapes.
+  /// Declares and parses a `subsection Section NAME` for all shapes.
   struct SectionParameters
   {
-    /// Upper limit of `Cells divided`.
+    /// Largest value of the entry `Cells divided`.
     static constexpr unsigned int max_divisions = 4;
-    /// Upper limit of `Corner layers`.
+    /// Largest value of the entry `Corner layers`.
     static constexpr unsigned int max_corner_layers = 6;
 
-    /// Declares the entries in the subsection that @p prm is in.
+    /// Declares the entries in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the section in @p in, lengths in the scene's unit. @p materials
-    /// are the scene's names; if there is only one, sections need not name it.
-    /// The path of a mesh file is relative to @p folder; the file is not read.
-    /// Throws InputError, also for entries of other shapes and for more than
-    /// about 50,000 cells, or 10,000 in a mesh line.
+    /// Returns the section described by @p in. @p materials are the names of
+    /// all materials; if there is only one, it is the default. The path of a
+    /// mesh file is relative to @p folder; the file is not read. Throws
+    /// InputError for invalid entries, entries of other shapes, more than about
+    /// 50,000 cells, and more than 10,000 cells in one direction.
     static SectionShape
     parse(const Entries                  &in,
           const std::vector<std::string> &materials,

@@ -15,40 +15,40 @@
 
 namespace lamella
 {
-  /// Geometric properties of a section with its curved edges, by Gauss' rule on
-  /// a geometry of degree 6. For reports and references.
+  /// Geometric properties of a section, integrated by Gauss' rule with curved
+  /// edges of degree 6. Used in reports only.
   struct SectionProperties
   {
     /// Sum of the ply areas [length^2].
     double area = 0.;
-    /// Centroid (x, z) of the area, regardless of materials [length].
+    /// Centroid (x, z) of the area, not weighted with moduli [length].
     dealii::Point<2> centroid;
-    /// Second moments about the centroid, {{xx, xz}, {xz, zz}}, xx = int x'^2
-    /// dA [length^4].
+    /// Second moments of area {{xx, xz}, {xz, zz}} about the centroid, e.g. xx
+    /// = int (x - x_c)^2 dA [length^4].
     dealii::Tensor<2, 2> second_moments;
     /// Area of each ply [length^2], in the order of SectionMesh::plies.
     std::vector<double> ply_areas;
-    /// Length of boundaries by name, along curved edges.
+    /// Arc length of each boundary, by name [length].
     std::map<std::string, double> boundary_lengths;
-    /// Corners of the vertices' bounding box. Arcs may exceed it.
+    /// Lower left and upper right corner of the bounding box of the vertices.
     dealii::Point<2> low, high;
   };
 
-  /// Returns the properties of @p section, in one pass over its cells.
+  /// Computes the properties of @p section.
   SectionProperties
   section_properties(const SectionMesh &section);
 
-  /// Throws InputError of @p entry, the mesh's source, unless each cell is
-  /// convex with positive Jacobian, no two vertices coincide, and all cells are
-  /// connected by sides. The message has the number of faulty cells and the
-  /// first one's position. Vertices coincide if they are closer than 1e-6 of
-  /// the shortest edge in each coordinate.
+  /// Throws InputError for @p entry, which describes the mesh, unless each cell
+  /// is convex with positive Jacobian, no two vertices coincide, and all cells
+  /// are connected by sides. The message has the number of faulty cells and the
+  /// position of the first. Vertices coincide if their coordinates differ by
+  /// less than 1e-6 of the shortest edge.
   void
   check_section_mesh(const SectionMesh &section, const Entry &entry);
 
-  /// Throws InputError of the subsection @p path for a cell with an aspect
-  /// ratio above 2e6, the square of the diameter over the area. Its stiffnesses
-  /// across and along would differ by the square of that.
+  /// Throws InputError for the subsection @p path if a cell has an aspect ratio
+  /// (diameter^2 / area) above 2e6. Its stiffnesses across and along differ by
+  /// the square of this ratio, beyond double precision.
   void
   check_proportions(const SectionMesh &section, const std::string &path);
 } // namespace lamella

@@ -15,60 +15,64 @@
 namespace lamella
 {
   /// The isoparametric map from the unit square to the cells of a section mesh,
-  /// by FE_Q<2>(degree) nodes x_i on the mesh's curved edges,
+  /// with the nodes x_i of FE_Q<2>(degree), which follow curved edges of the
+  /// mesh,
   ///   x(xi) = sum_i N_i(xi) x_i, J = sum_i x_i (x) grad N_i,
-  /// with Lagrange polynomials N_i at Gauss-Lobatto points. Cells with straight
-  /// sides are bilinear; the area of curved ones converges with the degree
-  /// (doc/reference/sections.md). Shares ownership of the mesh.
+  /// with Lagrange polynomials N_i at Gauss-Lobatto points. The map is bilinear
+  /// for straight-sided cells. For curved cells, the area converges with the
+  /// degree (doc/reference/sections.md). Shares ownership of the mesh.
   class SectionGeometry
   {
   public:
-    /// Distributes the nodes of @p degree >= 1; common sides share nodes.
+    /// Computes the nodes of the map of @p degree >= 1. Neighboring cells share
+    /// nodes.
     SectionGeometry(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree);
 
-    /// Returns the element on the unit square with shape functions N_i.
+    /// Returns the finite element with the shape functions N_i.
     const dealii::FE_Q<2> &
     fe() const
     {
       return element;
     }
 
-    /// Returns the positions (x, z) of all nodes [length] (nodes_of_cell()).
+    /// Returns the positions (x, z) of all nodes [length], by node number.
     const std::vector<dealii::Point<2>> &
     nodes() const
     {
       return positions;
     }
 
-    /// Returns the number of cells, numbered as active cells of the mesh.
+    /// Returns the number of cells, which have the numbers of the mesh's active
+    /// cells.
     unsigned int
     n_cells() const
     {
       return cells.size();
     }
 
-    /// Returns the (degree + 1)^2 nodes of @p cell in the order of fe()'s shape
-    /// functions: vertices, edge interiors, interior.
+    /// Returns the numbers of the (degree + 1)^2 nodes of @p cell in the order
+    /// of the shape functions of fe(): vertices, edge interiors, cell interior.
     const std::vector<unsigned int> &
     nodes_of_cell(const unsigned int cell) const
     {
       return cells[cell];
     }
 
-    /// A point and the Jacobian d(x, z) / d(xi, eta).
+    /// A mapped point x, z and the Jacobian d(x, z) / d(xi, eta) of the map.
     struct Place
     {
       dealii::Point<2>     position;
       dealii::Tensor<2, 2> jacobian;
     };
 
-    /// Maps @p unit, in [0, 1]^2 or extrapolated.
+    /// Maps the point @p unit of the reference cell [0, 1]^2, or of its
+    /// neighborhood, into @p cell.
     Place
     map(const unsigned int cell, const dealii::Point<2> &unit) const;
 
   private:
-    /// Maps by the vertices of @p cell alone.
+    /// Maps @p unit by the bilinear map of the vertices of @p cell.
     Place
     bilinear(const unsigned int cell, const dealii::Point<2> &unit) const;
 
@@ -77,12 +81,12 @@ namespace lamella
     dealii::DoFHandler<2>                  dof_handler;
     std::vector<dealii::Point<2>>          positions;
     std::vector<std::vector<unsigned int>> cells;
-    /// Cells whose nodes are at their bilinear positions.
+    /// Flags of the cells whose map is bilinear.
     std::vector<bool> is_bilinear;
   };
 
-  /// Returns whether any edge of @p mesh is curved: its middle is off the chord
-  /// by more than 1e-12 of its length.
+  /// Returns whether any edge of @p mesh is curved, i.e. its midpoint deviates
+  /// from the chord by more than 1e-12 of its length.
   bool
   has_curved_edges(const SectionMesh &mesh);
 } // namespace lamella

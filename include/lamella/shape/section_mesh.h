@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `shape`: the geometry of sections. It has laminates, thin walls,
-// ellipses, half discs and Gmsh files as meshes of quadrilaterals with plies
-// and named sides, their areas and moments, and the checks of meshes.
-// Displacement fields are in the room `section`.
+// The module `shape`: the geometry of sections. Laminates, thin walls,
+// ellipses, half discs and Gmsh files become meshes of quadrilaterals with
+// plies and named boundaries. Also areas, moments of area, and mesh checks.
 
 #ifndef lamella_shape_section_mesh_h
 #define lamella_shape_section_mesh_h
@@ -22,21 +21,21 @@
 
 namespace lamella
 {
-  /// Plane of a ply's fibers, spanned by y (along the beam) and t = y x n with
-  /// its unit normal n in the section's plane. Normals of walls point outwards,
-  /// so angles from +y towards t form one helix around a tube or a box. A
-  /// laminate has n = +z and t = +x.
+  /// The plane that contains the fibers of a ply, spanned by y (along the beam)
+  /// and t = y x n with the unit normal n of the ply in the section's plane. In
+  /// walls, n points outwards, so a constant angle from +y towards t is a helix
+  /// around a tube or box. In a laminate, n = +z and t = +x.
   struct PlyPlane
   {
-    /// Constant normal n = (n_x, n_z); components of level plies are exact.
+    /// Normal n = (n_x, n_z) if it is constant.
     dealii::Tensor<1, 2> normal = dealii::Point<2>(0., 1.);
-    /// Normal at a point (x, z) of the section; empty if constant.
+    /// Function that returns n at a point (x, z); empty if n is constant.
     std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)> normal_at;
-    /// Name of the ply's wall, as `left`; empty without walls. Successive plies
-    /// of a wall are adjacent.
+    /// Name of the wall of the ply, e.g. `left`; empty if the section has no
+    /// walls. Successive plies of a wall are adjacent.
     std::string wall;
 
-    /// Returns n at the point @p x of the section.
+    /// Returns the normal n at the point @p x of the section.
     dealii::Tensor<1, 2>
     at(const dealii::Point<2> &x) const
     {
@@ -44,43 +43,42 @@ namespace lamella
     }
   };
 
-  /// A homogeneous part of a section: a ply, a core, the whole section, a
-  /// physical surface of a Gmsh file. Cells never cross plies. Layer-wise
-  /// theories and equivalent single layers use the same plies.
+  /// A region of a section with one material: a ply, a core, the whole section,
+  /// or a physical surface of a Gmsh file. Each cell lies within one ply.
   struct Ply
   {
     /// Name of the material in the scene.
     std::string material;
-    /// Fiber angle in the ply's plane in degrees, 0 along +y, positive towards
-    /// t (ply_axes()); +x in a level ply.
+    /// Fiber angle in the plane of the ply in degrees, 0 along +y and positive
+    /// towards the tangent t of PlyPlane, +x in a laminate.
     double angle = 0.;
-    /// Range of z [length]. Plies of a laminate ascend; others may overlap.
+    /// Smallest and largest z [length].
     double bottom = 0., top = 0.;
-    /// Copy of the material.
+    /// Copy of the material data.
     Material properties;
-    /// Plane of the ply; level by default.
+    /// Plane of the ply, by default with the normal +z.
     PlyPlane plane = {};
 
-    /// Returns the ply's axes in the body frame at the point @p x of the
-    /// section. Row k is e_k: 1 along the fiber, 2 across, 3 normal.
+    /// Returns the ply axes in the body frame at the point @p x of the section:
+    /// along the fiber, across the fiber and normal to the ply.
     Triad
     axes(const dealii::Point<2> &x) const
     {
       return ply_axes(angle, plane.at(x));
     }
 
-    /// Returns C in the axes t, y, n of the ply's plane, the body frame for a
-    /// level ply: C = T^T C' T with strain_rotation(), 6 x 6 in the order of
-    /// Eq. 4 [force/length^2]. PlyLaws have the body frame at any point.
+    /// Returns the stiffness C in the axes t, y, n of PlyPlane
+    /// [force/length^2]. These are the body axes if n = +z; otherwise use
+    /// PlyLaws for the body frame.
     ElasticTensor
     stiffness() const
     {
       return rotated(properties.elastic.stiffness(), ply_axes(angle));
     }
 
-    /// Returns the thermal expansion in the body frame at the point @p x of the
-    /// section, alpha = sum_k alpha_k e_k e_k, with engineering shear strains
-    /// [1/K]. The material must have one.
+    /// Returns the thermal strain per kelvin in the body frame at the point
+    /// @p x of the section [1/K]. The material must have thermal expansion
+    /// data.
     Voigt
     expansion(const dealii::Point<2> &x) const
     {
@@ -91,23 +89,22 @@ namespace lamella
     }
   };
 
-  /// Geometry of a section: quadrilaterals in its plane (coordinates x, z of
-  /// the body's axes, in the scene's unit of length; lower left corner at the
-  /// origin, except from files). Material ids number @p plies, boundary ids are
-  /// named in @p boundaries. Cell numbers are shared by expansions, integration
-  /// and extrusion; the mesh is never refined. Edges on arcs have a manifold,
-  /// all others are straight.
+  /// The geometry of a section: a mesh of quadrilaterals in its plane, in the
+  /// coordinates x, z of the body. The lower left corner is the origin, except
+  /// for meshes from files. Cross-section expansions, integration and the
+  /// extrusion to solids use its cell numbers; the mesh is never refined. Edges
+  /// on arcs have a manifold, all others are straight.
   struct SectionMesh
   {
-    /// Mesh; the material id of an active cell is the index of its ply.
+    /// Mesh; the material id of a cell is the index of its ply in @p plies.
     dealii::Triangulation<2> mesh;
-    /// Plies, of a laminate from bottom to top; one if homogeneous.
+    /// Plies; from bottom to top for a laminate, a single one if homogeneous.
     std::vector<Ply> plies;
-    /// Boundary id -> name in the scene.
+    /// Names of the boundaries by boundary id.
     std::map<dealii::types::boundary_id, std::string> boundaries;
   };
 
-  /// Section meshes by the name of the section.
+  /// Section meshes by name of the section.
   using SectionMeshes =
     std::map<std::string, std::shared_ptr<const SectionMesh>>;
 } // namespace lamella

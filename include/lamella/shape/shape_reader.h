@@ -11,32 +11,34 @@
 
 namespace lamella
 {
-  /// Readers of a section's entries, one per shape. All throw InputError.
+  /// Parsers of the entries of a section, one for each shape. All functions
+  /// throw InputError for invalid entries.
   struct ShapeReader
   {
-    /// Largest number of cells in a mesh line, against typing errors.
+    /// Largest number of cells in one direction, to detect typing errors.
     static constexpr unsigned int max_cells_in_line = 10000;
-    /// Largest number of refinements of an ellipse: 49152 cells.
+    /// Largest number of refinements of an ellipse, for 49152 cells.
     static constexpr unsigned int max_ellipse_refinements = 6;
 
     const Entries &in;
-    /// Names that a material may have.
+    /// Names of the materials of the scene.
     const std::vector<std::string> &materials;
 
-    /// Returns the lengths between commas, at least one; not checked for sign.
+    /// Returns a comma-separated list of at least one length of any sign.
     std::vector<double>
     lengths(const std::string &entry) const;
-    /// Returns the counts between commas, at least one.
+    /// Returns a comma-separated list of at least one number of cells.
     std::vector<unsigned int>
     counts(const std::string &entry) const;
-    /// Returns a single count.
+    /// Returns a single number of cells.
     unsigned int
     count(const std::string &entry) const;
 
-    /// Returns @p name in @p entry, which must be a material.
+    /// Returns @p name. Throws InputError for @p entry if no material has this
+    /// name.
     std::string
     material(const Entry &entry, const std::string &name) const;
-    /// Returns the fabric of a section of one material.
+    /// Returns material and fiber angle of a section of one material.
     OrientedMaterial
     oriented_material() const;
 
@@ -48,15 +50,18 @@ namespace lamella
     ellipse() const;
     Tube
     tube() const;
-    /// A box, a double-T, a T, a channel or an angle.
+    /// Returns a thin-walled section: a box, a double-T, a T, a channel or an
+    /// angle.
     ThinWalled
     walls(const ShapeKind form) const;
-    /// A mesh by Gmsh, whose path is relative to @p folder.
+    /// Returns a section meshed by Gmsh. The path in the entry is relative to
+    /// @p folder.
     SectionFile
     file(const std::string &folder) const;
   };
 
-  /// Returns @p items for @p n plies, one each, repeating a single one.
+  /// Returns one item for each of @p n plies: @p items, or its only item
+  /// repeated. Throws InputError for @p entry for another number of items.
   template <typename T>
   std::vector<T>
   one_per_ply(const std::vector<T> &items,
