@@ -9,7 +9,8 @@
 
 namespace lamella
 {
-  /// Returns the points (x, z) of @p section with singular stresses.
+  /// Returns the positions (x, z) of the corners of @p section at which
+  /// stresses are singular (see singular_corners()).
   std::vector<dealii::Point<2>>
   corners_of(const Section &section);
 } // namespace lamella

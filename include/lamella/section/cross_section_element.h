@@ -17,125 +17,133 @@
 
 namespace lamella
 {
-  /// Nonzero expansion functions F_tau at a point of a cell, with geometry.
+  /// Values and gradients of the expansion functions F_tau that are nonzero at
+  /// a point of a cell.
   struct FunctionValues
   {
-    /// Point x, z and Jacobian d(x, z) / d(xi, eta), body frame [length].
+    /// Position x, z in the body frame, and Jacobian d(x, z) / d(xi, eta)
+    /// [length].
     dealii::Point<2>     position;
     dealii::Tensor<2, 2> jacobian;
-    /// F_tau [no unit] and their gradients (d/dx, d/dz) [1 / length].
+    /// Values F_tau [no unit] and gradients (d/dx, d/dz) F_tau [1 / length].
     std::vector<double>               values;
     std::vector<dealii::Tensor<1, 2>> gradients;
   };
 
-  /// A point of a section with its tributary length or area, for the
-  /// collocation of contact, loads and supports. Along the axis each becomes a
-  /// SurfacePoint.
+  /// A collocation point of a section for contact, loads and supports, with its
+  /// tributary length or area. Combined with nodes of the axis, it becomes a
+  /// SurfacePoint of the beam.
   struct EdgePoint
   {
-    /// Coordinates x, z in the section's plane [length], and the unit outward
-    /// normal, the weighted mean where two sides meet.
+    /// Position x, z [length], and outward unit normal; at a vertex, the
+    /// weighted mean of the normals of both sides.
     dealii::Point<2>     position;
     dealii::Tensor<1, 2> normal;
-    /// Tributary length [length], the integral of the point's shape function.
-    /// For points of the whole section an area [length^2].
+    /// Integral of the shape function of the point: a tributary length [length]
+    /// on a boundary, an area [length^2] for points of the whole section.
     double weight = 0.;
-    /// Flag of a corner: normals of sides differ by more than 20 degrees.
+    /// True at a corner, where the normals of two sides differ by more than 20
+    /// degrees.
     bool corner = false;
-    /// A cell with the point, the position on its unit square, and the cell's
-    /// area over the length of its side at the boundary [length]; 0 inside.
+    /// A cell that contains the point, the reference coordinates of the point,
+    /// and for points on a boundary the depth of the cell [length], which is
+    /// its area divided by the length of its side on the boundary.
     unsigned int     cell = 0;
     dealii::Point<2> unit;
     double           depth = 0.;
   };
 
   /**
-   * The cross-section expansion F_tau(x, z), tau = 0 ... n_functions() - 1, of
-   * the paper's Eq. 1 on a section mesh, immutable and sharing the mesh.
+   * The cross-section expansion of a beam theory: the functions F_tau(x, z),
+   * tau = 0 ... n_functions() - 1, of u = F_tau u_tau(y) (Eq. 1) on a section
+   * mesh. Immutable; shares the ownership of the mesh.
    *
-   * Its first three functions are 1, (x - x_c) / h and (z - z_c) / h,
-   * differentiated analytically. Rigid motions of the section are then DoFs of
-   * their own, and slender beams keep their bending energy
-   * (doc/theory/stable-basis.md). The others are warping: TaylorElement
-   * (equivalent single layer) and LagrangeElement (layer-wise) define them.
-   * Each cell is the image of the unit square under a map (xi, eta) -> (x, z).
+   * The first three functions are 1, (x - x_c) / h and (z - z_c) / h, with the
+   * centroid (x_c, z_c) and a reference length h. Rigid motions of the section
+   * are thus separate DoFs, so that rounding errors do not spoil the bending
+   * energy of slender beams (doc/theory/stable-basis.md). The warping functions
+   * tau > 2 are defined by TaylorElement (equivalent single layer) and
+   * LagrangeElement (layer-wise). Each cell is the image of the unit square
+   * (xi, eta).
    */
   class CrossSectionElement
   {
   public:
     virtual ~CrossSectionElement() = default;
 
-    /// Returns the polynomial degree on a cell, N of TE-N, p of LE-p.
+    /// Returns the polynomial degree of the expansion, N of TE-N or p of LE-p.
     virtual unsigned int
     degree() const = 0;
 
-    /// Returns the polynomial degree of positions and functions on a side.
+    /// Returns the degree of positions and functions as polynomials of the
+    /// parameter of a cell's side.
     virtual unsigned int
     trace_degree() const
     {
       return degree();
     }
 
-    /// Returns the number of Gauss points per direction and cell that integrate
-    /// products of two functions exactly on straight cells.
+    /// Returns the number of Gauss points per direction and cell, which
+    /// integrate products of two functions exactly on straight-sided cells.
     virtual unsigned int
     n_gauss_points() const
     {
       return degree() + 1;
     }
 
-    /// Returns M of Eq. 1.
+    /// Returns the number M of functions F_tau (Eq. 1).
     virtual unsigned int
     n_functions() const = 0;
 
-    /// Returns 0 for 1, x, z, higher for others. Coarse DoFs are eliminated
-    /// first.
+    /// Returns the level of function @p tau in the elimination order, coarse
+    /// functions first: 0 for the three linear functions, else more.
     virtual unsigned int
     level(const unsigned int tau) const
     {
       return tau < 3 ? 0 : 1;
     }
 
-    /// Returns for functions hierarchical by degree the smallest q of LE-q that
-    /// contains the function, else degree().
+    /// Returns the smallest degree q for which LE-q contains the function, if
+    /// the functions are hierarchical; otherwise degree().
     virtual unsigned int
     function_degree(const unsigned int) const
     {
       return degree();
     }
 
-    /// Returns the nonzero functions on @p cell, ascending, beginning with 0,
-    /// 1, 2.
+    /// Returns the numbers of the functions that are nonzero on @p cell,
+    /// ascending, beginning with 0, 1, 2.
     virtual const std::vector<unsigned int> &
     cell_functions(const unsigned int cell) const = 0;
 
-    /// Returns cell_functions() and the geometry at @p unit, possibly slightly
-    /// outside of the unit square.
+    /// Evaluates the cell_functions() of @p cell at the reference coordinates
+    /// @p unit, which may be slightly outside of the unit square.
     virtual FunctionValues
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
 
-    /// Returns only the geometry of evaluate(), faster.
+    /// Returns position and Jacobian at @p unit without evaluating functions.
     virtual SectionGeometry::Place
     map(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
 
-    /// Returns points that determine the trace on the boundary @p boundary,
-    /// with outward normals and integrals of nodal functions as weights. None
-    /// for an unknown name.
+    /// Returns points on @p boundary whose displacements determine those of the
+    /// whole boundary, with outward normals and tributary lengths; none for an
+    /// unknown name.
     virtual std::vector<EdgePoint>
     edge_points(const std::string &boundary) const = 0;
 
-    /// Returns n_functions() points that determine the expansion on the whole
-    /// section, without normal and weight.
+    /// Returns n_functions() points whose displacements determine those of the
+    /// whole section, without normals and weights.
     virtual std::vector<EdgePoint>
     section_points() const = 0;
 
-    /// Returns points with their areas, all positive, for end faces of a beam;
-    /// normal not set.
+    /// Returns points of an end face of the beam with their positive tributary
+    /// areas, without normals.
     virtual std::vector<EdgePoint>
     section_grid() const = 0;
 
-    /// Return edge_points() and section_grid() for functions of @p degree and
-    /// less (function_degree()).
+    /// Return edge_points() and section_grid() of the subset of functions up to
+    /// a degree (see function_degree()). These default implementations ignore
+    /// the degree.
     virtual std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary, const unsigned int) const
     {
@@ -147,13 +155,13 @@ namespace lamella
       return section_grid();
     }
 
-    /// Returns the sides on boundary @p name as pairs of cell and face,
-    /// numbered as deal.II's, by cell.
+    /// Returns the sides on the boundary @p name as pairs of cell and face
+    /// number (deal.II's), sorted by cell.
     std::vector<std::pair<unsigned int, unsigned int>>
     boundary_faces(const std::string &name) const;
 
-    /// Returns the point at @p t in [0, 1] on the boundary side @p face of
-    /// @p cell; its weight is the length per unit of the parameter.
+    /// Returns the point at the parameter @p t in [0, 1] on the boundary side
+    /// @p face of @p cell. Its weight is ds/dt, with the arc length s.
     EdgePoint
     edge_point(const unsigned int cell,
                const unsigned int face,
@@ -165,14 +173,15 @@ namespace lamella
       return *mesh;
     }
 
-    /// Returns the mesh, shared.
+    /// Returns the mesh with shared ownership.
     std::shared_ptr<const SectionMesh>
     shared_mesh() const
     {
       return mesh;
     }
 
-    /// Returns (x_c, z_c) of the linear functions; reference_length() is h.
+    /// Return the centroid (x_c, z_c) and the reference length h of the linear
+    /// functions.
     dealii::Point<2>
     center() const
     {
@@ -185,66 +194,69 @@ namespace lamella
       return length;
     }
 
-    /// Returns the box of the mesh's vertices [length].
+    /// Returns the bounding box of the vertices of the mesh [length].
     dealii::BoundingBox<2>
     bounding_box() const;
 
   protected:
-    /// Returns 1, (x - x_c) / h, (z - z_c) / h with exact gradients.
+    /// Evaluates the three linear functions at @p position.
     FunctionValues
     linear_functions(const dealii::Point<2>     &position,
                      const dealii::Tensor<2, 2> &jacobian) const;
 
-    /// Integrals over a side of a nodal function times n, and alone.
+    /// Integrals int N n ds and int N ds of a nodal function N over a side with
+    /// outward normal n.
     struct SideShare
     {
       dealii::Tensor<1, 2> scaled_normal;
       double               weight = 0.;
     };
 
-    /// Adds a side's @p share of normal and length to @p point, where the side
-    /// has the normal @p own_normal; marks corners. The caller finally
-    /// normalizes the sum of normals.
+    /// Adds the integrals @p share of a side to the normal and weight of
+    /// @p point. Sets EdgePoint::corner from the side's normal @p own_normal at
+    /// the point. The caller normalizes the sum of normals.
     static void
     add_side(EdgePoint                  &point,
              const SideShare            &share,
              const dealii::Tensor<1, 2> &own_normal);
 
-    /// Returns the integrals of @p shape, a function of the side's parameter,
-    /// over the side @p face of @p cell [length].
+    /// Integrates the nodal function @p shape, a function of the parameter of
+    /// the side, over the side @p face of @p cell [length].
     SideShare
     side_share(const unsigned int                         cell,
                const unsigned int                         face,
                const dealii::Quadrature<1>               &quadrature,
                const std::function<double(const double)> &shape) const;
 
-    /// Returns the point at @p unit of @p cell with only its place set.
+    /// Returns the point at @p unit of @p cell, without normal and weight.
     EdgePoint
     point_at(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// Returns the area of @p cell over the length of side @p face [length].
+    /// Returns the area of @p cell divided by the length of side @p face
+    /// [length].
     double
     depth(const unsigned int cell, const unsigned int face) const;
 
-    /// Sets (x_c, z_c) to the centroid of the cells with straight sides, h to
+    /// Computes the centroid (x_c, z_c), as if cells had straight sides. h is
     /// half the diagonal of the bounding box.
     explicit CrossSectionElement(std::shared_ptr<const SectionMesh> mesh);
 
-    /// Section mesh; (x_c, z_c) and h [length].
+    /// Section mesh, centroid (x_c, z_c) and reference length h [length].
     std::shared_ptr<const SectionMesh> mesh;
     dealii::Point<2>                   origin;
     double                             length;
   };
 
-  /// Returns the point of the unit square at @p t in [0, 1] of @p face. Faces 0
-  /// and 1 are along eta, faces 2 and 3 along xi.
+  /// Returns the point of the unit square at the parameter @p t in [0, 1] of
+  /// @p face. Faces 0 and 1 are along eta, faces 2 and 3 along xi.
   dealii::Point<2>
   face_point(const unsigned int face, const double t);
 
-  /// Returns the outward normal, scaled with the length of @p face per unit of
-  /// its parameter, by Nanson's formula
+  /// Returns the outward normal n ds/dt of @p face, with unit normal n, arc
+  /// length s and parameter t, by Nanson's formula
   ///   n ds = det(J) J^-T N dt
-  /// with the @p jacobian J and the face's normal N on the unit square.
+  /// where J is the @p jacobian and N the normal of the face on the unit
+  /// square.
   dealii::Tensor<1, 2>
   scaled_face_normal(const unsigned int          face,
                      const dealii::Tensor<2, 2> &jacobian);

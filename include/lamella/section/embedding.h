@@ -7,18 +7,20 @@
 
 namespace lamella
 {
-  /// Returns true if both have the same cells and elastic laws there, to 1e-9
-  /// of the section's size and of the laws. Theories may differ, but for curved
-  /// sides not in degree.
+  /// Returns true if both sections have the same cells and elastic laws, up to
+  /// relative differences of 1e-9. Their theories may differ; if sides are
+  /// curved, both must have the same degree.
   bool
   have_same_cells(const Section &a, const Section &b);
 
-  /// Returns @p fields of the section @p from, one per column, as those of
-  /// @p to, with have_same_cells(): the displacement v nearest to w over the
-  /// area,
+  /// Projects @p fields of the section @p from, one per column, onto the
+  /// section functions Phi_alpha of @p to, which must satisfy
+  /// have_same_cells(). The projection v of the displacement w is the best
+  /// approximation over the area,
   ///   int Phi_alpha . (v - w) dA = 0     for each field Phi_alpha of @p to,
-  /// at the integration points of @p to. LE-p contains LE-q of a lower degree:
-  /// v = w. Throws NumericsError if the fields of @p to depend on each other.
+  /// with the integration points of @p to. If @p to contains the functions of
+  /// @p from (LE-p and LE-q, p > q), v = w. Throws NumericsError if the
+  /// functions of @p to are linearly dependent.
   std::vector<Vector>
   embedded(const FieldColumns &fields, const Section &from, const Section &to);
 } // namespace lamella

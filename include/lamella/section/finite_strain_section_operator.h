@@ -12,78 +12,85 @@
 namespace lamella
 {
   /**
-   * The total Lagrangian operator of a section with finite rotations, by the
-   * points of the section. The displacement gradient has sums over fields,
+   * Section forces and tangent stiffness for finite rotations in a total
+   * Lagrangian formulation, integrated over the points of a section. The
+   * displacement gradient is a sum over the section functions Phi with the
+   * coefficients q(y),
    *   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z.
-   * Green's strain E and the second Piola-Kirchhoff stress S = C E of small
-   * strains give, per length of the beam (over the undeformed section)
+   * With Green's strain E, the second Piola-Kirchhoff stress S = C E (small
+   * strains) and the undeformed section, the energy, the forces W and the
+   * tangent per length of the beam are
    *   energy = int E . C E / 2 dA,   W = int dE/dq^T S dA,
    *   dW/dq = int (dE/dq)^T C dE/dq + S_ij (dH_i/dq)^T dH_j/dq dA.
-   * The matrices at q = 0 are those of SectionOperator.
+   * The tangent at q = 0 is that of SectionOperator.
    *
-   * Bending has degree 2 in elements of degree 3, and the squares in E_yy have
-   * degree 4. Terms that cannot cancel cause locking and stress oscillations,
-   * so E_yy is an assumed strain of degree 2. The part of degree 3 of its
-   * values at the stations (Gauss weights w_k of sum 1) is subtracted,
+   * In axis elements of degree 3, the linear part of E_yy has degree 2 and the
+   * quadratic part degree 4, which causes membrane locking and stress
+   * oscillations. Therefore E_yy is an assumed strain of degree 2: the
+   * component of degree 3 of its values at the stations, the Gauss points of an
+   * element with weights w_k of sum 1, is subtracted,
    *   E_k - l_k sum_m w_m l_m E_m,   l_k = sqrt(7) P_3 at station k,
-   * which is zero for strains that are linear in q.
+   * with the Legendre polynomial P_3. Strains linear in q are not changed.
    *
-   * For sections whose strains are those of their displacements: LE, TE-2 and
-   * up. Fields of LE are sparse; the derivative comes cell by cell. Refers to
-   * the space.
+   * Only for theories without completed strains (StrainCompletion): LE and
+   * TE-N, N > 1. The tangent is computed by cells, since functions of LE are
+   * local. Keeps a reference to the SectionSpace.
    */
   class FiniteStrainSectionOperator
   {
   public:
-    /// Constructs the operator for @p n_stations stations per element. The
-    /// section completes no strains (StrainCompletion); the space has no modes.
+    /// Constructs the operator for @p n_stations Gauss points (stations) per
+    /// axis element. @p space must not have modes.
     FiniteStrainSectionOperator(const SectionSpace &space,
                                 const unsigned int  n_stations);
 
-    /// Returns the forces on all fields, at the stations @p q of an element.
+    /// Returns the section forces on all section functions at the stations of
+    /// an element with the coefficients @p q.
     SectionForces
     forces(const FieldParts &q) const;
 
-    /// Returns the largest values over the points, or of means over the
-    /// section, and over the stations of @p q.
+    /// Returns the largest rotation and strains over the section and the
+    /// stations of an element with the coefficients @p q.
     Stretch
     largest(const FieldParts &q) const;
 
-    /// Returns the fields of each cell, in the order of for_each_cell().
+    /// Returns the section functions of each cell, in the order of
+    /// for_each_cell().
     std::vector<const std::vector<unsigned int> *>
     fields_of_cells() const;
 
-    /// Derivative of the work at the points of a cell, symmetric: rows for each
-    /// value, then each derivative of its fields.
+    /// Symmetric tangent of one section cell. Rows and columns are the
+    /// coefficients q of the functions of the cell, then their derivatives q'.
     struct CellTangent
     {
       const std::vector<unsigned int> *fields = nullptr;
       dealii::LAPACKFullMatrix<double> matrix;
-      /// Rows dE_yy/dq, one per point, and the weight times
+      /// Matrices with one row per integration point: dE_yy/dq, and the weight
+      /// times
       ///   (C dE/dq)_yy - C_yyyy dE_yy/dq / 2.
       dealii::LAPACKFullMatrix<double> stretch, on_stretch;
     };
 
-    /// Calls @p use with the tangents of each cell, one for each station @p q
-    /// of an element, after the @p correction (predicted_strain()). X is the
-    /// sum over the stations of w_k l_k stretch, Y that of w_k l_k on_stretch.
-    /// The assumed strain subtracts Y^T X + X^T Y times the element's length.
+    /// Calls @p use for each section cell with its tangents at the stations of
+    /// an element with the coefficients @p q and their last @p correction (see
+    /// predicted_strain()). The caller must subtract (Y^T X + X^T Y) times the
+    /// element's length for the assumed strain, where X is the sum of share(k)
+    /// stretch and Y the sum of share(k) on_stretch over the stations k.
     void
     for_each_cell(
       const FieldParts                                            &q,
       const FieldParts                                            &correction,
       const std::function<void(const std::vector<CellTangent> &)> &use) const;
 
-    /// Returns w_k l_k of station @p k.
+    /// Returns the factor w_k l_k of station @p k.
     double
     share(const unsigned int k) const
     {
       return weights[k] * modes[k];
     }
 
-    /// Calls @p use with the geometric part of the tangent of each cell, int
-    /// S_ij (dH_i/dq)^T dH_j/dq dA, for the constant S that @p stress gives at
-    /// a point of a cell.
+    /// Calls @p use for each section cell with its geometric stiffness int S_ij
+    /// (dH_i/dq)^T dH_j/dq dA. @p stress returns S at a point of a cell.
     void
     for_each_cell_of_stress(
       const std::function<Voigt(const unsigned int, const dealii::Point<2> &)>
@@ -98,8 +105,8 @@ namespace lamella
       unsigned int     cell;
       dealii::Point<2> position;
     };
-    /// Points with the same fields, and the matrix G of H at them for unit
-    /// values, then unit derivatives of each field: nine rows per point.
+    /// Integration points with the same section functions, and the matrix G =
+    /// dH/d(q, q') at these points, nine rows per point.
     struct Cell
     {
       const std::vector<unsigned int> *fields = nullptr;
@@ -107,32 +114,35 @@ namespace lamella
       dealii::LAPACKFullMatrix<double> G;
     };
 
-    /// Reduces E_yy or S_yy in @p values at the stations to degree 2.
+    /// Subtracts the component of degree 3 from the yy component of @p values,
+    /// strains or stresses at the stations.
     void
     lower(std::vector<Voigt> &values) const;
 
-    /// Returns the tangent at a station of @p cell for @p H and @p second
-    /// stresses.
+    /// Returns the tangent of @p cell at one station for the gradients @p H and
+    /// the @p second Piola-Kirchhoff stresses.
     static CellTangent
     tangent_at(const Cell                  &cell,
                const std::vector<Gradient> &H,
                const std::vector<Voigt>    &second);
 
-    /// Returns at each station the first Piola-Kirchhoff stresses at the points
-    /// of @p cell times their areas, from the gradients @p H. Adds the energy
-    /// per length of each station to @p energy.
+    /// Returns for each station the first Piola-Kirchhoff stresses times the
+    /// integration weights at the points of @p cell, from the displacement
+    /// gradients @p H. Adds the energy per length at each station to @p energy.
     std::vector<Vector>
     first_stresses(const Cell                               &cell,
                    const std::vector<std::vector<Gradient>> &H,
                    std::vector<double>                      &energy) const;
 
-    /// Returns int (dH/dq)^T D dH/dq dA over @p cell, D given by point.
+    /// Returns int (dH/dq)^T D dH/dq dA over @p cell; @p D returns D at a
+    /// point.
     static CellTangent
     tangent_of(
       const Cell                                                    &cell,
       const std::function<dealii::Tensor<2, 9>(const unsigned int)> &D);
 
-    /// Returns H at the points of @p cell for each station of @p q.
+    /// Returns the displacement gradients at the points of @p cell for each
+    /// station.
     std::vector<std::vector<Gradient>>
     gradients(const Cell &cell, const FieldParts &q) const;
 

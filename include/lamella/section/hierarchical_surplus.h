@@ -13,22 +13,24 @@
 
 namespace lamella
 {
-  /// The part of a displacement of a section of LE-p beyond LE-q,
+  /// The hierarchical surplus of a displacement v of a section of LE-p over the
+  /// lower degree q < p,
   ///   (1 - L_q) v,
-  /// with L_q the interpolation by cells at the Gauss-Lobatto points of degree
-  /// q. It drops the integrated Legendre polynomials of degrees above q in a
-  /// direction, which vanish there; neighbors agree on their common side. It
-  /// works for any basis, by nodal values,
+  /// where L_q interpolates v in each cell at the Gauss-Lobatto points of
+  /// degree q. The coefficients c' of the surplus follow from those of v, c,
+  /// for any basis by nodal values,
   ///   E c' = (1 - L_q) c at the nodes,
-  /// with E factorized once. Refers to the section.
+  /// where E maps coefficients to nodal values and is factorized once. Keeps a
+  /// reference to the section.
   class HierarchicalSurplus
   {
   public:
-    /// Returns true if nodes determine the fields of @p section (layer-wise).
+    /// Returns true if nodal values determine the displacements of @p section,
+    /// as in layer-wise theories.
     static bool
     is_possible(const Section &section);
 
-    /// Constructs the surplus of an LE-p, p above 1, that is_possible().
+    /// Factorizes E. @p section must be of LE-p, p > 1, and is_possible().
     explicit HierarchicalSurplus(const Section &section);
 
     unsigned int
@@ -37,17 +39,18 @@ namespace lamella
       return section.element().degree();
     }
 
-    /// Removes the part in LE-@p q, 0 < q < degree(), from the coefficients
-    /// @p c.
+    /// Replaces the coefficients @p c by those of the surplus over LE-@p q,
+    /// where 0 < @p q < degree().
     void
     remove_lower_degree(const unsigned int q, Vector &c) const;
 
   private:
-    /// Returns the displacement at a point of @p cell, one row per component,
-    /// in terms of coefficients of the fields.
+    /// Returns the three displacement components at a point of @p cell as
+    /// functionals of the coefficients.
     std::array<LinearFunctional, 3>
     displacement(const unsigned int cell, const dealii::Point<2> &unit) const;
-    /// Returns the displacement interpolated in degree @p q.
+    /// Returns the interpolation L_q of these displacement components, q =
+    /// @p q.
     std::array<LinearFunctional, 3>
     interpolated(const unsigned int      cell,
                  const dealii::Point<2> &unit,
@@ -57,9 +60,10 @@ namespace lamella
     factorize(const std::vector<EdgePoint> &nodes);
 
     const Section &section;
-    /// Factorization of E, from displacements at the nodes to coefficients.
+    /// Factorization of E.
     dealii::SparseDirectUMFPACK from_nodes;
-    /// Rows of (1 - L_q) c at the nodes, three each, of q = 1 ... degree() - 1.
+    /// Functionals (1 - L_q) v at the nodes, three per node, for q = 1 ...
+    /// degree() - 1.
     std::vector<std::vector<LinearFunctional>> beyond;
   };
 } // namespace lamella

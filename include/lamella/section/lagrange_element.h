@@ -16,63 +16,62 @@
 namespace lamella
 {
   /**
-   * The Lagrange expansion LE-p (Eq. 3): deal.II's FE_Q<2>(p) on the section
-   * mesh, L4, L9 and L16 for p = 1, 2, 3 (nodes are Gauss-Lobatto points). The
-   * geometry is isoparametric, so x and z are in the span of the nodal
-   * functions, and each basis below spans exactly LE. It is the layer-wise (LW)
-   * expansion if each ply has its cells: u is continuous, transverse strains
-   * may jump at interfaces.
+   * The layer-wise Lagrange expansion LE-p of a cross-section (Eq. 3):
+   * deal.II's FE_Q<2>(p) on the section mesh, i.e. L4, L9 and L16 for p = 1, 2,
+   * 3, with Gauss-Lobatto nodes. Displacements are continuous, transverse
+   * strains may jump at ply interfaces. The geometry is isoparametric, so the
+   * functions 1, x, z are in the span of the nodal functions. There are three
+   * kinds of basis.
    *
-   * The nodal basis is as follows: 1, (x - x_c)/h, (z - z_c)/h replace the
-   * nodal functions of three nodes not on a line; the other nodal functions are
-   * warping.
+   * In the *nodal* basis, 1, (x - x_c)/h, (z - z_c)/h replace the nodal
+   * functions of three nodes that are not on a line.
    *
-   * A rectangular grid much wider than high loses digits across the width as
-   * along a slender axis, so its basis is built in columns. G_i(x) is the sum
-   * of the nodal functions of the column at x_i. G_i and G_i (z - z_c) / h_z
-   * replace two nodes of each column, and 1, x, z three of these. (x and z are
-   * exchanged if the grid is much higher than wide.)
+   * For rectangular grids much wider than high, a nodal basis *in columns*
+   * avoids rounding errors. G_i(x) is the sum of the nodal functions of the
+   * column of nodes at x_i. The functions G_i and G_i (z - z_c) / h_z replace
+   * two nodal functions of each column; 1, x, z replace three of the functions
+   * G_i and G_i (z - z_c) / h_z. If the grid is much higher than wide, x and z
+   * are exchanged.
    *
-   * If nodes of one beam have LE-1, LE-2, ... the basis is *hierarchical* by
-   * degree, as deal.II's FE_Q_Hierarchical: the bilinear functions of the
-   * vertices, and products
+   * If nodes of the axis of one beam have different degrees LE-1, LE-2, ...,
+   * the basis is *hierarchical*, as in deal.II's FE_Q_Hierarchical: bilinear
+   * functions of the vertices, and products
    *   l_i(xi) l_j(eta),   max(i, j) = 2, 3, ..., p,
    *   l_0 = 1 - t,  l_1 = t,
    *   l_k = int_(-1)^(2t-1) P_(k-1) / |P_(k-1)| ds   for k > 1
-   * (integrated Legendre polynomials, Szabo and Babuska 1991, zero at both
-   * ends), on edges if i or j is below 2, else inside of a cell. The sign of
-   * odd ones on an edge follows its direction, from the vertex of the smaller
-   * number. 1, x, z replace three vertices. Functions are numbered by degree:
-   * those up to degree q span LE-q, so that LE-1, LE-2, ... share one set of
-   * S_pq. Factors are larger and condition numbers double
-   * (doc/theory/theories.md).
+   * with integrated Legendre polynomials (Szabo and Babuska 1991), for edges if
+   * i or j < 2, otherwise for the interior of a cell. The sign of functions of
+   * odd degree on an edge follows from its direction, from the vertex with the
+   * smaller number to the other vertex. 1, x, z replace the functions of three
+   * vertices. The functions up to degree q span LE-q, so that all degrees share
+   * one set of section matrices (doc/theory/theories.md).
    *
-   * The map on curved cells is of degree p for all functions. Rigid motions are
-   * exact in each part, but the part q is not exactly LE-q on cells of its own
-   * shape.
+   * Curved cells are mapped with degree p for all functions. Each LE-q contains
+   * the rigid motions exactly.
    */
   class LagrangeElement : public CrossSectionElement
   {
   public:
-    /// Kind of basis: nodal (in columns if slender), or hierarchical.
+    /// Kind of basis: nodal (in columns if the section is slender) or
+    /// hierarchical.
     enum class Basis
     {
       nodal,
       hierarchical
     };
 
-    /// Ratio of the sides of a grid from which columns are used.
+    /// Aspect ratio of a rectangular grid above which the basis is in columns.
     static constexpr double default_column_aspect = 100.;
 
-    /// Constructs LE of @p degree; shares @p mesh. @p column_aspect is the
-    /// ratio of sides of a rectangular grid from which a nodal basis has
-    /// columns.
+    /// Constructs LE of @p degree on @p mesh. A nodal basis is in columns if
+    /// the section is a rectangular grid with an aspect ratio of at least
+    /// @p column_aspect.
     LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree,
                     const double column_aspect = default_column_aspect,
                     const Basis  basis         = Basis::nodal);
 
-    /// Returns true for a basis in columns.
+    /// Returns whether the basis is in columns.
     bool
     has_columns() const
     {
@@ -91,15 +90,16 @@ namespace lamella
       return levels.size();
     }
 
-    /// Returns 0 for 1, x, z; else 1 (with columns 2 for functions of single
-    /// nodes); the degree of hierarchical functions.
+    /// Returns 0 for the functions 1, x, z. For others, returns 1 in a nodal
+    /// basis (in columns: 2 for nodal functions), and the degree of a
+    /// hierarchical function.
     unsigned int
     level(const unsigned int tau) const override
     {
       return levels[tau];
     }
 
-    /// Returns for a hierarchical basis the q of the function, else degree().
+    /// Returns the degree of a hierarchical function, else degree().
     unsigned int
     function_degree(const unsigned int tau) const override
     {
@@ -112,7 +112,7 @@ namespace lamella
       return cells[cell].numbers;
     }
 
-    /// Returns values, with those below 1e-14 set to 0.
+    /// Evaluates the functions; values below 1e-14 are set to zero.
     FunctionValues
     evaluate(const unsigned int      cell,
              const dealii::Point<2> &unit) const override;
@@ -123,22 +123,24 @@ namespace lamella
       return geometry.map(cell, unit);
     }
 
-    /// Returns the nodes on the boundary, weighted by their functions.
+    /// Returns the nodes on the boundary, with the integrals of their nodal
+    /// functions as weights.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
-    /// Returns the nodes.
+    /// Returns all nodes of the section.
     std::vector<EdgePoint>
     section_points() const override
     {
       return section_grid();
     }
 
-    /// Returns the nodes, weighted by integrals of nodal functions [length^2].
+    /// Returns all nodes, with the integrals of their nodal functions as
+    /// weights [length^2].
     std::vector<EdgePoint>
     section_grid() const override;
 
-    /// Return for a hierarchical basis the nodes of LE-q.
+    /// Return the nodes of LE-q, q = @p degree, if the basis is hierarchical.
     std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary,
                        const unsigned int degree) const override;
@@ -146,8 +148,8 @@ namespace lamella
     coarse_section_grid(const unsigned int degree) const override;
 
   private:
-    /// A nonzero function on a cell, of nodal functions N_i of @p nodes (local
-    /// numbers) and the coordinate z along a column.
+    /// A basis function on a cell in terms of the nodal functions N_i of
+    /// @p nodes (local numbers) and the coordinate z along a column.
     ///   nodal         N_i
     ///   column        G = sum N_i over the column's nodes on the cell
     ///   column_slope  G (z - z_c) / h_z
@@ -165,7 +167,8 @@ namespace lamella
       std::vector<unsigned int> nodes;
     };
 
-    /// A hierarchical function on a cell, sign l_i(xi) l_j(eta).
+    /// A hierarchical function on a cell, sign l_i(xi) l_j(eta), with i, j =
+    /// indices.
     struct Product
     {
       unsigned int                number;
@@ -173,17 +176,19 @@ namespace lamella
       double                      sign;
     };
 
-    /// Functions or, for a hierarchical basis, products of a cell.
+    /// The basis functions of a cell: `functions` or, if hierarchical,
+    /// `products`.
     struct Cell
     {
-      /// Numbers 0, 1, 2 and those of functions or products, ascending.
+      /// Numbers of the nonzero basis functions on the cell, ascending.
       std::vector<unsigned int>  numbers;
       std::vector<LocalFunction> functions;
       std::vector<Product>       products;
     };
 
-    /// A grid of nodes: their positions along the long side (column) and the
-    /// short side, from 0, ascending. n_columns is 0 if there is no grid.
+    /// A rectangular grid of nodes: index of each node along the long side
+    /// (column) and along the short side (place), from 0. n_columns is 0 if the
+    /// nodes are not a grid.
     struct Grid
     {
       std::vector<unsigned int> column, place;
@@ -196,20 +201,22 @@ namespace lamella
       return basis == Basis::hierarchical;
     }
 
-    /// Returns three of @p nodes to replace, far from a line.
+    /// Returns three of @p nodes far from a common line, whose functions are
+    /// replaced.
     std::array<unsigned int, 3>
     replaced_nodes(const std::vector<dealii::Point<2>> &nodes) const;
 
-    /// Returns the grid of columns across long_side, empty if the section is
-    /// not slender or no rectangular grid.
+    /// Returns the grid with columns across long_side; it is empty if the
+    /// section is not slender or not a rectangular grid.
     Grid
     find_grid(const double column_aspect) const;
 
-    /// Sets numbers of the general nodal basis: 0, 1, 2 and one per other node.
+    /// Numbers the functions of the nodal basis without columns.
     void
     number_nodal_functions();
 
-    /// Function numbers: constants and slopes of columns, and nodes; 0: none.
+    /// Numbers of the functions G_i, G_i (z - z_c) / h_z and N_i; 0 if
+    /// replaced.
     struct ColumnNumbers
     {
       std::vector<unsigned int> constant, slope, of_node;
@@ -217,22 +224,22 @@ namespace lamella
     ColumnNumbers
     number_columns(const Grid &grid);
 
-    /// Sets numbers of the basis in columns. 1, x, z replace both functions of
-    /// the first column and the constant of the last.
+    /// Numbers the functions of the basis in columns. 1, x, z replace both
+    /// functions of the first column and G_i of the last.
     void
     number_column_functions(const Grid &grid);
 
-    /// Key of a hierarchical function: degree, kind of support (vertex, edge,
-    /// cell), number of support, two indices.
+    /// Sort key of a hierarchical function: degree, kind of support (vertex,
+    /// edge or cell), number of the vertex, edge or cell, and indices i, j.
     using ProductKey = std::array<unsigned int, 5>;
-    /// Returns hierarchical numbers by degree, without replaced vertices.
+    /// Numbers the hierarchical functions by degree, without replaced vertices.
     std::map<ProductKey, unsigned int>
     number_products();
     void
     number_hierarchical_functions();
 
-    /// Append the functions of @p cell at @p unit to @p values; @p to_real
-    /// transforms gradients on the unit square into those in x and z.
+    /// Append the values of the functions of @p cell at @p unit to @p values.
+    /// @p to_real transforms gradients from reference coordinates to x and z.
     void
     append_functions(const Cell                 &cell,
                      const dealii::Point<2>     &unit,
@@ -244,27 +251,30 @@ namespace lamella
                     const dealii::Tensor<2, 2> &to_real,
                     FunctionValues             &values) const;
 
-    /// Return edge_points() and section_grid() at the nodes of @p grid.
+    /// Return edge_points() and section_grid() for the nodes of @p grid.
     std::vector<EdgePoint>
     edge_points_of(const SectionGeometry &grid,
                    const std::string     &boundary) const;
     std::vector<EdgePoint>
     grid_points_of(const SectionGeometry &grid) const;
 
-    /// Sorts the functions of each cell and lists their numbers.
+    /// Sorts the functions of each cell by their numbers and sets
+    /// Cell::numbers.
     void
     collect_numbers();
 
-    /// Isoparametric map in the expansion's own nodes.
+    /// Isoparametric map with the nodes of the expansion.
     SectionGeometry geometry;
     Basis           basis;
-    /// Nodes of the degrees 1 ... p - 1 of a hierarchical basis.
+    /// Maps with the nodes of degrees 1 ... p - 1, if the basis is
+    /// hierarchical.
     std::vector<std::unique_ptr<const SectionGeometry>> coarse;
-    /// Result of level() for each function; functions of each cell.
+    /// Result of level() for each function, and functions of each cell.
     std::vector<unsigned int> levels;
     std::vector<Cell>         cells;
     bool                      in_columns = false;
-    /// Direction of a grid, 0 if wide, 1 if high, and the length h_z.
+    /// Direction of the long side of the grid, 0 for x and 1 for z, and length
+    /// h_z.
     unsigned int long_side     = 0;
     double       column_length = 1.;
   };

@@ -13,15 +13,15 @@
 
 namespace lamella
 {
-  /// The laws of a section's plies in the body frame, for beams and solids. A
-  /// ply in a plane has one law. The law in a curved wall varies: its axes are
-  /// rotated about y with the normal.
+  /// The constitutive laws of the plies of a section in the body frame, for
+  /// beams and solids. The law of a plane ply is constant. The law of a ply in
+  /// a curved wall varies, since the ply axes rotate about y with the normal.
   class PlyLaws
   {
   public:
-    /// Constructs the laws of @p plies. @p shear_factor k scales transverse
-    /// shear in the body frame: D C D replaces C, with sqrt(k) in D for xy and
-    /// yz.
+    /// Computes the laws of @p plies. The @p shear_factor k scales transverse
+    /// shear in the body frame: D C D replaces C, where the diagonal matrix D
+    /// is sqrt(k) for xy and yz, else 1.
     explicit PlyLaws(const std::vector<Ply> &plies,
                      const double            shear_factor = 1.);
 
@@ -31,14 +31,14 @@ namespace lamella
       return plies.size();
     }
 
-    /// Returns true if the law of @p ply depends on the point.
+    /// Returns whether the law of @p ply depends on the point of the section.
     bool
     has_varying_law(const unsigned int ply) const
     {
       return bool(plies[ply].plane.normal_at);
     }
 
-    /// Returns true if the law of any ply depends on the point.
+    /// Returns whether the law of any ply depends on the point of the section.
     bool
     has_varying_laws() const;
 
@@ -51,39 +51,39 @@ namespace lamella
                constant_laws[ply];
     }
 
-    /// Returns the law of @p ply, which does not vary.
+    /// Returns the law of @p ply, which must be constant.
     const ElasticLaw &
     constant(const unsigned int ply) const
     {
       return constant_laws[ply];
     }
 
-    /// Harmonics of a normal: 1, cos phi, sin phi, ..., cos 4 phi, sin 4 phi.
+    /// Values 1, cos phi, sin phi, ..., cos 4 phi, sin 4 phi for the angle phi
+    /// of a normal from +x to +z.
     static constexpr unsigned int n_harmonics = 9;
     using Harmonics                           = std::array<double, n_harmonics>;
 
-    /// Returns the harmonics of the normal of @p ply at @p x, phi from +x to
-    /// +z.
+    /// Returns the harmonics of the normal of @p ply at the point @p x.
     Harmonics
     harmonics(const unsigned int ply, const dealii::Point<2> &x) const;
 
-    /// Returns C_0 ... C_8 of @p ply: its stiffness at any point is the sum of
-    /// C_k times harmonics()[k]. Nine terms are exact, since rotation about y
-    /// gives a polynomial of degree four in cos phi and sin phi; they are
-    /// discrete Fourier coefficients at nine angles.
+    /// Returns the Fourier coefficients C_k of the stiffness of @p ply: at any
+    /// point, the stiffness is the sum of C_k harmonics()[k], k = 0 ... 8. Nine
+    /// terms are exact, since a rotated stiffness is a polynomial of degree
+    /// four in cos phi and sin phi.
     std::array<ElasticTensor, n_harmonics>
     stiffness_harmonics(const unsigned int ply) const;
 
   private:
-    /// Returns the law of @p ply where its normal is @p normal.
+    /// Returns the law of @p ply at a point with the normal @p normal.
     ElasticLaw
     law_with_normal(const unsigned int          ply,
                     const dealii::Tensor<1, 2> &normal) const;
 
     std::vector<Ply> plies;
     double           shear_factor;
-    /// C of each ply in its own axes, and its law in the body frame if
-    /// constant.
+    /// Stiffness of each ply in its own axes, and constant laws in the body
+    /// frame.
     std::vector<ElasticTensor> own;
     std::vector<ElasticLaw>    constant_laws;
   };

@@ -9,11 +9,12 @@
 
 namespace lamella
 {
-  /// A section operator by points of the section: strains, stresses, and work,
+  /// A section operator that integrates strains, stresses and generalized
+  /// forces over the points s of a section with weights w_s,
   ///   epsilon(x_s) = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
   ///   W_0 = sum_s w_s D_s^T C epsilon,   W_1 = sum_s w_s D_y^T C epsilon.
-  /// For any section and any list, at a cost of (points) times (fields at a
-  /// point) per station. Evaluates each point once for all stations.
+  /// It applies to any section. The cost per point of the axis is the number of
+  /// points times the number of functions that are nonzero at a point.
   class PointwiseSectionOperator : public SectionOperator
   {
   public:
@@ -25,27 +26,28 @@ namespace lamella
     SectionForces
     forces(const FieldParts &q) const override;
 
-    /// Returns the sparse rows of the section's matrices, and rows of modes.
+    /// Returns rows of the sparse section matrices and of the modes.
     std::vector<FactorRow>
     stiffness() const override;
 
   private:
-    /// Factors of a field's part of strains (transverse shear may have its own)
-    /// and of its derivative, or their work.
+    /// Factors q of the strains of a section function, one per strain
+    /// component, and of its derivative; or the conjugate forces.
     struct Coefficient
     {
       Voigt  value;
       double derivative = 0.;
     };
 
-    /// Coefficients of each field of the section, station after station.
+    /// Coefficients of all section functions, for one axis point after the
+    /// other.
     using Coefficients = std::vector<Coefficient>;
 
     Coefficients
     coefficients(const FieldParts &q) const;
 
-    /// Adds the work at @p point of @p law and @p weight [length^2] to @p work
-    /// and to @p energy of each station.
+    /// Adds the forces and the energy at @p point, with its @p law and
+    /// @p weight [length^2], to @p work and @p energy of each axis point.
     void
     add_point(const SectionPoint  &point,
               const double         weight,

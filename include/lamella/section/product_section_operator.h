@@ -10,27 +10,28 @@
 namespace lamella
 {
   /**
-   * A section operator by products of whole fields, one dense matrix for all
-   * stations,
+   * A section operator that multiplies coefficients by one dense section
+   * matrix,
    *   [W_0; W_1] = [S_00, S_01; S_10, S_11] [q; q'],
-   * from Section::moments() for TE-N, N > 1, and from SectionSpace::dense_S()
-   * for dense lists. TE-N with assumed shear strains has three rows and columns
-   * of blocks, those of Section::moments().
+   * which is Section::moments() for TE-N, N > 1, and SectionSpace::dense_S()
+   * for lists of rigid functions and modes. With assumed shear strains, TE-N
+   * has three block rows and columns, those of Section::moments().
    *
-   * Strains come first: q' of the deflection and q / h of the slope, with the
-   * section's reference length h, are added before the product,
+   * To avoid cancellation in slender beams, the shear strain of the deflection
+   * w and the slope a, with the reference length h, is added before the
+   * product,
    *   q_w' + q_a / h.
-   * The work on the slope is that on the sum.
+   * The force on the slope q_a is that on this sum divided by h.
    */
   class ProductSectionOperator : public SectionOperator
   {
   public:
-    /// Computes the matrix. Requires is_possible().
+    /// Computes the matrix. is_possible() must be true.
     ProductSectionOperator(const SectionSpace       &space,
                            std::vector<unsigned int> list,
                            const bool                assumed_shear);
 
-    /// Returns true if there are products of all fields of @p list.
+    /// Returns whether the matrix is available for all functions @p list.
     static bool
     is_possible(const SectionSpace              &space,
                 const std::vector<unsigned int> &list,
@@ -43,12 +44,12 @@ namespace lamella
     stiffness() const override;
 
   private:
-    /// FieldPart of each row of blocks: value and derivative, or all three.
+    /// FieldPart of each block row: value and derivative, or all three.
     std::vector<unsigned int> parts;
-    /// Blocks, columns in the order of rows.
+    /// Matrix S with block columns in the order of the block rows.
     dealii::LAPACKFullMatrix<double> S;
 
-    /// Returns entry (@p a, @p b), fields of the list, of the block (@p p,
+    /// Returns the entry of functions @p a, @p b of the list in block (@p p,
     /// @p q).
     double
     product(const unsigned int p,
@@ -56,13 +57,13 @@ namespace lamella
             const unsigned int a,
             const unsigned int b) const;
 
-    /// Returns the row of part @p p of the first field; shear values share the
-    /// rows of values if these are one part.
+    /// Returns the first row of FieldPart @p p. Without assumed shear strains,
+    /// shear values have the rows of values.
     unsigned int
     first_row(const unsigned int p) const;
 
-    /// Returns S_00, S_01, S_10, S_11 and the shear part of S_00 for @p a,
-    /// @p b.
+    /// Returns the entries of S_00, S_01, S_10, S_11 and of the shear part of
+    /// S_00 for the functions @p a, @p b.
     std::array<double, 5>
     entries(const unsigned int a, const unsigned int b) const;
   };

@@ -15,40 +15,42 @@
 
 namespace lamella
 {
-  /// A 6 x 6 matrix of section forces or strains (SaintVenant::Force).
+  /// A 6 x 6 matrix for section forces or strains, see SaintVenant::Force.
   using SectionTensor = dealii::Tensor<2, 6>;
 
   /**
-   * The six Saint-Venant states of a section: its deformation far from ends and
-   * loads under an axial force, a torque, two bending moments and two shear
-   * forces. They have the full three-dimensional law, for any shape, layup and
-   * coupling (central solutions: Giavotto et al., Comput. Struct. 16 (1983)
-   * 403; Borri and Merlini 1986).
+   * The six Saint-Venant solutions (states) of a section: its deformation far
+   * from ends and loads under an axial force, a torque, two bending moments and
+   * two shear forces, with the three-dimensional constitutive law, for any
+   * shape, layup and coupling (central solutions: Giavotto et al., Comput.
+   * Struct. 16 (1983) 403; Borri and Merlini 1986).
    *
-   * A state is a pair of field vectors, the value a and the derivative b with
-   * respect to y, with the strain D_s a + D_y b at y = 0:
+   * A state consists of the coefficients a of the section functions and their
+   * derivatives b by y at y = 0, with the strain D_s a + D_y b,
    *   extension   S_00 a = E t_y,                   b = t_y
    *   torsion     S_00 a = E r,                     b = r
    *   curvatures  S_00 a = E b + S_11 t_x,          b = -h s_x   (and z)
    *   shear       S_00 a = E a_0 + S_11 b_0,        b = a_0,
-   * with E = S_10 - S_01, the rigid fields t_x, t_y, t_z, the rotation r about
-   * y, the slopes s_x, s_z (u_y = x / h, z / h) and the reference length h.
-   * (a_0, b_0) is a curvature, freed of axial force and torque by extension and
-   * torsion. S_00 vanishes for t_x, t_y, t_z and r, which are fixed; one
-   * Cholesky factorization serves all six.
+   * with the matrices S_pq of Section, E = S_10 - S_01, the rigid translations
+   * t_x, t_y, t_z, the rotation r about y, the slopes s_x, s_z (u_y = x / h, z
+   * / h) and the reference length h. (a_0, b_0) is a curvature, to which
+   * extension and torsion are added so that axial force and torque are zero.
+   * S_00 is singular for t_x, t_y, t_z and r, which are constrained. All states
+   * use one factorization.
    *
-   * The resultants g = S_10 a + S_11 b at the rigid fields form the columns of
-   * F. F and the energies Q_ij of pairs of states give
+   * The stress resultants of each state, S_10 a + S_11 b for the rigid
+   * functions, are the columns of F. With the mutual energies Q_ij of pairs of
+   * states, the result is the
    *   compliance  F^-T Q F^-1   and its inverse, the stiffness
-   * in Timoshenko's sense, in the space of the section's own theory: use LE,
-   * whose error falls with its degree.
+   * of a Timoshenko beam. The error is that of the theory of the section; use
+   * LE.
    */
   class SaintVenant
   {
   public:
-    /// Order of section forces and of their conjugate strains. Forces act on
-    /// the face of outward normal +y, moments about the centroid (x_c, z_c),
-    /// right-handed about body axes:
+    /// Order of the section forces and their conjugate strains. Forces act on
+    /// the face with outward normal +y. Moments are about the centroid (x_c,
+    /// z_c), right-handed about the body axes, with stresses s_ij:
     ///   M_x = -int (z - z_c) s_yy dA, M_z = int (x - x_c) s_yy dA,
     ///   M_y = int ((z - z_c) s_xy - (x - x_c) s_yz) dA.
     enum Force : unsigned int
@@ -61,9 +63,9 @@ namespace lamella
       M_z  ///< bending about z [force length]; kappa_z [1 / length]
     };
 
-    /// Computes the states of @p section, which must have a rotation about y
-    /// (not EBBT or TBT) and outlive the object. Throws NumericsError if S_00
-    /// is not positive definite.
+    /// Computes the states of @p section, which must outlive this object. Not
+    /// for EBBT and TBT, which cannot twist. Throws NumericsError if the
+    /// constrained S_00 is not positive definite.
     explicit SaintVenant(const Section &section);
 
     const Section &
@@ -72,9 +74,9 @@ namespace lamella
       return section;
     }
 
-    /// Return a and b of each state in the section's fields: extension,
-    /// torsion, curvature in x and in z, shear in x and z. Scaled as in the
-    /// table of the class, with the amplitude of a rigid field free in each.
+    /// Return the coefficients a and b of the states in the order extension,
+    /// torsion, curvature in x and z, shear in x and z, scaled as in the class
+    /// description.
     const std::vector<Vector> &
     values() const
     {
@@ -86,34 +88,36 @@ namespace lamella
       return derivative;
     }
 
-    /// Returns section strains per section force, in the order of Force.
+    /// Returns the compliance: section strains per section force, in the order
+    /// of Force.
     const SectionTensor &
     compliance() const
     {
       return section_compliance;
     }
 
-    /// Returns the inverse of the compliance.
+    /// Returns the section stiffness, the inverse of the compliance.
     const SectionTensor &
     stiffness() const
     {
       return section_stiffness;
     }
 
-    /// Returns the response to @p load, constant along the axis, beyond the six
-    /// states: S_00 v = f + sum_j c_j (E a_j + S_11 b_j). The extension, the
-    /// torsion and the two shears j balance force and torque (the first term of
-    /// the solution of Almansi and Michell).
+    /// Returns the warping v due to a section @p load f that is constant along
+    /// the axis, in addition to the six states: S_00 v = f + sum_j c_j (E a_j +
+    /// S_11 b_j). The extension, torsion and shear states j balance force and
+    /// torque (the first term of the Almansi-Michell solution).
     Vector
     response_to_constant(const Vector &load) const;
 
-    /// Returns v of S_00 v = @p load with translations and rotation about y
-    /// fixed.
+    /// Returns v from S_00 v = @p load, with translations and the rotation
+    /// about y constrained.
     Vector
     constrained_response(Vector load) const;
 
   private:
-    /// Returns a of S_00 a = E @p v + S_11 @p w, the fixed fields zero.
+    /// Returns a from S_00 a = E @p v + S_11 @p w; constrained coefficients are
+    /// 0.
     Vector
     solve(const Vector &v, const Vector &w) const;
     /// Returns E @p v + S_11 @p w.
@@ -121,10 +125,11 @@ namespace lamella
     right_hand_side(const Vector &v, const Vector &w) const;
     void
     find_states();
-    /// Computes the shear states from the curvatures.
+    /// Computes the two shear states from the curvature states.
     void
     find_shear_states();
-    /// Computes the resultants F of the states and their energies Q in pairs.
+    /// Computes the stress resultants F and the mutual energies Q of the
+    /// states.
     void
     find_resultants(dealii::FullMatrix<double> &forces,
                     dealii::FullMatrix<double> &energies) const;
@@ -137,15 +142,15 @@ namespace lamella
     SectionTensor                       section_compliance, section_stiffness;
   };
 
-  /// Returns the six Saint-Venant warpings as columns: the states' values
-  /// without their rigid parts (Warping), orthonormal in S_00. The theory SV
-  /// has these and the rigid fields. There are fewer than six if states do not
-  /// warp, or warp alike.
+  /// Returns the Saint-Venant warping functions of the theory SV as columns:
+  /// the coefficients a of the states without rigid motions (see Warping),
+  /// orthonormal in S_00. There are fewer than six if states have no warping or
+  /// warpings are linearly dependent.
   FieldColumns
   saint_venant_warpings(const SaintVenant &states, const Warping &warping);
 
-  /// Engineering constants from the 6 x 6 compliance. Each stiffness is against
-  /// its own force or moment alone, with couplings free.
+  /// Engineering constants from the 6 x 6 compliance of a section. Each
+  /// stiffness is for a single force or moment, with coupled deformations free.
   struct SectionConstants
   {
     /// Axial stiffness 1 / c(F_y, F_y) about the tension center [force].
@@ -158,11 +163,12 @@ namespace lamella
     double GJ = 0.;
     /// Stiffness for shear forces along x and z in the shear center [force].
     double kGA_x = 0., kGA_z = 0.;
-    /// Points [length] of axial forces without bending and shear without twist.
+    /// Points at which axial forces cause no bending and shear forces no twist
+    /// [length].
     dealii::Point<2> tension_center, shear_center;
   };
 
-  /// Returns the constants of a section with the centroid @p center.
+  /// Returns the constants from the @p compliance about the centroid @p center.
   SectionConstants
   section_constants(const SectionTensor    &compliance,
                     const dealii::Point<2> &center);

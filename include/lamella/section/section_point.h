@@ -11,36 +11,38 @@
 
 namespace lamella
 {
-  /// The nonzero fields at a point of the section with their strains (order of
-  /// Eq. 4). The strain of u = N(y) Phi(x, z) is N in_plane + N' along, that is
-  /// N D_s Phi + N' D_y Phi of Eq. 5, completed by the theory
-  /// (StrainCompletion). Entry a of each vector belongs to the field
+  /// The section functions Phi that are nonzero at a point of a section, with
+  /// their strains. The strain of u = N(y) Phi(x, z) is N in_plane + N' along,
+  /// i.e. N D_s Phi + N' D_y Phi (Eq. 5), with StrainCompletion if the theory
+  /// has one. Entry a of each vector belongs to the function number
   /// (*fields)[a].
   struct SectionPoint
   {
-    /// Cell, and place on its unit square.
+    /// Cell that contains the point, and reference coordinates in the cell.
     unsigned int     cell = 0;
     dealii::Point<2> unit;
-    /// Position x, z in the body frame [length], and det(d(x, z) / d(xi, eta)).
+    /// Position x, z in the body frame [length], and Jacobian determinant.
     dealii::Point<2> position;
     double           jacobian = 0.;
-    /// Field numbers, ascending; owned by the Section.
+    /// Numbers of the section functions, ascending; owned by the Section.
     const std::vector<unsigned int> *fields = nullptr;
-    /// Phi_alpha: u of a unit of the field [no unit].
+    /// Values Phi of the section functions [no unit].
     std::vector<dealii::Tensor<1, 3>> value;
-    /// D_s Phi [1 / length] and D_y Phi [no unit], engineering shear strains.
+    /// Strains D_s Phi [1 / length] and D_y Phi [no unit] in the order of
+    /// Voigt.
     std::vector<Voigt> in_plane, along;
-    /// Rotation about the axis, (d Phi_x / dz - d Phi_z / dx) / 2 [1 / length].
+    /// Rotations about the axis, (d Phi_x / dz - d Phi_z / dx) / 2 [1 /
+    /// length].
     std::vector<double> twist;
   };
 
-  /// Returns D_y Phi of Eq. 5: the strain {0, v_y, 0, v_x, 0, v_z} of an axial
-  /// derivative @p v of the displacement, in the order of Eq. 4.
+  /// Returns the strain {0, v_y, 0, v_x, 0, v_z} (order of Voigt) due to the
+  /// derivative @p v = du/dy of the displacement along the axis.
   Voigt
   axial_strain(const dealii::Tensor<1, 3> &v);
 
-  /// Returns true if strain number @p c, from 0 in the order of Eq. 4, is a
-  /// transverse shear strain xy or yz.
+  /// Returns whether the strain component @p c, from 0 in the order of Voigt,
+  /// is a transverse shear strain xy or yz.
   constexpr bool
   is_transverse_shear(const unsigned int c)
   {

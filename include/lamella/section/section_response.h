@@ -9,13 +9,14 @@
 
 namespace lamella
 {
-  /// The response v exp(i k y) of an infinite prism to a section load f exp(i k
-  /// y):
+  /// Computes section functions from harmonic loads: the displacement v exp(i k
+  /// y) of an infinite prismatic beam under a section load f exp(i k y) solves
   ///   ( S_00 + i k (S_01 - S_10) + k^2 S_11 ) v = f,
-  /// Hermitian and positive definite for real k > 0. Responses at a few wave
-  /// numbers, a rational Krylov basis of the section's quadratic pencil, span
-  /// the deformation near this load. Each wave number takes one Cholesky
-  /// factorization for all loads (solve_hermitian()). Refers to the section.
+  /// with the matrices S_pq of Section. The matrix is Hermitian and positive
+  /// definite for real k > 0. The solutions v at a few wave numbers k
+  /// approximate the deformation near this load (rational Krylov space). Each
+  /// wave number takes one factorization for all loads (see solve_hermitian()).
+  /// Keeps a reference to the section.
   class SectionResponse
   {
   public:
@@ -23,9 +24,9 @@ namespace lamella
       : section(section)
     {}
 
-    /// Returns the real and the imaginary part of the response to each of
-    /// @p loads at the wave number @p k > 0 [1 / length], without negligible
-    /// parts. Throws NumericsError if the matrix is not positive definite.
+    /// Returns the real and the imaginary part of v for each of @p loads at the
+    /// wave number @p k > 0 [1 / length], without negligible parts. Throws
+    /// NumericsError if the matrix is not positive definite.
     std::vector<std::vector<Vector>>
     at(const double k, const std::vector<Vector> &loads) const;
 

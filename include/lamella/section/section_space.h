@@ -14,30 +14,30 @@
 
 namespace lamella
 {
-  /// Fields of a section, one per column: column j is the field sum_alpha
-  /// c_(alpha j) Phi_alpha in the section's own fields. n_fields() rows.
+  /// Displacements over a section, one per column: entry (alpha, j) is the
+  /// coefficient of the section function Phi_alpha in displacement j.
   using FieldColumns = dealii::LAPACKFullMatrix<double>;
 
   /**
-   * The fields of the nodes of a beam: those of a section, then modes,
-   * combinations of these (Saint-Venant fields, response fields and
-   * boundary-layer modes). All share S_pq, so nodes with different lists may be
-   * neighbors.
+   * All functions that nodes of a beam may use: first the section functions of
+   * a Section, then modes. A mode is a linear combination of section functions:
+   * a Saint-Venant warping, a section function from a harmonic load, or a
+   * boundary-layer mode. Neighboring nodes may use different lists of
+   * functions.
    *
-   * A *dense* list has only the six rigid fields and modes: its cost does not
-   * depend on the number of the section's fields. S_pq between the dense
-   * fields, numbered 0 ... n_dense() - 1,
-   *   B^T S_pq B,   B = [rigid fields, modes],
-   * is computed once. Immutable; shares the section.
+   * A *dense* list has only the six rigid functions and modes, so its cost does
+   * not depend on the number of section functions. The matrices of these dense
+   * functions, numbered 0 ... n_dense() - 1,
+   *   B^T S_pq B,   B = [rigid functions, modes],
+   * are computed once. Immutable; shares the ownership of the section.
    */
   class SectionSpace
   {
   public:
-    /// Constructs a space of the section's fields without modes.
+    /// Constructs a space of the section functions without modes.
     explicit SectionSpace(std::shared_ptr<const Section> section);
 
-    /// Constructs a space with the modes @p columns, of n_fields() rows each.
-    /// Not for sections of EBBT or TBT.
+    /// Constructs a space with the modes @p columns. Not for EBBT and TBT.
     SectionSpace(std::shared_ptr<const Section> section, FieldColumns columns);
 
     const Section &
@@ -52,7 +52,7 @@ namespace lamella
       return base;
     }
 
-    /// Returns the number of fields of the section and modes.
+    /// Returns the number of section functions and modes.
     unsigned int
     n_fields() const
     {
@@ -72,15 +72,15 @@ namespace lamella
       return base->n_fields();
     }
 
-    /// Returns the number of rigid fields and modes.
+    /// Returns the number of dense functions, i.e. rigid functions and modes.
     unsigned int
     n_dense() const
     {
       return n_rigid + n_modes();
     }
 
-    /// Returns the number of @p alpha among dense fields, or n_dense() if it is
-    /// not.
+    /// Returns the number of function @p alpha among the dense functions;
+    /// n_dense() if it is not dense.
     unsigned int
     dense_number(const unsigned int alpha) const
     {
@@ -90,18 +90,19 @@ namespace lamella
                                        alpha - first_mode() + n_rigid);
     }
 
-    /// Returns true if there are modes and the fields @p list are dense.
+    /// Returns whether there are modes and all functions @p list are dense.
     bool
     is_dense(const std::vector<unsigned int> &list) const;
 
-    /// Returns the level of elimination, coarse first; modes are warping.
+    /// Returns the level of @p alpha in the elimination order, coarse first; 1
+    /// for modes.
     unsigned int
     level(const unsigned int alpha) const
     {
       return alpha < first_mode() ? base->field(alpha).level : 1;
     }
 
-    /// Returns for each field the largest displacement of its unit at the
+    /// Returns the largest displacement |Phi_alpha| of each function at the
     /// integration points, or 1.
     const std::vector<double> &
     sizes() const
@@ -109,58 +110,60 @@ namespace lamella
       return of_fields;
     }
 
-    /// Returns the field @p alpha in the fields of the section.
+    /// Returns the coefficients of function @p alpha in the section functions.
     Vector
     in_section_functions(const unsigned int alpha) const;
 
-    /// Changes @p coefficients of all n_fields() fields to those of the
-    /// section's fields, adding modes to these.
+    /// Converts @p coefficients of all n_fields() functions to coefficients of
+    /// the section functions, which then include the modes.
     void
     expand(std::vector<double> &coefficients) const;
 
-    /// Appends to @p work on the section's fields that on modes: expand()^T.
+    /// Appends the generalized forces on modes to the forces @p work on the
+    /// section functions, the transpose of expand().
     void
     append_modes(std::vector<double> &work) const;
 
-    /// Returns numbers @p q for the fields @p list, one row each, in the fields
-    /// of the section.
+    /// Converts coefficients @p q of the functions @p list, one row each, to
+    /// coefficients of the section functions.
     dealii::LAPACKFullMatrix<double>
     in_section(const std::vector<unsigned int>        &list,
                const dealii::LAPACKFullMatrix<double> &q) const;
 
-    /// Returns the work on the fields @p list from @p work on those of the
-    /// section: in_section()^T.
+    /// Returns the generalized forces on the functions @p list from the forces
+    /// @p work on the section functions, the transpose of in_section().
     dealii::LAPACKFullMatrix<double>
     on_list(const std::vector<unsigned int>        &list,
             const dealii::LAPACKFullMatrix<double> &work) const;
 
-    /// Returns the coefficients of mode @p j in the fields of the section.
+    /// Returns the coefficients of mode @p j in the section functions.
     const double *
     mode(const unsigned int j) const
     {
       return &modes(0, j);
     }
 
-    /// Returns S_pq between dense fields; empty without modes.
+    /// Returns the matrix B^T S_pq B of the dense functions; empty without
+    /// modes.
     const dealii::LAPACKFullMatrix<double> &
     dense_S(const unsigned int p, const unsigned int q) const
     {
       return dense[2 * p + q];
     }
 
-    /// Returns the rows and columns of S_pq of all @p carried fields
-    /// (n_fields() flags); other rows are empty.
+    /// Returns the rows and columns of the section matrices for the functions
+    /// whose flag in @p carried is set; other rows are empty.
     std::vector<FactorRow>
     rows(const std::vector<bool> &carried) const;
 
   private:
     static constexpr unsigned int n_rigid = RigidField::n_all;
 
-    /// Returns S_pq B for one of the five matrices, n_fields() x n_dense().
+    /// Returns S B for one of the five section matrices S.
     dealii::LAPACKFullMatrix<double>
     times_dense(const Matrix &S) const;
 
-    /// Returns the result of sizes().
+    /// Computes the result of sizes().
     std::vector<double>
     measured() const;
 

@@ -14,29 +14,30 @@
 namespace lamella
 {
   /**
-   * Completion of strains for low theories, whose fields cannot describe the
-   * contraction of sections: bending with eps_yy = kappa z requires u_x = -nu
-   * kappa x z and u_z = -nu kappa (z^2 - x^2) / 2. Otherwise the section is too
-   * stiff (Poisson locking: by 35 % at nu = 0.3). The missing strains are added
-   * to those of each field; C gives stresses, energies and forces from
-   * completed strains.
+   * Corrects Poisson locking in theories of low order (EBBT, TBT, TE-1), whose
+   * functions cannot describe the lateral contraction of a bent section: eps_yy
+   * = kappa z requires u_x = -nu kappa x z and u_z = -nu kappa (z^2 - x^2) / 2.
+   * Without correction, the section is too stiff, by 35 % at nu = 0.3. The
+   * missing strains are added to those of each section function; stresses,
+   * energies and forces follow from the completed strains.
    *
-   * The missing warping is condensed out, by a plane-stress-like law or by
-   * modes. TE-2, LE and higher theories have no completion. Completed strains
-   * belong to no displacements: a support that fixes u_x does not constrain
-   * them.
+   * The missing warping is condensed out by zero transverse stresses
+   * (FreeContraction) or by modes (ContractionModes). The added strains have no
+   * displacements, so a support that fixes u_x does not constrain them.
    */
   class StrainCompletion
   {
   public:
     virtual ~StrainCompletion() = default;
 
-    /// Completes the strains of all fields at @p point. Call it once per point.
+    /// Completes the strains of all functions at @p point. Must be called only
+    /// once per point.
     virtual void
     complete(SectionPoint &point) const = 0;
 
-    /// Returns the strain that an initial strain of a section cell adds to the
-    /// strains of all fields. None by default.
+    /// Returns the strain that an initial strain at a point of a cell adds to
+    /// the strain of the displacements. This default implementation returns
+    /// zero.
     virtual Voigt
     of_initial(const unsigned int /*cell*/,
                const dealii::Point<2> & /*x*/,
@@ -46,64 +47,65 @@ namespace lamella
     }
   };
 
-  /// Free contraction at each point, sigma_xx = sigma_zz = sigma_xz = 0, for
-  /// EBBT and TBT. The kept strains a = {yy, xy, yz} determine the others b,
+  /// Strain completion for EBBT and TBT by zero transverse stresses sigma_xx =
+  /// sigma_zz = sigma_xz = 0 at each point. The strains a = {yy, xy, yz}
+  /// determine the others, b = {xx, zz, xz},
   ///   eps_b = -C_bb^-1 C_ba eps_a,
-  /// so that the law of a is C_aa - C_ab C_bb^-1 C_ba. C of a ply at an angle
-  /// is rotated, so that G_yz is the series and not the mean of G_13 and G_23.
+  /// so that the reduced stiffness is C_aa - C_ab C_bb^-1 C_ba, with C of the
+  /// ply rotated into the body frame.
   class FreeContraction : public StrainCompletion
   {
   public:
-    /// Constructs the completion from the section's laws of each ply, with the
-    /// shear factor, and the ply of each cell.
+    /// Constructs the completion from the @p laws of the plies, with the shear
+    /// factor, and the ply of each cell.
     FreeContraction(const PlyLaws                   &laws,
                     const std::vector<unsigned int> &ply_of_cell);
 
-    /// Replaces eps by P eps, which does not depend on xx, zz and xz.
+    /// Replaces each strain eps by P eps, with eps_b as in the class
+    /// description.
     void
     complete(SectionPoint &point) const override;
 
-    /// Returns eps_0 - P eps_0, which makes xx, zz and xz of the stress vanish.
+    /// Returns eps_0 - P eps_0 for the initial strain eps_0, so that the
+    /// stresses sigma_xx, sigma_zz and sigma_xz are zero.
     Voigt
     of_initial(const unsigned int      cell,
                const dealii::Point<2> &x,
                const Voigt            &initial) const override;
 
   private:
-    /// Returns P of @p cell at @p x.
+    /// Returns the matrix P of @p cell at the point @p x.
     ElasticTensor
     completion_at(const unsigned int cell, const dealii::Point<2> &x) const;
 
     PlyLaws laws;
-    /// Completion P of each ply with a constant law, eps = P eps. P of other
-    /// plies is computed at each point.
+    /// Matrix P of each ply with a constant law.
     std::vector<ElasticTensor> completion;
     std::vector<unsigned int>  ply_of_cell;
   };
 
   /**
-   * Contraction by modes of the whole section, for TE-1. The in-plane
-   * displacements v = F_tau e_x, F_tau e_z with the polynomials F_tau of degree
-   * 2 up to mode_degree follow the strain eps = N a + N' b of TE-1's own fields
-   * with minimal energy,
+   * Strain completion for TE-1 by modes of the whole section. The modes are the
+   * in-plane displacements F_tau e_x and F_tau e_z with the polynomials F_tau
+   * of degree 2. For each strain eps of TE-1, their amplitudes minimize the
+   * energy, so that the displacement is
    *   v = - K^-1 int (D_s v)^T C eps dA,   K = int (D_s v)^T C D_s v dA
-   * (static condensation, without derivatives of v along y). The linear
-   * displacement with its mean strain is subtracted from each mode, so that int
-   * D_s v dA = 0: TE-1's own in-plane terms of constant strain keep their
-   * stiffness.
+   * (static condensation; derivatives of v along y are neglected). The mean
+   * strain of each mode is subtracted, so that int D_s v dA = 0 and TE-1's
+   * constant in-plane strains are not affected.
    *
-   * The modes of one isotropic material are the exact contraction under
-   * bending, and TE-1 bends like TBT; those of laminates are those of TE-2.
-   * There are two modes per polynomial beyond the linear ones, six in all.
+   * For one isotropic material, the modes contain the exact contraction under
+   * bending, and TE-1 has the bending stiffness of TBT. There are six modes,
+   * two for each quadratic polynomial.
    */
   class ContractionModes : public StrainCompletion
   {
   public:
-    /// Degree of the modes: bending contracts sections quadratically.
+    /// Polynomial degree of the modes.
     static constexpr unsigned int mode_degree = 2;
 
-    /// Computes the modes from the integration points of the section and the
-    /// uncompleted strains of fields. Shares the mesh.
+    /// Computes the amplitudes of the modes from the integration points of the
+    /// section, whose strains must not yet be completed.
     ContractionModes(std::shared_ptr<const SectionMesh> mesh,
                      const std::vector<SectionPoint>   &points,
                      const std::vector<double>         &weights,
@@ -115,25 +117,27 @@ namespace lamella
     complete(SectionPoint &point) const override;
 
   private:
-    /// Computes mean strains over the section from its integration points.
+    /// Computes the mean strain of each mode over the section.
     void
     find_means(const std::vector<SectionPoint> &points,
                const std::vector<double>       &weights);
-    /// Adds integrals at a point to K, of_in_plane and of_along.
+    /// Adds the contribution of a point to K, of_in_plane and of_along.
     void
     add_energies(const SectionPoint               &point,
                  const double                      weight,
                  const ElasticTensor              &C,
                  dealii::LAPACKFullMatrix<double> &K);
-    /// Returns D_s v of all modes at a point, less their means [1 / length].
+    /// Returns the strains D_s v of all modes at a point, minus their means [1
+    /// / length].
     std::vector<Voigt>
     mode_strains(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// TE-2 on the same mesh, of which functions from the fourth on are used.
+    /// TE-2 expansion on the same mesh, whose quadratic functions are used.
     TaylorElement modes;
     /// Mean strain of each mode over the section.
     std::vector<Voigt> means;
-    /// Amplitudes of each mode for each field, for strains of N and N'.
+    /// Amplitudes of each mode for the strains D_s Phi and D_y Phi of each
+    /// section function.
     dealii::LAPACKFullMatrix<double> of_in_plane, of_along;
   };
 } // namespace lamella
