@@ -13,29 +13,30 @@
 namespace lamella
 {
   /**
-   * A structural theory: the cross-section expansion of a beam and the
-   * completion of its strains (the paper's Sec. 2; doc/theory/theories.md).
+   * A structural theory of a body: for beams, the cross-section expansion and
+   * the correction of Poisson locking (doc/theory/theories.md).
    *
-   * - EBBT, Euler-Bernoulli: sections stay plane and normal to the axis
-   *   (Kirchhoff's constraint, exact, needs B4).
-   * - TBT, Timoshenko: sections stay plane, u_y is linear over the section.
-   *   Neither can twist.
-   * - TE-N: all polynomials of degree N for each component (Eq. 2), an
-   *   equivalent single layer.
+   * - EBBT, Euler-Bernoulli: sections stay plane and normal to the axis;
+   *   requires axis elements B4.
+   * - TBT, Timoshenko: sections stay plane; u_y is linear over the section.
+   *   EBBT and TBT have no torsion.
+   * - TE-N, Taylor: each component is a polynomial of degree N over the section
+   *   (Eq. 2), an equivalent single layer theory.
    * - LE-N: layer-wise Lagrange elements of degree N (Eq. 3), L4, L9, L16 for N
    *   = 1, 2, 3.
-   * - SV-N, Saint-Venant: the six rigid motions of a section and its six
-   *   Saint-Venant warpings, with the full three-dimensional law, and the
-   *   responses at N wave numbers to loads and contacts; SV is SV-0. The fields
-   *   are made of those of LE (section_order).
-   * - solid-N: hexahedra of degree N, 1 or 2, without section fields.
+   * - SV-N, Saint-Venant: the six rigid motions of a section, its six
+   *   Saint-Venant warpings, and section functions from harmonic loads at N
+   *   wave numbers for the loads and contacts of the scene; SV is SV-0. All are
+   *   computed with LE of degree section_order.
+   * - solid-N: hexahedral elements of degree N = 1 or 2.
    *
-   * The displacement components have the same functions F_tau, except u_x and
-   * u_z of EBBT and TBT, constant over the section.
+   * All displacement components have the same functions F_tau, except that u_x
+   * and u_z are constant over the section for EBBT and TBT.
    */
   struct Theory
   {
-    /// Kind; `undefined` is the default only, never from parse().
+    /// Kind of theory. `undefined` is only the default; parse() does not return
+    /// it.
     enum class Kind
     {
       undefined,
@@ -47,33 +48,32 @@ namespace lamella
       solid
     };
     Kind kind = Kind::undefined;
-    /// N of TE-N, LE-N, SV-N and solid-N; 1 for the classical theories.
+    /// N of TE-N, LE-N, SV-N and solid-N; 1 for EBBT and TBT.
     unsigned int order = 0;
-    /// Degree of the LE whose fields those of SV-N are made of.
+    /// Degree of the LE with which the functions of SV-N are computed.
     unsigned int section_order = default_section_order;
 
     static constexpr unsigned int default_section_order = 3;
 
-    /// Flag for LE, also that of SV: functions are hierarchical by degree
-    /// (LagrangeElement::Basis). Bodies whose nodes mix degrees need it.
+    /// True if the functions of LE, also for SV, are hierarchical by degree
+    /// (see LagrangeElement::Basis). Required if nodes of a body have different
+    /// degrees.
     bool hierarchical = false;
 
-    /// Flag: sections of EBBT, TBT and TE-1 contract freely under bending.
-    /// Otherwise Poisson locking makes deflections some 26 % too small at nu =
-    /// 0.3. EBBT and TBT condense sigma_xx = sigma_zz = sigma_xz = 0 out of the
-    /// law of each ply; TE-1 condenses quadratic contraction modes of the
-    /// section.
+    /// True if sections of EBBT, TBT and TE-1 contract freely under bending
+    /// (StrainCompletion). Otherwise, Poisson locking makes deflections about
+    /// 26 % too small at nu = 0.3.
     bool poisson_correction = true;
-    /// Factor k on the shear stiffness of TBT, G A -> k G A, above 0 and at
-    /// most 1 (5/6 for rectangles of one material, 1 in the paper). Reported
-    /// stresses contain it.
+    /// Shear correction factor k of TBT, 0 < k <= 1: the shear stiffness is k G
+    /// A (5/6 for homogeneous rectangles, 1 in the paper). Reported stresses
+    /// include k.
     double shear_factor = 1.;
-    /// Flag of TBT: sections also rotate about the axis, a sixth field of
-    /// stiffness G times the polar moment. For finite rotations
-    /// (of_rotating()).
+    /// True if sections of TBT also rotate about the axis, with the torsional
+    /// stiffness G times the polar moment. For finite rotations, see
+    /// of_rotating().
     bool twists = false;
 
-    /// Returns LE-@p order.
+    /// Returns the theory LE-@p order.
     static Theory
     layer_wise(const unsigned int order)
     {
@@ -83,71 +83,73 @@ namespace lamella
       return result;
     }
 
-    /// Returns the name for messages: EBBT, TE-4, solid-2, LE-2 (L9).
+    /// Returns the name for messages, e.g. EBBT, TE-4, solid-2, LE-2 (L9).
     std::string
     name() const;
 
-    /// Returns true for theories of five fields: no torsion, no warping.
+    /// Returns true for EBBT and TBT, without torsion and warping.
     bool
     is_classical() const
     {
       return kind == Kind::EBBT || kind == Kind::TBT;
     }
 
-    // Queries of other rooms, instead of the kind.
+    // Properties, to be used instead of comparing the kind.
 
-    /// Returns true for hexahedra, without a section expansion.
+    /// Returns true for solid elements, without a section expansion.
     bool
     is_solid() const
     {
       return kind == Kind::solid;
     }
-    /// Returns true if one polynomial spans all plies: EBBT, TBT and TE.
+    /// Returns true for equivalent single layer theories: EBBT, TBT and TE.
     bool
     is_single_layer() const
     {
       return is_classical() || is_taylor();
     }
-    /// Returns true for a complete polynomial in each component.
+    /// Returns true for Taylor expansions TE-N.
     bool
     is_taylor() const
     {
       return kind == Kind::TE;
     }
-    /// Returns true if each section cell has functions of its own.
+    /// Returns true for layer-wise Lagrange expansions LE-N.
     bool
     is_layerwise() const
     {
       return kind == Kind::LE;
     }
-    /// Returns true if the fields are solutions on the section for loads and
-    /// contacts of a scene; the order is the number of waves.
+    /// Returns true for SV-N, whose functions are computed from solutions on
+    /// the section; N is the number of wave numbers.
     bool
     is_saint_venant() const
     {
       return kind == Kind::SV;
     }
-    /// Returns true for responses at wave numbers, SV-N with N of 1 or more.
+    /// Returns true for SV-N with section functions from harmonic loads, N >=
+    /// 1.
     bool
     has_responses() const
     {
       return is_saint_venant() && order > 0;
     }
-    /// Returns true if sections stay normal to the axis (no shear strain).
+    /// Returns true if sections stay normal to the axis (EBBT).
     bool
     keeps_sections_normal() const
     {
       return kind == Kind::EBBT;
     }
-    /// Returns true if sections of bodies with finite rotations rotate rigidly
-    /// and deform in their own axes. Other theories are total Lagrangian.
+    /// Returns true if, for finite rotations, sections rotate rigidly and
+    /// deform in corotated axes. Other theories use a total Lagrangian
+    /// formulation.
     bool
     has_rotating_sections() const
     {
       return is_classical() || is_saint_venant();
     }
-    /// Returns the theory for finite rotations: TBT that twists for EBBT and
-    /// TBT, else this one.
+    /// Returns the theory for finite rotations: TBT with `twists` for EBBT and
+    /// TBT, otherwise this theory.
     Theory
     of_rotating() const
     {
@@ -166,24 +168,25 @@ namespace lamella
     {
       return !is_classical() || twists;
     }
-    /// Returns true if u_x and u_z are more than linearover sections.
+    /// Returns true if u_x and u_z are more than linear over sections.
     bool
     describes_contraction() const
     {
       return !is_single_layer() || order > 1;
     }
 
-    /// Returns the SV of @p waves wave numbers made of this LE-N.
+    /// Returns SV with @p waves wave numbers and the LE-N of this object.
     Theory
     to_saint_venant(const unsigned int waves) const;
 
-    /// Returns true if the theory contains the displacements of @p other: one
-    /// family (TE includes EBBT and TBT), and no lower order.
+    /// Returns true if the displacements of this theory include those of
+    /// @p other: both are of one family (TE includes EBBT and TBT), and the
+    /// order of @p other is not higher.
     bool
     holds(const Theory &other) const;
 
-    /// Return LE of @p order, SV of @p waves wave numbers made of LE of
-    /// @p degree, TE and solid of @p order.
+    /// Return LE of @p order, SV with @p waves wave numbers and LE of
+    /// @p degree, TE of @p order, and solid elements of @p order.
     static Theory
     layerwise(const unsigned int order);
     static Theory
@@ -193,18 +196,18 @@ namespace lamella
     static Theory
     solid(const unsigned int order);
 
-    /// Returns the theory of the Section with the fields(LE for SV-N).
+    /// Returns the theory of the Section object: LE for SV-N, else this theory.
     Theory
     of_section() const;
 
-    /// Returns the theory spelled in @p entry. Throws InputError for anything
-    /// else. N is 1 to 20 for TE, 1 to 8 for LE, 1 to 2 for solid, and 0 to 40
-    /// for SV.
+    /// Returns the theory named in @p entry. N is 1 to 20 for TE, 1 to 8 for
+    /// LE, 1 to 2 for solid, and 0 to 40 for SV. Throws InputError for any
+    /// other text.
     static Theory
     parse(const Entry &entry);
   };
 
-  /// Names before the `-N` of theories with an order.
+  /// Names of the kinds, to which `-N` is added if the theory has an order.
   template <>
   struct Names<Theory::Kind>
   {
@@ -217,11 +220,12 @@ namespace lamella
                                                     "solid"}};
   };
 
-  /// Theories of pieces of the axis, from break to break; may be empty.
+  /// Different theories in successive intervals of the axis; may be empty.
   struct TheoryPieces
   {
     std::vector<Theory> theories;
-    /// Distances from the start, ascending, one fewer than theories [length].
+    /// Coordinates y at which intervals end, ascending, one fewer than theories
+    /// [length].
     std::vector<double> breaks;
 
     bool
@@ -230,36 +234,36 @@ namespace lamella
       return theories.empty();
     }
 
-    /// Returns the theory whose fields are managed automatically: the first
-    /// SV-N of the largest N, else the LE of the highest degree. Its section
-    /// order is that of all pieces.
+    /// Returns the theory whose functions are selected automatically at each
+    /// node: the first SV-N with the largest N, else the LE of the highest
+    /// degree. All intervals have its section order.
     Theory
     leading() const;
   };
 
-  /// Theory entries of a body's `subsection Kinematics`.
+  /// Declares and parses the theory in a body's `subsection Kinematics`.
   struct TheoryParameters
   {
-    /// Declares the entries in the subsection that @p prm is in.
+    /// Declares the entries in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the theory, by default @p scene_theory. Throws InputError, also
-    /// if the shear factor is not above 0 and at most 1.
+    /// Returns the theory of the body, by default @p scene_theory. Throws
+    /// InputError for invalid entries or a shear factor outside of (0, 1].
     static Theory
     parse(const Entries &in, const Entry &scene_theory);
 
-    /// Returns `Theories` and `Theory breaks` of a body of @p length, empty if
-    /// not given. Throws InputError for theories other than LE and SV, a number
-    /// of theories that is not that of pieces, SV-N of different N, a section
-    /// order below the highest LE degree, and breaks that do not ascend. All
-    /// have one section order, and are hierarchical if an LE is of a lower
-    /// degree.
+    /// Returns `Theories` and `Theory breaks` of a body of @p length; empty if
+    /// they are not set. All theories have the same section order, and are
+    /// hierarchical if LE degrees differ from it. Throws InputError for
+    /// theories other than LE and SV, a number of theories different from the
+    /// number of intervals, SV-N with different N, a section order below the
+    /// highest LE degree, and breaks that do not ascend.
     static TheoryPieces
     parse_pieces(const Entries &in, const double length);
   };
 
-  /// Compares all members, as a key of theories that share section fields.
+  /// Lexicographic comparison of all members, for use as a key.
   bool
   operator<(const Theory &a, const Theory &b);
 } // namespace lamella

@@ -10,54 +10,54 @@
 
 namespace lamella
 {
-  // Limits of a theory from the section alone, for notes before a solution.
+  // Stiffnesses from the section alone, for notes on the accuracy of a theory.
 
   /// Returns the compliance S = C^-1 of @p ply in the body frame
-  /// [length^2/force]: 1 / S_22 is the modulus along the beam, 1 / S_66 is
-  /// G_yz.
+  /// [length^2/force]. 1 / S_22 is the Young's modulus along the beam, 1 / S_66
+  /// the shear modulus G_yz.
   ElasticTensor
   compliance(const Ply &ply);
 
-  /// Returns the shear stiffness k G A [force] of a stack of plies for shear
-  /// through its thickness, V = k G A gamma, from equilibrium of the plies
-  /// (Jourawski's formula; 5/6 G A of one ply),
+  /// Returns the transverse shear stiffness k G A [force] of a laminate, V = k
+  /// G A gamma with the shear force V, from equilibrium of the plies
+  /// (Jourawski's formula; 5/6 G A for one ply),
   ///   1 / (k G A) = int S(z)^2 / (G b) dz / (E I)^2,
   ///   S(z) = int_bottom^z E (z' - z_0) b dz',
-  /// with the neutral axis z_0, b = @p width [length] and, of @p plies from
-  /// bottom to top, E = 1 / S_22 and G = 1 / S_66 of compliance().
+  /// with the neutral axis z_0 and the width b = @p width [length]. E = 1 /
+  /// S_22 and G = 1 / S_66 of each of the @p plies, bottom to top (see
+  /// compliance()).
   double
   shear_stiffness(const std::vector<Ply> &plies, const double width);
 
-  /// Returns the shear stiffness [force] of a stack of plies if u_y is a
-  /// polynomial of degree @p N over the thickness, the minimum of energy among
-  /// these. It exceeds that from equilibrium, many times in sandwiches. The
-  /// displacement u_y = w(z) beyond the plane section, w = sum_i a_i P_i of
-  /// Legendre polynomials i = 1 ... N, minimizes
+  /// Returns the transverse shear stiffness [force] of a laminate in a theory
+  /// with u_y of degree @p N over the thickness. It exceeds the stiffness from
+  /// equilibrium, in sandwiches by a large factor. The warping w(z), a sum of
+  /// Legendre polynomials of degrees 1 to N, minimizes
   ///   1/2 int G w'^2 b dz - V int E (z - z_0) w b dz / (E I).
-  /// @p N = 1 gives int G dA: TBT with a shear factor of 1.
+  /// with E, G, z_0, b as above. For @p N = 1, the result is int G dA.
   double
   shear_stiffness(const std::vector<Ply> &plies,
                   const double            width,
                   const unsigned int      N);
 
   /**
-   * Returns the torsional stiffness G J [force length^2] of @p section in the
-   * space of its theory: the torque of a unit twist per length with the warping
-   * of least energy (Saint-Venant's torsion). None for theories without
-   * torsion, for more than 2500 fields, and for cells so thin that rounding
-   * dominates.
+   * Returns the torsional stiffness G J [force length^2] of @p section in its
+   * theory: the torque for a unit twist per length with the warping of minimum
+   * energy (Saint-Venant torsion). Empty for theories without torsion, for more
+   * than 2500 section functions, and for cells so thin that rounding errors
+   * dominate.
    *
-   * The rotation field r about y and the amplitudes w of all fields but it and
-   * the translations give the Schur complement of the warping,
+   * With the section matrices S_pq, the rotation r about y, the reference
+   * length h, and the coefficients w of all other section functions except
+   * translations,
    *   S_00 w = -S_01 r,   G J = h^2 (S_11 rr + w . S_01 r),
-   * with the reference length h. w includes the slopes, so that the section
-   * rotates about its shear center.
+   * w includes the slopes, so that the section rotates about its shear center.
    */
   std::optional<double>
   torsional_stiffness(const Section &section);
 
-  /// Returns the torsional stiffness in LE-2 on @p mesh, the reference for
-  /// Taylor theories; none for more than 150 cells.
+  /// Returns the torsional stiffness with LE-2 on @p mesh, a reference for
+  /// Taylor theories; empty for more than 150 cells.
   std::optional<double>
   torsional_stiffness(const SectionMesh &mesh);
 } // namespace lamella

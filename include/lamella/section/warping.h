@@ -7,66 +7,66 @@
 
 namespace lamella
 {
-  /// Comparison and reduction of section fields by their warping, the part
-  /// without the six rigid motions of the section in the inner product of the
-  /// area,
+  /// Orthogonalizes, compares and reduces displacements w over a section by
+  /// their warping, the component orthogonal to the rigid motions R_r of the
+  /// section,
   ///   w <- w - sum_r c_r R_r   with   int R_s . w dA = 0   for all s,
-  /// with the norm
+  /// with the energy norm
   ///   |w|^2 = w^T (S_00 + (0.1 / H)^2 S_11) w,
-  /// the energy of a field whose amplitude varies along the axis over some ten
-  /// heights H of the section. Refers to the section, which must have a
-  /// rotation about y.
+  /// for amplitudes that vary along the axis over about ten section heights H.
+  /// S_00 and S_11 are section matrices. Keeps a reference to the section,
+  /// which must have a rotation about y (not EBBT or TBT).
   class Warping
   {
   public:
     explicit Warping(const Section &section);
 
-    /// Returns H, the smaller extent of the section's box [length].
+    /// Returns H, the smaller side of the section's bounding box [length].
     double
     height() const
     {
       return smaller_extent;
     }
 
-    /// Makes @p field orthogonal to the rigid fields over the area.
+    /// Replaces the displacement @p field by its warping.
     void
     remove_rigid(Vector &field) const;
 
-    /// Returns int Phi_alpha . w dA for each field alpha of the section, with w
-    /// = @p field [length^2]: the load vector of the traction w.
+    /// Returns the load vector of the traction w = @p field, int Phi_alpha . w
+    /// dA for each section function Phi_alpha [length^2].
     Vector
     traction(const Vector &field) const;
 
-    /// Returns (S_00 + (0.1 / H)^2 S_11) w.
+    /// Returns the product (S_00 + (0.1 / H)^2 S_11) w for w = @p field.
     Vector
     metric(const Vector &field) const;
-    /// Returns metric() of each column.
+    /// Returns this product for each column of @p fields.
     FieldColumns
     metric(const FieldColumns &fields) const;
 
-    /// Returns an orthonormal basis, in the product of metric(), of what
-    /// @p snapshots add to the rigid fields and @p known. Each is made
-    /// orthogonal to the rigid fields and the columns @p warpings and scaled to
-    /// unit norm, then made orthogonal to @p known, which contain the warpings.
-    /// The basis has the eigenvectors of the Gram matrix of the rest with
-    /// eigenvalues above @p tolerance^2 times the largest, or times 1 if that
-    /// is less (proper orthogonal decomposition). Snapshots that are warpings
-    /// up to rounding are dropped.
+    /// Returns a basis, orthonormal in the product of metric(), of the
+    /// displacements @p snapshots without rigid motions and without the span of
+    /// @p known, by proper orthogonal decomposition. Each snapshot is
+    /// orthogonalized to the rigid motions and the columns @p warpings, scaled
+    /// to unit norm, then orthogonalized to @p known, which must include
+    /// @p warpings. Eigenvectors of the Gram matrix with eigenvalues above
+    /// @p tolerance^2 min(1, largest eigenvalue) form the basis. Snapshots that
+    /// are zero up to rounding after the first step are ignored.
     FieldColumns
     basis(const std::vector<Vector> &snapshots,
           const FieldColumns        &warpings,
           const FieldColumns        &known,
           const double               tolerance) const;
 
-    /// Returns the norms of @p snapshots without their rigid part and the
-    /// columns @p warpings.
+    /// Returns the norms of the components of @p snapshots orthogonal to the
+    /// rigid motions and to the columns @p warpings.
     std::vector<double>
     strengths(const std::vector<Vector> &snapshots,
               const FieldColumns        &warpings) const;
 
-    /// Returns a basis() of snapshots that are not scaled, the strongest
-    /// combination first, cut below @p tolerance. They are made orthogonal to
-    /// @p warpings and then to @p known, which contain these.
+    /// Returns a basis() of @p snapshots that are not scaled to unit norm, so
+    /// that large snapshots have more weight. Basis functions have descending
+    /// eigenvalues, down to @p tolerance.
     FieldColumns
     weighted_basis(const std::vector<Vector> &snapshots,
                    const FieldColumns        &warpings,
@@ -74,7 +74,8 @@ namespace lamella
                    const double               tolerance) const;
 
   private:
-    /// Fields without rigid parts and warpings, their metric() and their norms.
+    /// Displacements without rigid motions and warpings, their metric(), their
+    /// norms.
     struct WarpingFields
     {
       FieldColumns        fields, metrics;
@@ -88,30 +89,31 @@ namespace lamella
     double         smaller_extent;
     /// Matrix S_00 + (0.1 / H)^2 S_11.
     Matrix metric_matrix;
-    /// Products int R_r . Phi_alpha dA, and the inverse among rigid fields.
+    /// Integrals int R_r . Phi_alpha dA, and inverse of the matrix int R_r .
+    /// R_s dA.
     std::vector<Vector>              rigid_products;
     dealii::LAPACKFullMatrix<double> inverse;
   };
 
-  /// Returns columns that span @p fields and are orthonormal in a product M,
-  /// where @p metrics are M times the fields: X U Lambda^(-1/2). The
-  /// eigenvectors U of the Gram matrix X^T M X have eigenvalues above
-  /// @p tolerance^2 times the largest, or times 1 if that is less.
+  /// Returns columns that span X = @p fields and are orthonormal in the inner
+  /// product of a matrix M, X U Lambda^(-1/2). @p metrics are M X. U are the
+  /// eigenvectors of X^T M X with eigenvalues above @p tolerance^2 min(1,
+  /// largest).
   FieldColumns
   orthonormal(const FieldColumns &fields,
               const FieldColumns &metrics,
               const double        tolerance);
 
-  /// Returns column @p j as a field.
+  /// Returns column @p j as a vector of coefficients.
   Vector
   column_of(const FieldColumns &columns, const unsigned int j);
 
-  /// Returns the columns @p numbers, in their order.
+  /// Returns the columns with the indices @p numbers, in this order.
   FieldColumns
   selected_columns(const FieldColumns              &columns,
                    const std::vector<unsigned int> &numbers);
 
-  /// Returns [a, b]: the columns of @p a and then those of @p b.
+  /// Returns the matrix [a, b]: the columns of @p a, then those of @p b.
   FieldColumns
   beside(const FieldColumns &a, const FieldColumns &b);
 } // namespace lamella
