@@ -30,15 +30,13 @@ namespace lamella
     /// Degree of the shape functions N_i: 1, 2, 3 for B2, B3, B4. B4 is exact
     /// for bending by end forces.
     unsigned int degree = 3;
-    /// Number of equal elements in each interval between 0, the breaks and the
-    /// length.
+    /// Number of equal elements in each interval between the breaks.
     std::vector<unsigned int> elements;
     /// Coordinates y, ascending strictly between 0 and the length, that divide
     /// the axis into intervals with different element lengths.
     std::vector<double> breaks;
     /// Refinement factor of automatic grading (grade_axes()), which computes
-    /// `elements` and `breaks` from the contacts of the body; 0 if both are
-    /// input.
+    /// `elements` and `breaks` from the contacts of a body; 0: none.
     double refinement_factor = 0.;
     /// True if the nodes of B4 are equidistant, as in the CUF literature,
     /// instead of Gauss-Lobatto points. No effect on B2 and B3.
@@ -52,8 +50,7 @@ namespace lamella
   std::vector<double>
   element_lengths(const AxisMesh &description);
 
-  /// Nonzero shape functions of an axis element at a point. With nodal values
-  /// u_i,
+  /// Shape functions of an axis element at a point. With nodal values u_i,
   ///   u = sum N_i u_i,   du/dy = sum N_i' u_i,
   /// and u = sum N^_i u_i in transverse shear strains (N^: see Axis).
   struct AxisPoint
@@ -69,25 +66,22 @@ namespace lamella
     std::vector<double> N_shear;
   };
 
-  /**
-   * The finite element discretization of a beam's axis: shape functions N_i of
-   * FE_Q<1> of degree 1 to 3 on a mesh of [0, length] and the matrices of Eq.
-   * 12,
-   *   A_NN = int N_i N_j,  A_NdN = int N_i N_j',  A_dNdN = int N_i' N_j'
-   * and A_dNN, the transpose of A_NdN, with ' = d/dy. Rows and columns are
-   * nodes, numbered along y.
-   *
-   * B2 and B3 lock in shear: in gamma_yz = w' + a with deflection w and
-   * rotation a, w' has one degree less than a. Assumed shear strains (MITC,
-   * Dvorkin and Bathe) interpolate N_i at the degree() Gauss points of an
-   * element, which projects N_i onto polynomials N^_i of one degree less. Since
-   * int N^_i N_j' = int N_i N_j' and int N^_i N_j = int N^_i N^_j, only the
-   * matrix A_shear = int N^_i N^_j is needed in addition.
-   *
-   * Every process stores the whole axis. Each process owns a contiguous range
-   * of elements for loops and, independently, of nodes for matrix rows. y is
-   * the body's own axis. Immutable.
-   */
+  /// The finite element discretization of a beam's axis: shape functions N_i of
+  /// FE_Q<1> of degree 1 to 3 on [0, length] and the matrices of Eq. 12,
+  ///   A_NN = int N_i N_j,  A_NdN = int N_i N_j',  A_dNdN = int N_i' N_j'
+  /// and A_dNN, the transpose of A_NdN, with ' = d/dy. Rows and columns are
+  /// nodes, numbered along y.
+  ///
+  /// B2 and B3 lock in shear: in gamma_yz = w' + a with deflection w and
+  /// rotation a, w' has one degree less than a. Assumed shear strains (MITC,
+  /// Dvorkin and Bathe) interpolate N_i at the degree() Gauss points of an
+  /// element, which projects N_i onto polynomials N^_i of one degree less.
+  /// Since int N^_i N_j' = int N_i N_j' and int N^_i N_j = int N^_i N^_j, only
+  /// the matrix A_shear = int N^_i N^_j is needed in addition.
+  ///
+  /// Every process stores the whole axis. Each process owns a contiguous range
+  /// of elements for loops and, independently, of nodes for matrix rows. y is
+  /// the body's own axis. Immutable.
   class Axis
   {
   public:
@@ -177,8 +171,8 @@ namespace lamella
 
     /// Returns the elements that contain @p y within @p tolerance [length],
     /// each with the reference coordinate eta in [0, 1], which is exactly 0 or
-    /// 1 at an end. There are two at a node between elements, none outside of
-    /// the axis.
+    /// 1 at an end. There are two at a node between elements, none beyond the
+    /// axis.
     std::vector<std::pair<unsigned int, double>>
     locate(const double y, const double tolerance) const;
 

@@ -10,18 +10,16 @@
 
 namespace lamella
 {
-  /**
-   * Declares and parses the entries for the mesh of the axis in a body's
-   * `subsection Kinematics`, with defaults in parentheses:
-   *   Axis element     B2, B3 or B4                    (B4)
-   *   Axis elements    numbers of elements, one per interval,
-   *                    or auto [FACTOR]                (10)
-   *   Axis breaks      y that end an interval          (none)
-   *   Axis nodes       Gauss-Lobatto or equidistant    (Gauss-Lobatto)
-   *   Shear strains    auto, assumed or full           (auto)
-   * For shear strains, `auto` means `assumed` for B2 and B3, which otherwise
-   * lock in shear, and `full` for B4.
-   */
+  /// Declares and parses the entries for the mesh of the axis in a body's
+  /// `subsection Kinematics`, with defaults in parentheses:
+  ///   Axis element     B2, B3 or B4                    (B4)
+  ///   Axis elements    numbers of elements, one per interval,
+  ///                    or auto [FACTOR]                (10)
+  ///   Axis breaks      y that end an interval          (none)
+  ///   Axis nodes       Gauss-Lobatto or equidistant    (Gauss-Lobatto)
+  ///   Shear strains    auto, assumed or full           (auto)
+  /// For shear strains, `auto` means `assumed` for B2 and B3, which otherwise
+  /// lock in shear, and `full` for B4.
   struct AxisParameters
   {
     /// Declares the entries in the current subsection of @p prm.

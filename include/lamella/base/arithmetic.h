@@ -15,8 +15,8 @@ namespace lamella
     // ---- what rounding leaves of zero, relative to the terms that cancel
 
     /// Rounding error, relative to the terms, of a few operations on numbers of
-    /// one order, such as a shape function at a node where it vanishes. About
-    /// 50 epsilons.
+    /// one order, such as a shape function where it vanishes. About 50
+    /// epsilons.
     constexpr double rounding = 1e-14;
     /// Rounding error of long sums, relative to the terms, such as products
     /// with a matrix row or tensor components after a rotation.
@@ -27,9 +27,8 @@ namespace lamella
     /// Rounding error, relative to the terms, of solutions of linear equations
     /// and of energies computed from these solutions.
     constexpr double rounding_of_solutions = 1e-10;
-    /// Numbers below this fraction of the largest number in the same table or
-    /// message are printed as zero. Two values of one run that differ less are
-    /// equal.
+    /// Numbers below this fraction of the largest in the same table or message
+    /// are printed as zero. Two values of a run that differ less are equal.
     constexpr double negligible = 1e-9;
 
     // ---- places, relative to a length
@@ -51,8 +50,7 @@ namespace lamella
 
     // ---- angles
 
-    /// Directions from the input are parallel if the sine of their angle is
-    /// less.
+    /// Input directions are parallel if the sine of their angle is less.
     constexpr double parallel_sine = 1e-6;
     /// A cell is degenerate if the sine of a corner angle is less.
     constexpr double degenerate_sine = 1e-8;

@@ -25,16 +25,14 @@ namespace lamella
     std::string result;
   };
 
-  /**
-   * Runs the executable at the path @p program, without a shell, with the
-   * arguments @p words and waits for its end. The child process is killed if
-   * this process ends. The child gets neither standard input nor MPI's
-   * environment variables. Its standard output and error output overwrite the
-   * files @p output and @p errors; with empty names, the child prints to the
-   * streams of this process. The child is killed one second after its threads
-   * have used @p processor_seconds in total (whole seconds; 0: no limit).
-   * Throws InputError if the program cannot be started.
-   */
+  /// Runs the executable at the path @p program, without a shell, with the
+  /// arguments @p words and waits for its end. The child process is killed if
+  /// this process ends. The child gets neither standard input nor MPI's
+  /// environment variables. Its standard output and error output overwrite the
+  /// files @p output and @p errors; with empty names, the child prints to the
+  /// streams of this process. The child is killed one second after its threads
+  /// have used @p processor_seconds in total (whole seconds; 0: no limit).
+  /// Throws InputError if the program cannot be started.
   ProcessEnd
   run_process(const std::string              &program,
               const std::vector<std::string> &words,
@@ -42,17 +40,15 @@ namespace lamella
               const std::string              &errors,
               const double                    processor_seconds = 0.);
 
-  /**
-   * Runs @p work in a child process created by fork() and waits for its end.
-   * Output files, time limit and lifetime are as in run_process(); exit status
-   * and error message are those of outcome_of(). The child reuses the loaded
-   * libraries, which saves 0.3 s. MPI must not have been started in this
-   * process; @p work starts MPI in the child.
-   *
-   * ProcessEnd::result is the return value of @p work. The child ends by
-   * _exit() without calling destructors. Throws InputError if fork() fails.
-   * Sets the handling of SIGCHLD to the default.
-   */
+  /// Runs @p work in a child process created by fork() and waits for its end.
+  /// Output files, time limit and lifetime are as in run_process(); exit status
+  /// and error message are those of outcome_of(). The child reuses the loaded
+  /// libraries, which saves 0.3 s. MPI must not have been started in this
+  /// process; @p work starts MPI in the child.
+  ///
+  /// ProcessEnd::result is the return value of @p work. The child ends by
+  /// _exit() without calling destructors. Throws InputError if fork() fails.
+  /// Sets the handling of SIGCHLD to the default.
   ProcessEnd
   run_forked(const std::function<std::string()> &work,
              const std::string                  &output,

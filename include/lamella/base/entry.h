@@ -19,12 +19,11 @@ namespace lamella
   /// convert the text to the requested type or throw InputError with path,
   /// text, violated condition and remedy. Callers report failures of further
   /// checks by refuse(). The entry does not refer to its ParameterHandler. A
-  /// substring may be wrapped in an Entry with the same path, to be converted
-  /// separately.
+  /// substring may become a separate Entry with the same path.
   class Entry
   {
   public:
-    /// Stores the @p path, e.g. `Body upper/Kinematics/Theory`, and the trimmed
+    /// Stores @p path, e.g. `Body upper/Kinematics/Theory`, and trimmed
     /// @p text.
     Entry(const std::string &path, const std::string &text);
 
@@ -42,8 +41,7 @@ namespace lamella
       return what;
     }
 
-    /// Returns whether the text is empty, as for an optional entry without
-    /// value.
+    /// Returns whether the text is empty, as for an unset optional entry.
     bool
     is_empty() const
     {
@@ -56,19 +54,16 @@ namespace lamella
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 
-    /// Throws InputError::missing() for this required, but empty entry, with
-    /// @p remedy.
+    /// Throws InputError::missing() with @p remedy for this empty entry.
     [[noreturn]] void
     refuse_missing(const std::string &remedy) const;
 
     /// Returns the text converted to a number (see number_error()). Throws
-    /// InputError unless the number is zero or its magnitude is between 1e-30
-    /// and 1e30.
+    /// InputError if its magnitude is not zero or from 1e-30 to 1e30.
     double
     number() const;
 
-    /// Returns the substring @p piece converted to a number; messages quote
-    /// @p piece.
+    /// Converts the substring @p piece to a number; messages quote @p piece.
     double
     number(const std::string &piece) const;
 
@@ -87,8 +82,7 @@ namespace lamella
     numbers() const;
     /// Returns the positions that divide the length @p end into intervals:
     /// numbers that ascend strictly between 0 and @p end. Messages call the
-    /// length @p name. Throws InputError if the numbers do not ascend within
-    /// these bounds.
+    /// length @p name. Throws InputError for other numbers.
     std::vector<double>
     ascending(const double end, const std::string &name) const;
     /// Returns a list of integers, each from @p least to @p most.
@@ -163,8 +157,7 @@ namespace lamella
       return subsection;
     }
 
-    /// Returns the entry @p name, which must be declared (otherwise deal.II
-    /// throws).
+    /// Returns the entry @p name. deal.II throws if it is not declared.
     Entry
     operator[](const std::string &name) const;
 

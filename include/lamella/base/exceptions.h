@@ -2,8 +2,7 @@
 
 // The module `base`: utilities of all other modules. Types of vectors, matrices
 // and constraints; affine functionals; exceptions and exit status; text, units,
-// output files, memory and MPI processes. It is independent of mechanics and
-// solvers.
+// files, memory, MPI. It is independent of mechanics and solvers.
 
 #ifndef lamella_base_exceptions_h
 #define lamella_base_exceptions_h
@@ -15,12 +14,10 @@
 
 namespace lamella
 {
-  /**
-   * A message for the user and its identifier, which tests and other programs
-   * read. The source code contains both in one string, `module.fault: TEXT`,
-   * e.g. `contact.no-pairs: no nodes face each other`.
-   * doc/reference/messages.md lists all identifiers.
-   */
+  /// A message for the user and its identifier, which tests and other programs
+  /// read. The source code contains both in one string, `module.fault: TEXT`,
+  /// e.g. `contact.no-pairs: no nodes face each other`.
+  /// doc/reference/messages.md lists all identifiers.
   struct Message
   {
     /// Splits @p source, of the form `ID: TEXT`, or `TEXT [ID]` if taken from
@@ -35,34 +32,27 @@ namespace lamella
     std::string identifier, text;
   };
 
-  /**
-   * An error in the input, such as the parameter file (scene); the exit status
-   * is 1. The message consists of fields, which exception handlers can read one
-   * by one:
-   *   PATH = VALUE: RULE. REMEDY [ID]
-   * e.g. `Contact c/Penalty = -1: must be positive. Leave it out for auto.
-   * [entry.not-positive]`. In the source code, the identifier ID precedes RULE
-   * (see Message).
-   *
-   * Input is checked before the computation wherever possible. main() catches
-   * this exception and ends the run. at() adds the line of the file.
-   */
+  /// An error in the input, such as the parameter file (scene); the exit status
+  /// is 1. The message consists of fields with accessors:
+  ///   PATH = VALUE: RULE. REMEDY [ID]
+  /// e.g. `Contact c/Penalty = -1: must be positive. Leave it out for auto.
+  /// [entry.not-positive]`. For ID, see Message.
+  ///
+  /// Input is checked before the computation wherever possible. main() catches
+  /// this exception and ends the run. at() adds the line of the file.
   class InputError : public std::runtime_error
   {
   public:
-    /// Constructs an error that concerns no entry, but e.g. the command line or
-    /// a file. rule() is @p message, in whole sentences; the other fields are
-    /// empty.
+    /// Constructs an error that concerns no entry, but e.g. a file. rule() is
+    /// @p message, in whole sentences; the other fields are empty.
     explicit InputError(const std::string &message);
 
-    /**
-     * Constructs an error of one entry. The message abridges long values.
-     *
-     * @param path the entry or subsection, `Body upper/Kinematics/Theory`
-     * @param value text of the entry; empty for a whole subsection
-     * @param rule violated condition or fault, without a full stop
-     * @param remedy how to correct the input, in whole sentences; may be empty
-     */
+    /// Constructs an error of one entry. The message abridges long values.
+    ///
+    /// @param path the entry or subsection, `Body upper/Kinematics/Theory`
+    /// @param value text of the entry; empty for a whole subsection
+    /// @param rule violated condition or fault, without a full stop
+    /// @param remedy how to correct the input, in whole sentences; may be empty
     InputError(const std::string &path,
                const std::string &value,
                const std::string &rule,
@@ -80,8 +70,7 @@ namespace lamella
       return id;
     }
 
-    /// Returns `ID: ` followed by @p text, for another error with the same
-    /// identifier ID.
+    /// Returns `ID: TEXT` of @p text, for another error with the same ID.
     std::string
     marked(const std::string &text) const
     {
@@ -137,8 +126,7 @@ namespace lamella
   class NumericsError : public std::runtime_error
   {
   public:
-    /// Constructs the error from @p message of the form `ID: TEXT` (see
-    /// Message).
+    /// Constructs the error from @p message of the form `ID: TEXT`.
     explicit NumericsError(const std::string &message)
       : std::runtime_error(Message(message).shown())
     {}

@@ -15,8 +15,7 @@ namespace lamella
   set_interruption_message(const std::string &words);
 
   /// Delays the signals of Ctrl-C and kill during its lifetime, so that files
-  /// are written completely. A second signal of the same kind ends the program
-  /// at once.
+  /// are written completely. A second equal signal ends the program at once.
   class SignalBlock
   {
   public:

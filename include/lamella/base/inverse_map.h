@@ -25,19 +25,17 @@ namespace lamella
     double change = std::numeric_limits<double>::max();
   };
 
-  /**
-   * Solves x(u) = x for a map x(u) of the unit cube by Newton's method,
-   *   u <- u + (dx/du)^-1 (x - x(u)),
-   * from @p start until the step is below 1e-14, for at most 20 steps. Throws
-   * no exception: the caller must check the residual or InverseImage::change. A
-   * singular Jacobian gives NaN.
-   *
-   * @param start initial u
-   * @param is_affine whether x(u) is affine, so that one step is exact
-   * @param missing returns the residual x - x(u) and the Jacobian dx/du at u
-   * @param keep called with each new u, which it may modify, e.g. clip to the
-   * cube; returns whether to continue
-   */
+  /// Solves x(u) = x for a map x(u) of the unit cube by Newton's method,
+  ///   u <- u + (dx/du)^-1 (x - x(u)),
+  /// from @p start until the step is below 1e-14, for at most 20 steps. Throws
+  /// no exception: the caller must check the residual or InverseImage::change.
+  /// A singular Jacobian gives NaN.
+  ///
+  /// @param start initial u
+  /// @param is_affine whether x(u) is affine, so that one step is exact
+  /// @param missing returns the residual x - x(u) and the Jacobian dx/du at u
+  /// @param keep called with each new u, which it may modify, e.g. clip to the
+  /// cube; returns whether to continue
   template <int dim, typename Missing, typename Keep>
   InverseImage<dim>
   inverse_image(const dealii::Point<dim> &start,

@@ -34,9 +34,8 @@ namespace lamella
     return P;
   }
 
-  /// Returns the weights that extrapolate values at the @p n_points Gauss
-  /// points t_k of [0, 1] to @p t by the least-squares polynomial of degree
-  /// @p degree,
+  /// Returns the weights that extrapolate values at @p n_points Gauss points
+  /// t_k of [0, 1] to @p t by the least-squares polynomial of @p degree,
   ///   w_k sum_n (2 n + 1) P_n(2 t_k - 1) P_n(2 t - 1),   w_k Gauss weights.
   /// The polynomial interpolates the values if the degree is n_points - 1.
   inline std::vector<double>

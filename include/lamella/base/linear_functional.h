@@ -10,20 +10,17 @@
 
 namespace lamella
 {
-  /**
-   * A sparse affine functional of the DoFs of one body,
-   *   r(u) = c + sum_k w_k u_k,
-   * such as a gap, a stress, or the displacement component c at a point X (Eq.
-   * 7),
-   *   u_c(X) = sum_tau,i F_tau(x, z) N_i(y) u_tau_i_c.
-   *
-   * with section functions F_tau and axis shape functions N_i. The weights w_k
-   * of u_c(X) are also the load vector of a unit force along c at X (add_to()).
-   * A support is an equation r(u) = 0, a gap the difference of two functionals
-   * (Eq. 16), a spring a rank-one stiffness k w w^T. The unit of r is a length
-   * for displacements and gaps, 1 for strains, force/length^2 for stresses. An
-   * entry takes 16 bytes.
-   */
+  /// A sparse affine functional of the DoFs of one body,
+  ///   r(u) = c + sum_k w_k u_k,
+  /// such as a gap, a stress, or the displacement component c at X (Eq. 7),
+  ///   u_c(X) = sum_tau,i F_tau(x, z) N_i(y) u_tau_i_c.
+  ///
+  /// with section functions F_tau and axis shape functions N_i. The weights w_k
+  /// of u_c(X) are also the load vector of a unit force along c at X
+  /// (add_to()). A support is an equation r(u) = 0, a gap the difference of two
+  /// functionals (Eq. 16), a spring a rank-one stiffness k w w^T. The unit of r
+  /// is a length for displacements and gaps, 1 for strains, force/length^2 for
+  /// stresses. An entry takes 16 bytes.
   class LinearFunctional
   {
   public:
@@ -54,14 +51,12 @@ namespace lamella
     void
     drop_below(const double relative);
 
-    /// Returns r(u) for the displacements @p u of the body, with the values of
-    /// constrained DoFs.
+    /// Returns r(u) for the displacements @p u, constrained DoFs included.
     double
     operator()(const Vector &u) const;
 
     /// Adds @p factor times the weights w to the load vector @p f. @p factor is
-    /// the generalized force conjugate to r (Eq. 8), e.g. a force if r is a
-    /// length.
+    /// conjugate to r (Eq. 8), e.g. a force if r is a length.
     void
     add_to(Vector &f, const double factor) const;
 
@@ -72,8 +67,7 @@ namespace lamella
     LinearFunctional
     reduced(const Constraints &constraints) const;
 
-    /// Returns the entries in the order of addition; sorted by DoF after
-    /// compress().
+    /// Returns the entries as added; sorted by DoF after compress().
     const std::vector<Entry> &
     entries() const
     {
@@ -95,8 +89,7 @@ namespace lamella
   /// A linear functional with the number of its body.
   struct BodyFunctional
   {
-    /// Number of the body, which is also the number of its block in a
-    /// BlockVector.
+    /// Number of the body and of its block in a BlockVector.
     unsigned int     body = 0;
     LinearFunctional row;
 

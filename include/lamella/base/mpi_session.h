@@ -7,20 +7,17 @@
 
 namespace lamella
 {
-  /**
-   * Starts MPI in its constructor and ends MPI in its destructor. Trilinos
-   * needs MPI even for one process. On every process, the object must be
-   * constructed first in `main`.
-   *
-   * Without a launcher (mpirun), Open MPI is configured without network, daemon
-   * and session folder, which start slowly and sometimes fail
-   * (`orte_session_dir failed`). Settings in the environment have precedence.
-   */
+  /// Starts MPI in its constructor and ends MPI in its destructor. Trilinos
+  /// needs MPI even for one process. On every process, the object must be
+  /// constructed first in `main`.
+  ///
+  /// Without a launcher (mpirun), Open MPI is configured without network,
+  /// daemon and session folder, which start slowly and sometimes fail
+  /// (`orte_session_dir failed`). Settings in the environment have precedence.
   class MpiSession
   {
   public:
-    /// Starts MPI with one thread per process. MPI may change @p argc and
-    /// @p argv.
+    /// Starts MPI with one thread. MPI may change @p argc and @p argv.
     MpiSession(int &argc, char **&argv);
 
   private:

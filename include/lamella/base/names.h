@@ -21,19 +21,16 @@ namespace lamella
     const char *name;
   };
 
-  /**
-   * List of names of the enumeration @p E, for reading and writing its values.
-   * Specialized in the header of the enumeration, e.g.
-   *   template <>
-   *   struct Names<Strategy>
-   *   {
-   *     static constexpr NameOf<Strategy> all[] = {
-   *       {Strategy::condensed, "condensed"}, {Strategy::full, "full"}};
-   *   };
-   * Messages list the names in this order. Values without a name, such as
-   * `undefined`, cannot occur in an input file. Names and values must be
-   * unique.
-   */
+  /// List of names of the enumeration @p E, for reading and writing its values.
+  /// Specialized in the header of the enumeration, e.g.
+  ///   template <>
+  ///   struct Names<Strategy>
+  ///   {
+  ///     static constexpr NameOf<Strategy> all[] = {
+  ///       {Strategy::condensed, "condensed"}, {Strategy::full, "full"}};
+  ///   };
+  /// Messages list the names in this order. Values without a name, such as
+  /// `undefined`, cannot be set by the user. Names and values must be unique.
   template <typename E>
   struct Names;
 
@@ -49,8 +46,7 @@ namespace lamella
     return "";
   }
 
-  /// Returns the value called @p name (case-sensitive); std::nullopt if there
-  /// is none.
+  /// Returns the value called @p name (case-sensitive), or std::nullopt.
   template <typename E>
   std::optional<E>
   named(const std::string &name)
@@ -61,8 +57,7 @@ namespace lamella
     return std::nullopt;
   }
 
-  /// Returns the deal.II pattern of an entry whose text is one of the names of
-  /// @p E.
+  /// Returns the deal.II pattern that matches the names of @p E.
   template <typename E>
   dealii::Patterns::Selection
   selection()

@@ -9,8 +9,7 @@
 namespace lamella
 {
   /// An output file that is written as PATH.new and finally renamed to PATH, so
-  /// that PATH is never incomplete. If writing fails, an existing file PATH is
-  /// unchanged.
+  /// that PATH is never incomplete. If writing fails, the old PATH remains.
   class OutputFile
   {
   public:

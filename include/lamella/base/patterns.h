@@ -26,8 +26,7 @@ namespace lamella
     /// Returns the pattern of a comma-separated list of numbers of any length.
     dealii::Patterns::List
     numbers();
-    /// Returns the pattern of exactly @p n comma-separated numbers, e.g. 3 for
-    /// a point.
+    /// Returns the pattern of exactly @p n comma-separated numbers.
     dealii::Patterns::List
     numbers(const unsigned int n);
 
@@ -88,8 +87,7 @@ namespace lamella
     refuse(const Entry &entry, const std::string &pattern);
 
     /// Throws InputError for @p entry, which does not match the pattern
-    /// declared in @p prm. Slow, since it finds the pattern by writing @p prm
-    /// as JSON.
+    /// declared in @p prm. Slow: writes @p prm as JSON.
     [[noreturn]] void
     refuse(const Entry &entry, const dealii::ParameterHandler &prm);
   } // namespace patterns

@@ -21,8 +21,7 @@ namespace lamella
     return text;
   }
 
-  /// Returns the console line `Note: TEXT. [ID]` of @p note, which has the form
-  /// `ID: TEXT`.
+  /// Returns the console line `Note: TEXT. [ID]` of @p note = `ID: TEXT`.
   inline std::string
   note_line(const std::string &note)
   {

@@ -63,8 +63,7 @@ namespace lamella
   /// Returns @p point as `(x, y, z)` with six digits per coordinate.
   std::string
   to_text(const dealii::Point<3> &point);
-  /// Returns a @p point of a section as `(x, z)` with six digits per
-  /// coordinate.
+  /// Returns a @p point of a section as `(x, z)` with six digits each.
   std::string
   to_text(const dealii::Point<2> &point);
 

@@ -39,8 +39,7 @@ namespace lamella
     double &
     diagonal(const DofIndex dof);
 
-    /// Replaces A by L. Throws NotPositiveDefinite, whose message names A by
-    /// @p what.
+    /// Replaces A by L. Throws NotPositiveDefinite; @p what is the name of A.
     void
     factorize(const std::string &what);
     /// Returns the squared ratio of the smallest to the largest pivot.

@@ -18,26 +18,24 @@ namespace lamella
     std::vector<std::vector<unsigned int>> cliques;
   };
 
-  /**
-   * Factorizes the stiffness matrix A of @p terms, condensed by @p constraints,
-   * by dense blocks: A = P^T L L^T P, where P permutes blocks.
-   *
-   * A is assembled into the storage of L (see SupernodalFactor, one supernode
-   * per block) without a sparse matrix, and factorized in place by LAPACK and
-   * BLAS. L takes 8 bytes per nonzero. Springs and constraints may couple any
-   * blocks.
-   *
-   * Elimination order: first the blocks that belong to only one clique (inner
-   * nodes of an element), then the other blocks by nested dissection along
-   * their numbers, at last the first and the last block. For a chain of n
-   * elements, the fill-in is a few blocks per node, and a row of
-   * ForwardSolvedRows has O(log n) blocks.
-   *
-   * @p monitor is called with the size of L before memory is allocated, and at
-   * the end of the assembly. The condition estimate is that of factorize().
-   * Throws NotPositiveDefinite, with @p what as name of A, if a pivot is not
-   * positive, and NumericsError if memory is insufficient. Serial.
-   */
+  /// Factorizes the stiffness matrix A of @p terms, condensed by
+  /// @p constraints, by dense blocks: A = P^T L L^T P, where P permutes blocks.
+  ///
+  /// A is assembled into the storage of L (see SupernodalFactor, one supernode
+  /// per block) without a sparse matrix, and factorized in place by LAPACK and
+  /// BLAS. L takes 8 bytes per nonzero. Springs and constraints may couple
+  /// blocks.
+  ///
+  /// Elimination order: first the blocks that belong to only one clique (inner
+  /// nodes of an element), then the other blocks by nested dissection along
+  /// their numbers, at last the first and the last block. For a chain of n
+  /// elements, the fill-in is a few blocks per node, and a row of
+  /// ForwardSolvedRows has O(log n) blocks.
+  ///
+  /// @p monitor is called with the size of L before memory is allocated, and at
+  /// the end of the assembly. The condition estimate is that of factorize().
+  /// Throws NotPositiveDefinite, with @p what as name of A, if a pivot is not
+  /// positive, and NumericsError if memory is insufficient. Serial.
   std::unique_ptr<LinearSolver>
   factorize_blocks(const StiffnessTerms &terms,
                    const DenseBlocks    &blocks,

@@ -73,8 +73,7 @@ namespace lamella
     void
     number_columns(const DenseBlocks               &blocks,
                    const std::vector<unsigned int> &order);
-    /// Appends the next block column of L, with the nonzero blocks @p below its
-    /// diagonal.
+    /// Appends a block column of L with the nonzero blocks @p below.
     template <typename Blocks>
     void
     add_column(const Blocks &below);

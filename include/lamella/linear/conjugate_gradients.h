@@ -9,21 +9,18 @@
 
 namespace lamella
 {
-  /**
-   * Returns a conjugate gradient solver, preconditioned by the smoothed
-   * aggregation multigrid of Trilinos ML, for stiffness matrices of nodal
-   * displacements. Memory and work are proportional to the number of DoFs.
-   * Coarse levels preserve the vectors @p near_null_space, which are zero in
-   * constrained DoFs.
-   *
-   * The iteration ends if |b - A x| <= 1e-11 |b|. Throws NumericsError, with
-   * @p what as name of A, if this takes more than 2000 iterations. The smoother
-   * is Chebyshev's; the coarsest level of at most 300 unknowns is solved
-   * directly. If @p near_null_space has six vectors, these must be the
-   * rigid-body motions of nodes with three DoFs each. Shares the ownership of
-   * @p matrix. There is no condition estimate. This function and all functions
-   * of the solver must be called by all processes.
-   */
+  /// Returns a conjugate gradient solver, preconditioned by the smoothed
+  /// aggregation multigrid of Trilinos ML, for stiffness matrices of nodal
+  /// displacements. Memory and work are proportional to the number of DoFs.
+  /// Coarse levels preserve @p near_null_space, zero in constrained DoFs.
+  ///
+  /// The iteration ends if |b - A x| <= 1e-11 |b|. Throws NumericsError, with
+  /// @p what as name of A, if this takes more than 2000 iterations. The
+  /// smoother is Chebyshev's; the coarsest level of at most 300 unknowns is
+  /// solved directly. If @p near_null_space has six vectors, these must be the
+  /// rigid-body motions of nodes with three DoFs each. Shares the ownership of
+  /// @p matrix. There is no condition estimate. This function and all functions
+  /// of the solver must be called by all processes.
   std::unique_ptr<LinearSolver>
   make_conjugate_gradients(std::shared_ptr<const SharedMatrix> matrix,
                            const std::vector<Vector>          &near_null_space,

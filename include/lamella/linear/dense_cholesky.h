@@ -8,8 +8,7 @@
 namespace lamella
 {
   /// The Cholesky factor L of a dense symmetric positive definite n x n matrix
-  /// A = L L^T, by LAPACK. The factorization takes n^3/3 operations, a solution
-  /// 2 n^2.
+  /// A = L L^T, by LAPACK. Takes n^3/3 operations, a solution 2 n^2.
   class DenseCholesky
   {
   public:

@@ -22,8 +22,8 @@ namespace lamella
   };
 
   /// Returns row @p r of five matrices with the same sparsity pattern.
-  /// @p matrix_number(m) returns matrix m. Columns c with @p wanted(c) false
-  /// are omitted.
+  /// @p matrix_number(m) returns matrix m. Columns that are not @p wanted are
+  /// omitted.
   template <typename Factor, typename Wanted>
   FactorRow
   factor_row(const Factor      &matrix_number,

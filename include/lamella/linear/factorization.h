@@ -24,25 +24,22 @@ namespace lamella
     const DofIndex dof;
   };
 
-  /**
-   * Factorizes @p matrix, of which only the upper triangle is read, with
-   * CHOLMOD's supernodal Cholesky factorization A = P^T L L^T P (AMD or METIS
-   * ordering, serial). The condition estimate is the squared ratio of the
-   * largest to the smallest diagonal entry of L.
-   *
-   * The nonzero entries are copied. @p monitor is called between symbolic
-   * analysis and factorization. Throws NotPositiveDefinite, with @p what as
-   * name of the matrix, if a pivot is not positive, and NumericsError if the
-   * factor does not fit in memory.
-   */
+  /// Factorizes @p matrix, of which only the upper triangle is read, with
+  /// CHOLMOD's supernodal Cholesky factorization A = P^T L L^T P (AMD or METIS
+  /// ordering, serial). The condition estimate is the squared ratio of the
+  /// largest to the smallest diagonal entry of L.
+  ///
+  /// The nonzero entries are copied. @p monitor is called between symbolic
+  /// analysis and factorization. Throws NotPositiveDefinite, with @p what as
+  /// name of the matrix, if a pivot is not positive, and NumericsError if the
+  /// factor does not fit in memory.
   std::unique_ptr<LinearSolver>
   factorize(const Matrix        &matrix,
             const std::string   &what,
             const FactorMonitor &monitor = {});
 
   /// Matrix entries in MUMPS's coordinate format, with rows and columns
-  /// numbered from 1. Entries of the same row and column are summed, also over
-  /// processes.
+  /// numbered from 1. Entries of the same row and column are summed.
   struct MatrixEntries
   {
     /// Entry k is values[k] at (rows[k], columns[k]).
@@ -108,20 +105,17 @@ namespace lamella
                  const Symmetry     symmetry,
                  const std::string &what);
 
-  /**
-   * Factorizes a matrix of @p n rows with MUMPS (multifrontal L D L^T without
-   * pivoting). Each process passes a subset of the entries. This function and
-   * all functions of the result must be called by all processes.
-   *
-   * MUMPS is called directly, since the interfaces of deal.II and Trilinos
-   * treat every matrix as unsymmetric and solve for one right-hand side at a
-   * time. The entries are freed after the factorization. The ordering is
-   * minimum degree, or nested dissection if that has less fill-in
-   * (doc/guides/running-in-parallel.md). Throws NumericsError if the matrix is
-   * not positive definite, memory is insufficient or entries are not finite.
-   * There is no condition estimate. LinearSolver::solved_rows() returns
-   * RowProducts.
-   */
+  /// Factorizes a matrix of @p n rows with MUMPS (multifrontal L D L^T without
+  /// pivoting). Each process passes a subset of the entries. This function and
+  /// all functions of the result must be called by all processes.
+  ///
+  /// MUMPS is called directly, since the interfaces of deal.II and Trilinos
+  /// treat every matrix as unsymmetric and solve for one right-hand side at a
+  /// time. The entries are freed after the factorization. The ordering is
+  /// minimum degree, or nested dissection if that has less fill-in
+  /// (doc/guides/running-in-parallel.md). Throws NumericsError if the matrix is
+  /// not positive definite, memory is insufficient or entries are not finite.
+  /// No condition estimate. LinearSolver::solved_rows() returns RowProducts.
   std::unique_ptr<LinearSolver>
   factorize_shared(const DofIndex       n,
                    UpperTriangle        matrix,

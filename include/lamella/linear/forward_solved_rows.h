@@ -31,19 +31,16 @@ namespace lamella
     const std::int64_t *permutation = nullptr;
   };
 
-  /**
-   * Forward solutions of constraint rows b_k, the rows of B: the columns of Y =
-   * L^-1 P B^T, which give the compliance B A^-1 B^T = Y^T Y, since
-   *   A^-1 = P^T L^-T L^-1 P, so b_i A^-1 b_j = (L^-1 P b_i) . (L^-1 P b_j).
-   *
-   * A row b_k involves a few DoFs. Its column of Y is nonzero only in the
-   * supernodes of these DoFs and their ancestors in the elimination tree
-   * (Gilbert 1994). The parent of a supernode contains its first row below the
-   * diagonal block. Only these entries are computed and stored, 8 bytes each,
-   * in one dense block per supernode. Supernodes are eliminated from the leaves
-   * to the root for all new columns together, by LAPACK's trtrs and BLAS's
-   * gemm.
-   */
+  /// Forward solutions of constraint rows b_k, the rows of B: the columns of Y
+  /// = L^-1 P B^T, which give the compliance B A^-1 B^T = Y^T Y, since
+  ///   A^-1 = P^T L^-T L^-1 P, so b_i A^-1 b_j = (L^-1 P b_i) . (L^-1 P b_j).
+  ///
+  /// A row b_k involves a few DoFs. Its column of Y is nonzero only in the
+  /// supernodes of these DoFs and their ancestors in the elimination tree
+  /// (Gilbert 1994). The parent of a supernode contains its first row below the
+  /// diagonal block. Only these entries are computed and stored, 8 bytes each,
+  /// in one dense block per supernode. Supernodes are eliminated from the
+  /// leaves to the root for all new columns together, by LAPACK and BLAS.
   class ForwardSolvedRows
   {
   public:
@@ -119,8 +116,7 @@ namespace lamella
   };
 
   /// Returns SolvedRows that use ForwardSolvedRows with @p factor. @p backward
-  /// computes x = P^T L^-T x. The data of both arguments must outlive the
-  /// result.
+  /// computes x = P^T L^-T x. The data of both must outlive the result.
   std::unique_ptr<SolvedRows>
   make_forward_solved(const SupernodalFactor       &factor,
                       std::function<void(Vector &)> backward);

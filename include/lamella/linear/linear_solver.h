@@ -2,8 +2,7 @@
 
 // The module `linear`: the assembled stiffness matrix, its factorization by
 // CHOLMOD, MUMPS or dense blocks, conjugate gradients, and the compliance B
-// K^-1 B^T of contact constraints. It is independent of beams, supports and
-// contacts.
+// K^-1 B^T of constraints. It is independent of beams and contacts.
 
 #ifndef lamella_linear_linear_solver_h
 #define lamella_linear_linear_solver_h
@@ -78,9 +77,8 @@ namespace lamella
     SolverKind kind = SolverKind::automatic;
     /// Number of nonzeros of the factor; 0 for conjugate gradients.
     double non_zeros = 0.;
-    /// Number of solved right-hand sides, number of iterations in total, and
-    /// largest number of iterations for one right-hand side; 0 iterations for
-    /// direct solvers.
+    /// Number of solved right-hand sides, of iterations in total, and largest
+    /// number of iterations for one right-hand side (0 for direct solvers).
     unsigned int solutions = 0, iterations = 0, max_iterations_per_solve = 0;
   };
 
@@ -89,21 +87,19 @@ namespace lamella
   std::string
   to_text(const SolverStatistics &statistics);
 
-  /**
-   * Constraint rows b_k, the rows of B, with the solutions A^-1 b_k or
-   * equivalent data, for the compliance B A^-1 B^T. The solver must outlive
-   * this object. If the matrix is distributed, all processes must call each
-   * function with the same arguments; the results are equal.
-   *
-   * The compliance is the Schur complement of contact: with the contact forces
-   * lambda and the initial gaps g_0,
-   *   A v = f + B^T lambda, B v + g_0 = 0
-   * is statically condensed to
-   *   (B A^-1 B^T) lambda = -(g_0 + B A^-1 f).
-   * Entry (i, j) is the change of gap i due to a unit contact force j
-   * [length/force]. Rows must be results of LinearFunctional::reduced(); their
-   * constant parts are ignored. Rows are numbered in the order of appending.
-   */
+  /// Constraint rows b_k, the rows of B, with the solutions A^-1 b_k or
+  /// equivalent data, for the compliance B A^-1 B^T. The solver must outlive
+  /// this object. If the matrix is distributed, all processes must call each
+  /// function with the same arguments; the results are equal.
+  ///
+  /// The compliance is the Schur complement of contact: with the contact forces
+  /// lambda and the initial gaps g_0,
+  ///   A v = f + B^T lambda, B v + g_0 = 0
+  /// is statically condensed to
+  ///   (B A^-1 B^T) lambda = -(g_0 + B A^-1 f).
+  /// Entry (i, j) is the change of gap i due to a unit contact force j
+  /// [length/force]. Rows must be results of LinearFunctional::reduced(); their
+  /// constant parts are ignored. Rows are numbered in the order of appending.
   class SolvedRows
   {
   public:
@@ -132,15 +128,14 @@ namespace lamella
 
 
 
-  /**
-   * A solver for linear systems with a symmetric positive definite matrix A,
-   * direct or iterative. Every process stores whole vectors. If the matrix is
-   * distributed, all processes must call each function with the same arguments.
-   *
-   * The solver owns its data and must outlive its SolvedRows. Rounding errors
-   * of the assembled matrix can be removed by iterative refinement with
-   * residuals computed from strains (doc/theory/stable-basis.md).
-   */
+  /// A solver for linear systems with a symmetric positive definite matrix A,
+  /// direct or iterative. Every process stores whole vectors. If the matrix is
+  /// distributed, all processes must call each function with the same
+  /// arguments.
+  ///
+  /// The solver owns its data and must outlive its SolvedRows. Rounding errors
+  /// of the assembled matrix can be removed by iterative refinement with
+  /// residuals computed from strains (doc/theory/stable-basis.md).
   class LinearSolver
   {
   public:

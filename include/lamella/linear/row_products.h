@@ -23,8 +23,7 @@ namespace lamella
     /// outlive this object.
     RowProducts(const LinearSolver &solver, const DofIndex n_dofs, Solve solve);
 
-    /// Appends @p rows and computes their products with all rows by one call of
-    /// Solve.
+    /// Appends @p rows and computes their products by one call of Solve.
     void
     append(const std::vector<LinearFunctional> &rows) override;
 

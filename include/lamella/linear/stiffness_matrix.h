@@ -21,8 +21,7 @@ namespace lamella
   /// bodies, an element stiffness matrix.
   struct StiffnessBlock
   {
-    /// DoFs of the body, including constrained DoFs. Blocks with common DoFs
-    /// are summed.
+    /// DoFs of the body, constrained ones included. Blocks are summed.
     std::vector<DofIndex> rows, columns;
     /// True if @p columns is sorted, which saves a search.
     bool columns_ascend = false;
@@ -30,8 +29,7 @@ namespace lamella
     /// empty if only the sparsity pattern is needed.
     std::vector<double> values;
 
-    /// Adds the product of the block and the displacements @p w to the forces
-    /// @p f.
+    /// Adds the product of the block and displacements @p w to forces @p f.
     void
     add_product(const Vector &w, Vector &f) const
     {
@@ -55,8 +53,7 @@ namespace lamella
     dealii::IndexSet owned;
     /// Calls its second argument for each block of the unconstrained stiffness.
     /// If the first argument is false, the blocks have no values. In a
-    /// distributed assembly, each process has a subset of the blocks. Called
-    /// several times.
+    /// distributed assembly, each process has other blocks. Called repeatedly.
     std::function<void(const bool,
                        const std::function<void(const StiffnessBlock &)> &)>
       for_each_block;
@@ -111,8 +108,7 @@ namespace lamella
   /// process owns the rows terms.owned; its blocks may contribute to rows of
   /// other processes. @p kind is the solver, mumps or cg (see
   /// make_conjugate_gradients(), also for @p near_null_space). @p constraints
-  /// must be closed and equal on all processes. Must be called by all
-  /// processes.
+  /// must be closed and equal on all processes. Collective.
   std::unique_ptr<StiffnessMatrix>
   assemble_distributed(const StiffnessTerms      &terms,
                        const Constraints         &constraints,

@@ -11,8 +11,7 @@ namespace lamella
 {
   /// A stress or strain with the components {xx, yy, zz, xy, xz, yz} (Eq. 4) in
   /// scene or body axes (x across, y along the beam, z up), or {11, 22, 33, 12,
-  /// 13, 23} in ply axes. Shear strains are engineering strains gamma = 2
-  /// epsilon.
+  /// 13, 23} in ply axes. Shear strains are gamma = 2 epsilon.
   using Voigt = dealii::Tensor<1, 6>;
 
   /// The symmetric 6 x 6 stiffness matrix C of Hooke's law sigma = C epsilon
@@ -51,15 +50,13 @@ namespace lamella
     std::string
     violated_condition() const;
 
-    /**
-     * Returns the stiffness matrix C in the material's own axes, in the order
-     * {11, 22, 33, 12, 13, 23}. violated_condition() must be empty. The 3 x 3
-     * block of the normal components is the inverse of
-     *   [ 1/E1     -nu12/E1  -nu13/E1 ]
-     *   [ -nu12/E1  1/E2     -nu23/E2 ]
-     *   [ -nu13/E1 -nu23/E2   1/E3    ],
-     * made exactly symmetric. The other diagonal entries are G12, G13, G23.
-     */
+    /// Returns the stiffness matrix C in the material's own axes, in the order
+    /// {11, 22, 33, 12, 13, 23}. violated_condition() must be empty. The 3 x 3
+    /// block of the normal components is the inverse of
+    ///   [ 1/E1     -nu12/E1  -nu13/E1 ]
+    ///   [ -nu12/E1  1/E2     -nu23/E2 ]
+    ///   [ -nu13/E1 -nu23/E2   1/E3    ],
+    /// made exactly symmetric. The other diagonal entries are G12, G13, G23.
     ElasticTensor
     stiffness() const;
   };
@@ -85,8 +82,7 @@ namespace lamella
 
   /// Returns the ply axes in the body frame of a ply with the unit @p normal n
   /// = (n_x, n_z) in the section. Its plane is spanned by y and t = y x n =
-  /// (n_z, 0, -n_x). The fiber is at @p degrees, 0 along +y and positive
-  /// towards t,
+  /// (n_z, 0, -n_x). @p degrees is the fiber angle from +y towards t,
   ///   e_1 = sin t + cos y,  e_3 = n,  e_2 = e_3 x e_1 = -cos t + sin y.
   /// For n = +z, t is +x, and the result is ply_axes(degrees).
   Triad

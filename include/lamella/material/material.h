@@ -30,8 +30,7 @@ namespace lamella
   /// honeycomb (L), 2 across it (W), 3 through the thickness; all positive.
   struct CoreStrengths
   {
-    /// Compressive strength along 3 and shear strengths in the planes 13 and 23
-    /// [force/length^2].
+    /// Compressive strength along 3, shear strengths in the planes 13 and 23.
     double crushing = 0., shear_13 = 0., shear_23 = 0.;
   };
 
@@ -39,8 +38,7 @@ namespace lamella
   /// dimensionless: slopes of the fracture curve at zero normal stress on the
   /// fracture plane, for shear along (pl) and across the fiber (pt), on the
   /// tension and compression side. Defaults are for carbon fibers (Puck, Kopp
-  /// and Knops, Compos. Sci. Technol. 62 (2002) 371-378; pt at the lower
-  /// limit).
+  /// and Knops, Compos. Sci. Technol. 62 (2002) 371-378).
   struct PuckInclinations
   {
     double pl_tension = 0.35, pl_compression = 0.3;
@@ -122,8 +120,7 @@ namespace lamella
       return C * (strain - initial);
     }
 
-    /// Returns the strain energy density W for the total @p strain
-    /// [force/length^2].
+    /// Returns the energy density W for the total @p strain [force/length^2].
     double
     energy_density(const Voigt &strain) const
     {

@@ -20,18 +20,16 @@ namespace lamella
                  const Material    &material,
                  const Units       &units);
 
-  /**
-   * Returns warnings about values of @p material whose unit is probably wrong:
-   * moduli_warning(), and values outside of the ranges
-   *   strength / modulus          1e-4 to 0.3 (whiskers)
-   *   ultimate strains            below 0.3
-   *   G_12 / E_1, G_12 / E_2      1e-3 to 10
-   *   G_13 / E_1, G_23 / E_2      1e-3 to 10; only of plies (E_3 <= E_1)
-   *   density                     5 to 25,000 kg/m^3 (foams, osmium)
-   *   thermal expansion           below 1e-3 / K (rubbers have 3e-4)
-   * Ratios are checked also in scenes without units. Each warning names the
-   * worst value. @p name is the name of the material.
-   */
+  /// Returns warnings about values of @p material whose unit is probably wrong:
+  /// moduli_warning(), and values outside of the ranges
+  ///   strength / modulus          1e-4 to 0.3 (whiskers)
+  ///   ultimate strains            below 0.3
+  ///   G_12 / E_1, G_12 / E_2      1e-3 to 10
+  ///   G_13 / E_1, G_23 / E_2      1e-3 to 10; only of plies (E_3 <= E_1)
+  ///   density                     5 to 25,000 kg/m^3 (foams, osmium)
+  ///   thermal expansion           below 1e-3 / K (rubbers have 3e-4)
+  /// Ratios are checked also in scenes without units. Each warning names the
+  /// worst value. @p name is the name of the material.
   std::vector<std::string>
   material_warnings(const std::string &name,
                     const Material    &material,

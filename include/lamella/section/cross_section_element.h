@@ -21,8 +21,7 @@ namespace lamella
   /// a point of a cell.
   struct FunctionValues
   {
-    /// Position x, z in the body frame, and Jacobian d(x, z) / d(xi, eta)
-    /// [length].
+    /// Position x, z of the body, Jacobian d(x, z) / d(xi, eta) [length].
     dealii::Point<2>     position;
     dealii::Tensor<2, 2> jacobian;
     /// Values F_tau [no unit] and gradients (d/dx, d/dz) F_tau [1 / length].
@@ -42,8 +41,7 @@ namespace lamella
     /// Integral of the shape function of the point: a tributary length [length]
     /// on a boundary, an area [length^2] for points of the whole section.
     double weight = 0.;
-    /// True at a corner, where the normals of two sides differ by more than 20
-    /// degrees.
+    /// True if the normals of two sides differ by more than 20 degrees.
     bool corner = false;
     /// A cell that contains the point, the reference coordinates of the point,
     /// and for points on a boundary the depth of the cell [length], which is
@@ -53,19 +51,17 @@ namespace lamella
     double           depth = 0.;
   };
 
-  /**
-   * The cross-section expansion of a beam theory: the functions F_tau(x, z),
-   * tau = 0 ... n_functions() - 1, of u = F_tau u_tau(y) (Eq. 1) on a section
-   * mesh. Immutable; shares the ownership of the mesh.
-   *
-   * The first three functions are 1, (x - x_c) / h and (z - z_c) / h, with the
-   * centroid (x_c, z_c) and a reference length h. Rigid motions of the section
-   * are thus separate DoFs, so that rounding errors do not spoil the bending
-   * energy of slender beams (doc/theory/stable-basis.md). The warping functions
-   * tau > 2 are defined by TaylorElement (equivalent single layer) and
-   * LagrangeElement (layer-wise). Each cell is the image of the unit square
-   * (xi, eta).
-   */
+  /// The cross-section expansion of a beam theory: the functions F_tau(x, z),
+  /// tau = 0 ... n_functions() - 1, of u = F_tau u_tau(y) (Eq. 1) on a section
+  /// mesh. Immutable; shares the ownership of the mesh.
+  ///
+  /// The first three functions are 1, (x - x_c) / h and (z - z_c) / h, with the
+  /// centroid (x_c, z_c) and a reference length h. Rigid motions of the section
+  /// are thus separate DoFs, so that rounding errors do not spoil the bending
+  /// energy of slender beams (doc/theory/stable-basis.md). The warping
+  /// functions tau > 2 are defined by TaylorElement (equivalent single layer)
+  /// and LagrangeElement (layer-wise). Cells are images of the unit square (xi,
+  /// eta).
   class CrossSectionElement
   {
   public:
@@ -126,8 +122,8 @@ namespace lamella
     map(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
 
     /// Returns points on @p boundary whose displacements determine those of the
-    /// whole boundary, with outward normals and tributary lengths; none for an
-    /// unknown name.
+    /// whole boundary, with normals and tributary lengths; none if it is
+    /// unknown.
     virtual std::vector<EdgePoint>
     edge_points(const std::string &boundary) const = 0;
 
@@ -141,9 +137,8 @@ namespace lamella
     virtual std::vector<EdgePoint>
     section_grid() const = 0;
 
-    /// Return edge_points() and section_grid() of the subset of functions up to
-    /// a degree (see function_degree()). These default implementations ignore
-    /// the degree.
+    /// Return edge_points() and section_grid() of the functions up to a degree
+    /// (see function_degree()). These default implementations ignore it.
     virtual std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary, const unsigned int) const
     {
@@ -180,8 +175,7 @@ namespace lamella
       return mesh;
     }
 
-    /// Return the centroid (x_c, z_c) and the reference length h of the linear
-    /// functions.
+    /// Return (x_c, z_c) and h of the three linear functions.
     dealii::Point<2>
     center() const
     {
@@ -232,8 +226,7 @@ namespace lamella
     EdgePoint
     point_at(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// Returns the area of @p cell divided by the length of side @p face
-    /// [length].
+    /// Returns area of @p cell divided by length of side @p face [length].
     double
     depth(const unsigned int cell, const unsigned int face) const;
 
@@ -255,8 +248,7 @@ namespace lamella
   /// Returns the outward normal n ds/dt of @p face, with unit normal n, arc
   /// length s and parameter t, by Nanson's formula
   ///   n ds = det(J) J^-T N dt
-  /// where J is the @p jacobian and N the normal of the face on the unit
-  /// square.
+  /// where J is the @p jacobian and N the normal on the unit square.
   dealii::Tensor<1, 2>
   scaled_face_normal(const unsigned int          face,
                      const dealii::Tensor<2, 2> &jacobian);

@@ -37,11 +37,9 @@ namespace lamella
   dealii::Tensor<2, 3>
   first_stress(const Gradient &H, const Voigt &second);
 
-  /// Returns the Green's strain predicted by the linearization at the previous
-  /// Newton iterate,
+  /// Returns Green's strain as linearized at the previous Newton iterate,
   ///   E_ij - sum_c dH_ic dH_jc / 2,
-  /// where E is Green's strain of @p H and @p dH the last Newton correction of
-  /// H.
+  /// where E is Green's strain of @p H and @p dH the last correction of H.
   Voigt
   predicted_strain(const Gradient &H, const Gradient &dH);
 
@@ -93,8 +91,7 @@ namespace lamella
   struct Stretch
   {
     /// Rotation angle [rad], largest magnitude of a principal Green's strain,
-    /// and |E_yy| along the beam. Over a section: maxima, for E_yy the root
-    /// mean square.
+    /// and |E_yy|. Over a section: maxima, for E_yy the root mean square.
     double rotation = 0., strain = 0., along = 0.;
   };
   Stretch

@@ -11,31 +11,29 @@
 
 namespace lamella
 {
-  /**
-   * Section forces and tangent stiffness for finite rotations in a total
-   * Lagrangian formulation, integrated over the points of a section. The
-   * displacement gradient is a sum over the section functions Phi with the
-   * coefficients q(y),
-   *   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z.
-   * With Green's strain E, the second Piola-Kirchhoff stress S = C E (small
-   * strains) and the undeformed section, the energy, the forces W and the
-   * tangent per length of the beam are
-   *   energy = int E . C E / 2 dA,   W = int dE/dq^T S dA,
-   *   dW/dq = int (dE/dq)^T C dE/dq + S_ij (dH_i/dq)^T dH_j/dq dA.
-   * The tangent at q = 0 is that of SectionOperator.
-   *
-   * In axis elements of degree 3, the linear part of E_yy has degree 2 and the
-   * quadratic part degree 4, which causes membrane locking and stress
-   * oscillations. Therefore E_yy is an assumed strain of degree 2: the
-   * component of degree 3 of its values at the stations, the Gauss points of an
-   * element with weights w_k of sum 1, is subtracted,
-   *   E_k - l_k sum_m w_m l_m E_m,   l_k = sqrt(7) P_3 at station k,
-   * with the Legendre polynomial P_3. Strains linear in q are not changed.
-   *
-   * Only for theories without completed strains (StrainCompletion): LE and
-   * TE-N, N > 1. The tangent is computed by cells, since functions of LE are
-   * local. Keeps a reference to the SectionSpace.
-   */
+  /// Section forces and tangent stiffness for finite rotations in a total
+  /// Lagrangian formulation, integrated over the points of a section. The
+  /// displacement gradient follows from the section functions Phi with
+  /// coefficients q(y),
+  ///   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z.
+  /// With Green's strain E, the second Piola-Kirchhoff stress S = C E (small
+  /// strains) and the undeformed section, the energy, the forces W and the
+  /// tangent per length of the beam are
+  ///   energy = int E . C E / 2 dA,   W = int dE/dq^T S dA,
+  ///   dW/dq = int (dE/dq)^T C dE/dq + S_ij (dH_i/dq)^T dH_j/dq dA.
+  /// The tangent at q = 0 is that of SectionOperator.
+  ///
+  /// In axis elements of degree 3, the linear part of E_yy has degree 2 and the
+  /// quadratic part degree 4, which causes membrane locking and stress
+  /// oscillations. Therefore E_yy is an assumed strain of degree 2: the
+  /// component of degree 3 of its values at the stations, the Gauss points of
+  /// an element with weights w_k of sum 1, is subtracted,
+  ///   E_k - l_k sum_m w_m l_m E_m,   l_k = sqrt(7) P_3 at station k,
+  /// with the Legendre polynomial P_3. Strains linear in q are not changed.
+  ///
+  /// Only for theories without completed strains (StrainCompletion): LE and
+  /// TE-N, N > 1. The tangent is computed by cells, since functions of LE are
+  /// local. Keeps a reference to the SectionSpace.
   class FiniteStrainSectionOperator
   {
   public:
@@ -54,8 +52,7 @@ namespace lamella
     Stretch
     largest(const FieldParts &q) const;
 
-    /// Returns the section functions of each cell, in the order of
-    /// for_each_cell().
+    /// Returns the functions of each cell, in the order of for_each_cell().
     std::vector<const std::vector<unsigned int> *>
     fields_of_cells() const;
 
@@ -65,8 +62,7 @@ namespace lamella
     {
       const std::vector<unsigned int> *fields = nullptr;
       dealii::LAPACKFullMatrix<double> matrix;
-      /// Matrices with one row per integration point: dE_yy/dq, and the weight
-      /// times
+      /// One row per integration point: dE_yy/dq, and the weight times
       ///   (C dE/dq)_yy - C_yyyy dE_yy/dq / 2.
       dealii::LAPACKFullMatrix<double> stretch, on_stretch;
     };
@@ -134,15 +130,13 @@ namespace lamella
                    const std::vector<std::vector<Gradient>> &H,
                    std::vector<double>                      &energy) const;
 
-    /// Returns int (dH/dq)^T D dH/dq dA over @p cell; @p D returns D at a
-    /// point.
+    /// Returns int (dH/dq)^T D dH/dq dA over @p cell, with @p D at a point.
     static CellTangent
     tangent_of(
       const Cell                                                    &cell,
       const std::function<dealii::Tensor<2, 9>(const unsigned int)> &D);
 
-    /// Returns the displacement gradients at the points of @p cell for each
-    /// station.
+    /// Returns displacement gradients at the points of @p cell by station.
     std::vector<std::vector<Gradient>>
     gradients(const Cell &cell, const FieldParts &q) const;
 

@@ -49,8 +49,7 @@ namespace lamella
     /// functionals of the coefficients.
     std::array<LinearFunctional, 3>
     displacement(const unsigned int cell, const dealii::Point<2> &unit) const;
-    /// Returns the interpolation L_q of these displacement components, q =
-    /// @p q.
+    /// Returns the interpolation L_q of these displacement components.
     std::array<LinearFunctional, 3>
     interpolated(const unsigned int      cell,
                  const dealii::Point<2> &unit,

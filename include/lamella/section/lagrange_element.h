@@ -15,45 +15,42 @@
 
 namespace lamella
 {
-  /**
-   * The layer-wise Lagrange expansion LE-p of a cross-section (Eq. 3):
-   * deal.II's FE_Q<2>(p) on the section mesh, i.e. L4, L9 and L16 for p = 1, 2,
-   * 3, with Gauss-Lobatto nodes. Displacements are continuous, transverse
-   * strains may jump at ply interfaces. The geometry is isoparametric, so the
-   * functions 1, x, z are in the span of the nodal functions. There are three
-   * kinds of basis.
-   *
-   * In the *nodal* basis, 1, (x - x_c)/h, (z - z_c)/h replace the nodal
-   * functions of three nodes that are not on a line.
-   *
-   * For rectangular grids much wider than high, a nodal basis *in columns*
-   * avoids rounding errors. G_i(x) is the sum of the nodal functions of the
-   * column of nodes at x_i. The functions G_i and G_i (z - z_c) / h_z replace
-   * two nodal functions of each column; 1, x, z replace three of the functions
-   * G_i and G_i (z - z_c) / h_z. If the grid is much higher than wide, x and z
-   * are exchanged.
-   *
-   * If nodes of the axis of one beam have different degrees LE-1, LE-2, ...,
-   * the basis is *hierarchical*, as in deal.II's FE_Q_Hierarchical: bilinear
-   * functions of the vertices, and products
-   *   l_i(xi) l_j(eta),   max(i, j) = 2, 3, ..., p,
-   *   l_0 = 1 - t,  l_1 = t,
-   *   l_k = int_(-1)^(2t-1) P_(k-1) / |P_(k-1)| ds   for k > 1
-   * with integrated Legendre polynomials (Szabo and Babuska 1991), for edges if
-   * i or j < 2, otherwise for the interior of a cell. The sign of functions of
-   * odd degree on an edge follows from its direction, from the vertex with the
-   * smaller number to the other vertex. 1, x, z replace the functions of three
-   * vertices. The functions up to degree q span LE-q, so that all degrees share
-   * one set of section matrices (doc/theory/theories.md).
-   *
-   * Curved cells are mapped with degree p for all functions. Each LE-q contains
-   * the rigid motions exactly.
-   */
+  /// The layer-wise Lagrange expansion LE-p of a cross-section (Eq. 3):
+  /// deal.II's FE_Q<2>(p) on the section mesh, i.e. L4, L9 and L16 for p = 1,
+  /// 2, 3, with Gauss-Lobatto nodes. Displacements are continuous, transverse
+  /// strains may jump at ply interfaces. The geometry is isoparametric, so the
+  /// functions 1, x, z are in the span of the nodal functions. There are three
+  /// kinds of basis.
+  ///
+  /// In the *nodal* basis, 1, (x - x_c)/h, (z - z_c)/h replace the nodal
+  /// functions of three nodes that are not on a line.
+  ///
+  /// For rectangular grids much wider than high, a nodal basis *in columns*
+  /// avoids rounding errors. G_i(x) is the sum of the nodal functions of the
+  /// column of nodes at x_i. The functions G_i and G_i (z - z_c) / h_z replace
+  /// two nodal functions of each column; 1, x, z replace three of the functions
+  /// G_i and G_i (z - z_c) / h_z. For grids much higher than wide, x and z are
+  /// exchanged.
+  ///
+  /// If nodes of the axis of one beam have different degrees LE-1, LE-2, ...,
+  /// the basis is *hierarchical*, as in deal.II's FE_Q_Hierarchical: bilinear
+  /// functions of the vertices, and products
+  ///   l_i(xi) l_j(eta),   max(i, j) = 2, 3, ..., p,
+  ///   l_0 = 1 - t,  l_1 = t,
+  ///   l_k = int_(-1)^(2t-1) P_(k-1) / |P_(k-1)| ds   for k > 1
+  /// with integrated Legendre polynomials (Szabo and Babuska 1991), for edges
+  /// if i or j < 2, otherwise for the interior of a cell. The sign of functions
+  /// of odd degree on an edge follows from its direction, from the vertex with
+  /// the smaller number to the other vertex. 1, x, z replace the functions of
+  /// three vertices. The functions up to degree q span LE-q, so that all
+  /// degrees share one set of section matrices (doc/theory/theories.md).
+  ///
+  /// Curved cells are mapped with degree p for all functions. Each LE-q
+  /// contains the rigid motions exactly.
   class LagrangeElement : public CrossSectionElement
   {
   public:
-    /// Kind of basis: nodal (in columns if the section is slender) or
-    /// hierarchical.
+    /// Kind of basis: nodal (in columns if slender) or hierarchical.
     enum class Basis
     {
       nodal,
@@ -63,9 +60,8 @@ namespace lamella
     /// Aspect ratio of a rectangular grid above which the basis is in columns.
     static constexpr double default_column_aspect = 100.;
 
-    /// Constructs LE of @p degree on @p mesh. A nodal basis is in columns if
-    /// the section is a rectangular grid with an aspect ratio of at least
-    /// @p column_aspect.
+    /// Constructs LE of @p degree on @p mesh. A nodal basis is in columns on
+    /// rectangular grids with an aspect ratio of at least @p column_aspect.
     LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree,
                     const double column_aspect = default_column_aspect,
@@ -135,8 +131,7 @@ namespace lamella
       return section_grid();
     }
 
-    /// Returns all nodes, with the integrals of their nodal functions as
-    /// weights [length^2].
+    /// Returns all nodes, weighted by integrals of nodal functions [length^2].
     std::vector<EdgePoint>
     section_grid() const override;
 
@@ -167,8 +162,7 @@ namespace lamella
       std::vector<unsigned int> nodes;
     };
 
-    /// A hierarchical function on a cell, sign l_i(xi) l_j(eta), with i, j =
-    /// indices.
+    /// The hierarchical function sign l_i(xi) l_j(eta), i, j = indices.
     struct Product
     {
       unsigned int                number;
@@ -176,8 +170,7 @@ namespace lamella
       double                      sign;
     };
 
-    /// The basis functions of a cell: `functions` or, if hierarchical,
-    /// `products`.
+    /// The basis functions of a cell: `functions`, or hierarchical `products`.
     struct Cell
     {
       /// Numbers of the nonzero basis functions on the cell, ascending.
@@ -201,8 +194,7 @@ namespace lamella
       return basis == Basis::hierarchical;
     }
 
-    /// Returns three of @p nodes far from a common line, whose functions are
-    /// replaced.
+    /// Returns three of @p nodes, not on a line, whose functions are replaced.
     std::array<unsigned int, 3>
     replaced_nodes(const std::vector<dealii::Point<2>> &nodes) const;
 
@@ -215,8 +207,7 @@ namespace lamella
     void
     number_nodal_functions();
 
-    /// Numbers of the functions G_i, G_i (z - z_c) / h_z and N_i; 0 if
-    /// replaced.
+    /// Numbers of functions G_i, G_i (z - z_c) / h_z, N_i; 0 if replaced.
     struct ColumnNumbers
     {
       std::vector<unsigned int> constant, slope, of_node;
@@ -258,23 +249,20 @@ namespace lamella
     std::vector<EdgePoint>
     grid_points_of(const SectionGeometry &grid) const;
 
-    /// Sorts the functions of each cell by their numbers and sets
-    /// Cell::numbers.
+    /// Sorts the functions of each cell and sets Cell::numbers.
     void
     collect_numbers();
 
     /// Isoparametric map with the nodes of the expansion.
     SectionGeometry geometry;
     Basis           basis;
-    /// Maps with the nodes of degrees 1 ... p - 1, if the basis is
-    /// hierarchical.
+    /// Maps with the nodes of degrees 1 ... p - 1 if hierarchical.
     std::vector<std::unique_ptr<const SectionGeometry>> coarse;
     /// Result of level() for each function, and functions of each cell.
     std::vector<unsigned int> levels;
     std::vector<Cell>         cells;
     bool                      in_columns = false;
-    /// Direction of the long side of the grid, 0 for x and 1 for z, and length
-    /// h_z.
+    /// Direction of the long side of the grid (0: x, 1: z), and length h_z.
     unsigned int long_side     = 0;
     double       column_length = 1.;
   };

@@ -82,8 +82,7 @@ namespace lamella
 
     std::vector<Ply> plies;
     double           shear_factor;
-    /// Stiffness of each ply in its own axes, and constant laws in the body
-    /// frame.
+    /// Stiffness of each ply in its own axes; constant laws in the body frame.
     std::vector<ElasticTensor> own;
     std::vector<ElasticLaw>    constant_laws;
   };

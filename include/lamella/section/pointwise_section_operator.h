@@ -39,8 +39,7 @@ namespace lamella
       double derivative = 0.;
     };
 
-    /// Coefficients of all section functions, for one axis point after the
-    /// other.
+    /// Coefficients of all section functions, axis point by axis point.
     using Coefficients = std::vector<Coefficient>;
 
     Coefficients

@@ -9,20 +9,16 @@
 
 namespace lamella
 {
-  /**
-   * A section operator that multiplies coefficients by one dense section
-   * matrix,
-   *   [W_0; W_1] = [S_00, S_01; S_10, S_11] [q; q'],
-   * which is Section::moments() for TE-N, N > 1, and SectionSpace::dense_S()
-   * for lists of rigid functions and modes. With assumed shear strains, TE-N
-   * has three block rows and columns, those of Section::moments().
-   *
-   * To avoid cancellation in slender beams, the shear strain of the deflection
-   * w and the slope a, with the reference length h, is added before the
-   * product,
-   *   q_w' + q_a / h.
-   * The force on the slope q_a is that on this sum divided by h.
-   */
+  /// A section operator that multiplies coefficients by a dense matrix S,
+  ///   [W_0; W_1] = [S_00, S_01; S_10, S_11] [q; q'],
+  /// which is Section::moments() for TE-N, N > 1, and SectionSpace::dense_S()
+  /// for lists of rigid functions and modes. With assumed shear strains, TE-N
+  /// has three block rows and columns, those of Section::moments().
+  ///
+  /// To avoid cancellation in slender beams, the shear strain of deflection w
+  /// and slope a, with the reference length h, is added before the product,
+  ///   q_w' + q_a / h.
+  /// The force on the slope q_a is that on this sum divided by h.
   class ProductSectionOperator : public SectionOperator
   {
   public:
@@ -49,8 +45,7 @@ namespace lamella
     /// Matrix S with block columns in the order of the block rows.
     dealii::LAPACKFullMatrix<double> S;
 
-    /// Returns the entry of functions @p a, @p b of the list in block (@p p,
-    /// @p q).
+    /// Returns the entry of functions @p a, @p b in block (@p p, @p q).
     double
     product(const unsigned int p,
             const unsigned int q,

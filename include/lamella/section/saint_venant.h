@@ -18,33 +18,30 @@ namespace lamella
   /// A 6 x 6 matrix for section forces or strains, see SaintVenant::Force.
   using SectionTensor = dealii::Tensor<2, 6>;
 
-  /**
-   * The six Saint-Venant solutions (states) of a section: its deformation far
-   * from ends and loads under an axial force, a torque, two bending moments and
-   * two shear forces, with the three-dimensional constitutive law, for any
-   * shape, layup and coupling (central solutions: Giavotto et al., Comput.
-   * Struct. 16 (1983) 403; Borri and Merlini 1986).
-   *
-   * A state consists of the coefficients a of the section functions and their
-   * derivatives b by y at y = 0, with the strain D_s a + D_y b,
-   *   extension   S_00 a = E t_y,                   b = t_y
-   *   torsion     S_00 a = E r,                     b = r
-   *   curvatures  S_00 a = E b + S_11 t_x,          b = -h s_x   (and z)
-   *   shear       S_00 a = E a_0 + S_11 b_0,        b = a_0,
-   * with the matrices S_pq of Section, E = S_10 - S_01, the rigid translations
-   * t_x, t_y, t_z, the rotation r about y, the slopes s_x, s_z (u_y = x / h, z
-   * / h) and the reference length h. (a_0, b_0) is a curvature, to which
-   * extension and torsion are added so that axial force and torque are zero.
-   * S_00 is singular for t_x, t_y, t_z and r, which are constrained. All states
-   * use one factorization.
-   *
-   * The stress resultants of each state, S_10 a + S_11 b for the rigid
-   * functions, are the columns of F. With the mutual energies Q_ij of pairs of
-   * states, the result is the
-   *   compliance  F^-T Q F^-1   and its inverse, the stiffness
-   * of a Timoshenko beam. The error is that of the theory of the section; use
-   * LE.
-   */
+  /// The six Saint-Venant solutions (states) of a section: its deformation far
+  /// from ends and loads under an axial force, a torque, two bending moments
+  /// and two shear forces, with the three-dimensional constitutive law, for any
+  /// shape, layup and coupling (central solutions: Giavotto et al., Comput.
+  /// Struct. 16 (1983) 403; Borri and Merlini 1986).
+  ///
+  /// A state consists of the coefficients a of the section functions and their
+  /// derivatives b by y at y = 0, with the strain D_s a + D_y b,
+  ///   extension   S_00 a = E t_y,                   b = t_y
+  ///   torsion     S_00 a = E r,                     b = r
+  ///   curvatures  S_00 a = E b + S_11 t_x,          b = -h s_x   (and z)
+  ///   shear       S_00 a = E a_0 + S_11 b_0,        b = a_0,
+  /// with the matrices S_pq of Section, E = S_10 - S_01, the rigid translations
+  /// t_x, t_y, t_z, the rotation r about y, the slopes s_x, s_z (u_y = x / h, z
+  /// / h) and the reference length h. (a_0, b_0) is a curvature, to which
+  /// extension and torsion are added so that axial force and torque are zero.
+  /// S_00 is singular for t_x, t_y, t_z and r, which are constrained. All
+  /// states use one factorization.
+  ///
+  /// The stress resultants of each state, S_10 a + S_11 b for the rigid
+  /// functions, are the columns of F. With the mutual energies Q_ij of pairs of
+  /// states, the result is the
+  ///   compliance  F^-T Q F^-1   and its inverse, the stiffness
+  /// of a Timoshenko beam. The error is that of the section's theory; use LE.
   class SaintVenant
   {
   public:
@@ -74,9 +71,8 @@ namespace lamella
       return section;
     }
 
-    /// Return the coefficients a and b of the states in the order extension,
-    /// torsion, curvature in x and z, shear in x and z, scaled as in the class
-    /// description.
+    /// Return the coefficients a and b of the states: extension, torsion,
+    /// curvature in x and z, shear in x and z, scaled as described above.
     const std::vector<Vector> &
     values() const
     {
@@ -88,8 +84,7 @@ namespace lamella
       return derivative;
     }
 
-    /// Returns the compliance: section strains per section force, in the order
-    /// of Force.
+    /// Returns section strains per section force, in the order of Force.
     const SectionTensor &
     compliance() const
     {
@@ -116,8 +111,7 @@ namespace lamella
     constrained_response(Vector load) const;
 
   private:
-    /// Returns a from S_00 a = E @p v + S_11 @p w; constrained coefficients are
-    /// 0.
+    /// Returns a from S_00 a = E @p v + S_11 @p w with constraints.
     Vector
     solve(const Vector &v, const Vector &w) const;
     /// Returns E @p v + S_11 @p w.
@@ -128,8 +122,7 @@ namespace lamella
     /// Computes the two shear states from the curvature states.
     void
     find_shear_states();
-    /// Computes the stress resultants F and the mutual energies Q of the
-    /// states.
+    /// Computes stress resultants F and mutual energies Q of the states.
     void
     find_resultants(dealii::FullMatrix<double> &forces,
                     dealii::FullMatrix<double> &energies) const;
@@ -163,8 +156,7 @@ namespace lamella
     double GJ = 0.;
     /// Stiffness for shear forces along x and z in the shear center [force].
     double kGA_x = 0., kGA_z = 0.;
-    /// Points at which axial forces cause no bending and shear forces no twist
-    /// [length].
+    /// Points where axial forces do not bend and shear forces do not twist.
     dealii::Point<2> tension_center, shear_center;
   };
 

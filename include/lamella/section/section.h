@@ -46,8 +46,7 @@ namespace lamella
       double       factor;
     };
     std::vector<Term> terms;
-    /// Level in the elimination order: 0 for linear functions, higher for
-    /// warping.
+    /// Level in the elimination order: 0 for linear functions, else more.
     unsigned int level = 0;
   };
 
@@ -68,25 +67,22 @@ namespace lamella
       {{{translation_x, slope_x}}, {{translation_z, slope_z}}}};
   } // namespace RigidField
 
-  /**
-   * A section with a beam theory: its section functions Phi_alpha, integration
-   * points with constitutive laws, and the section matrices of Eq. 12,
-   *   S_00 = int D_s^T C D_s,  S_01 = int D_s^T C D_y,
-   *   S_10 = S_01^T,           S_11 = int D_y^T C D_y.
-   * The displacement is
-   *   u(x, y, z) = sum_alpha Phi_alpha(x, z) q_alpha(y),
-   * i.e. Eq. 1 with a function for each component. D_s has the derivatives by x
-   * and z of Eq. 5, D_y those by y. With shape functions N_i(y), the stiffness
-   * is the sum of four Kronecker products of these matrices with the axis
-   * integrals
-   *   int N_i N_j, int N_i N_j', int N_i' N_j, int N_i' N_j'  dy.
-   * EBBT and TBT have the five functions of a plane section without torsion.
-   * Other theories have nine linear functions, then each further F_tau times
-   * each unit vector. Matrices are sparse for layer-wise expansions, except for
-   * the rows of linear functions, and dense for Taylor expansions. Bodies with
-   * the same section and theory share one object. Immutable; shares the
-   * ownership of the mesh.
-   */
+  /// A section with a beam theory: its section functions Phi_alpha, integration
+  /// points with constitutive laws, and the section matrices of Eq. 12,
+  ///   S_00 = int D_s^T C D_s,  S_01 = int D_s^T C D_y,
+  ///   S_10 = S_01^T,           S_11 = int D_y^T C D_y.
+  /// The displacement is
+  ///   u(x, y, z) = sum_alpha Phi_alpha(x, z) q_alpha(y),
+  /// i.e. Eq. 1 with a function for each component. D_s has the derivatives by
+  /// x and z of Eq. 5, D_y those by y. With shape functions N_i(y), the
+  /// stiffness is the sum of four Kronecker products of S_pq with the integrals
+  ///   int N_i N_j, int N_i N_j', int N_i' N_j, int N_i' N_j'  dy.
+  /// EBBT and TBT have the five functions of a plane section without torsion.
+  /// Other theories have nine linear functions, then each further F_tau times
+  /// each unit vector. Matrices are sparse for layer-wise expansions, except
+  /// for the rows of linear functions, and dense for Taylor expansions. Bodies
+  /// with the same section and theory share one object. Immutable; shares the
+  /// ownership of the mesh.
   class Section
   {
   public:
@@ -130,8 +126,7 @@ namespace lamella
       return fields.size();
     }
 
-    /// Returns the section function @p alpha; see RigidField for rigid
-    /// functions.
+    /// Returns section function @p alpha; RigidField numbers rigid ones.
     const SectionFunction &
     field(const unsigned int alpha) const
     {
@@ -143,8 +138,7 @@ namespace lamella
     std::vector<double>
     rotated(const dealii::Tensor<1, 3> &v, const std::vector<double> &q) const;
 
-    /// Returns CrossSectionElement::function_degree() of section function
-    /// @p alpha.
+    /// Returns the polynomial degree of section function @p alpha.
     unsigned int
     field_degree(const unsigned int alpha) const
     {
@@ -186,9 +180,8 @@ namespace lamella
       return plies()[ply_of_cell[cell]].axes(x);
     }
 
-    /// Evaluates the section functions of @p cell at the reference coordinates
-    /// @p unit, with completed strains. SectionPoint::fields points into this
-    /// object.
+    /// Evaluates the section functions of @p cell at reference coordinates
+    /// @p unit, with completed strains. The result points into this object.
     SectionPoint
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const;
 
@@ -256,7 +249,7 @@ namespace lamella
     /// Returns the section matrix S_pq, with @p p, @p q = 0 or 1. Units: force
     /// / length^2 for S_00, force / length for S_01, force for S_11. Includes
     /// TBT's shear factor and completed strains. All S_pq have the same
-    /// sparsity pattern.
+    /// pattern.
     const Matrix &
     S(const unsigned int p, const unsigned int q) const
     {
@@ -283,8 +276,7 @@ namespace lamella
     area() const;
 
   private:
-    /// Creates the section functions, rigid ones first, and lists those of each
-    /// cell.
+    /// Creates the section functions and lists those of each cell.
     void
     make_fields();
     /// Computes integration_points() and, if needed, the completion.
@@ -321,8 +313,7 @@ namespace lamella
                       const StrainParts &strain,
                       const StrainParts &stress,
                       DenseRows         &dense);
-    /// Computes the bounding boxes of cells, enlarged by 20 % if edges are
-    /// curved.
+    /// Computes bounding boxes of cells, 20 % larger if edges are curved.
     void
     make_boxes();
 

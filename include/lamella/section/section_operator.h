@@ -31,8 +31,8 @@ namespace lamella
   field_parts(const unsigned int n_fields, const unsigned int n_stations);
 
   /// Generalized forces of a section at points (stations) of the axis,
-  /// conjugate to the coefficients of the section functions, and strain energy
-  /// per length.
+  /// conjugate to coefficients of section functions, and strain energy per
+  /// length.
   struct SectionForces
   {
     explicit SectionForces(const unsigned int n_fields   = 0,
@@ -55,22 +55,20 @@ namespace lamella
           const std::vector<unsigned int> &list,
           const SectionForces             &forces);
 
-  /**
-   * Computes the generalized forces of a section (linear kinematics) from the
-   * coefficients of its functions. Coefficients q and q' at a point (station)
-   * of the axis determine the strain of Eq. 5,
-   *   epsilon = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
-   * the generalized forces of Eq. 12 before integration over the axis,
-   *   W_0 = int D_s^T C epsilon dA = S_00 q + S_01 q',
-   *   W_1 = int D_y^T C epsilon dA = S_10 q + S_11 q',
-   * and the energy per length (q . W_0 + q' . W_1) / 2. For assumed transverse
-   * shear strains, q has other values in these strains (see FieldPart).
-   *
-   * All implementations (see make_section_operator()) compute strains before
-   * they multiply by stiffnesses. Thus the small slopes of the axis and the
-   * sections cancel exactly in rigid motions of slender beams. Keeps a
-   * reference to the SectionSpace.
-   */
+  /// Computes the generalized forces of a section (linear kinematics) from the
+  /// coefficients of its functions. Coefficients q and q' at a point (station)
+  /// of the axis determine the strain of Eq. 5,
+  ///   epsilon = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
+  /// the generalized forces of Eq. 12 before integration over the axis,
+  ///   W_0 = int D_s^T C epsilon dA = S_00 q + S_01 q',
+  ///   W_1 = int D_y^T C epsilon dA = S_10 q + S_11 q',
+  /// and the energy per length (q . W_0 + q' . W_1) / 2. For assumed transverse
+  /// shear strains, q has other values in these strains (see FieldPart).
+  ///
+  /// All implementations (see make_section_operator()) compute strains before
+  /// they multiply by stiffnesses. Thus the small slopes of the axis and the
+  /// sections cancel exactly in rigid motions of slender beams. Keeps a
+  /// reference to the SectionSpace.
   class SectionOperator
   {
   public:
@@ -104,8 +102,7 @@ namespace lamella
     virtual std::vector<FactorRow>
     stiffness() const = 0;
 
-    /// Returns the largest rotation |curl u| / 2 [rad] for the coefficients
-    /// @p q.
+    /// Returns the largest rotation |curl u| / 2 [rad] for coefficients @p q.
     double
     largest_rotation(const FieldParts &q) const;
 

@@ -14,8 +14,7 @@ namespace lamella
   /// The section functions Phi that are nonzero at a point of a section, with
   /// their strains. The strain of u = N(y) Phi(x, z) is N in_plane + N' along,
   /// i.e. N D_s Phi + N' D_y Phi (Eq. 5), with StrainCompletion if the theory
-  /// has one. Entry a of each vector belongs to the function number
-  /// (*fields)[a].
+  /// has one. Entry a of each vector belongs to function (*fields)[a].
   struct SectionPoint
   {
     /// Cell that contains the point, and reference coordinates in the cell.
@@ -28,11 +27,9 @@ namespace lamella
     const std::vector<unsigned int> *fields = nullptr;
     /// Values Phi of the section functions [no unit].
     std::vector<dealii::Tensor<1, 3>> value;
-    /// Strains D_s Phi [1 / length] and D_y Phi [no unit] in the order of
-    /// Voigt.
+    /// Strains D_s Phi [1 / length] and D_y Phi [no unit].
     std::vector<Voigt> in_plane, along;
-    /// Rotations about the axis, (d Phi_x / dz - d Phi_z / dx) / 2 [1 /
-    /// length].
+    /// Rotations about y, (d Phi_x / dz - d Phi_z / dx) / 2 [1 / length].
     std::vector<double> twist;
   };
 

@@ -18,19 +18,17 @@ namespace lamella
   /// coefficient of the section function Phi_alpha in displacement j.
   using FieldColumns = dealii::LAPACKFullMatrix<double>;
 
-  /**
-   * All functions that nodes of a beam may use: first the section functions of
-   * a Section, then modes. A mode is a linear combination of section functions:
-   * a Saint-Venant warping, a section function from a harmonic load, or a
-   * boundary-layer mode. Neighboring nodes may use different lists of
-   * functions.
-   *
-   * A *dense* list has only the six rigid functions and modes, so its cost does
-   * not depend on the number of section functions. The matrices of these dense
-   * functions, numbered 0 ... n_dense() - 1,
-   *   B^T S_pq B,   B = [rigid functions, modes],
-   * are computed once. Immutable; shares the ownership of the section.
-   */
+  /// All functions that nodes of a beam may use: first the section functions of
+  /// a Section, then modes. A mode is a linear combination of section
+  /// functions: a Saint-Venant warping, a section function from a harmonic
+  /// load, or a boundary-layer mode. Neighboring nodes may use different
+  /// functions.
+  ///
+  /// A *dense* list has only the six rigid functions and modes, so its cost
+  /// does not depend on the number of section functions. The matrices of these
+  /// dense functions, numbered 0 ... n_dense() - 1,
+  ///   B^T S_pq B,   B = [rigid functions, modes],
+  /// are computed once. Immutable; shares the ownership of the section.
   class SectionSpace
   {
   public:
@@ -94,8 +92,7 @@ namespace lamella
     bool
     is_dense(const std::vector<unsigned int> &list) const;
 
-    /// Returns the level of @p alpha in the elimination order, coarse first; 1
-    /// for modes.
+    /// Returns the level of @p alpha in the elimination order; 1 for modes.
     unsigned int
     level(const unsigned int alpha) const
     {
@@ -143,8 +140,7 @@ namespace lamella
       return &modes(0, j);
     }
 
-    /// Returns the matrix B^T S_pq B of the dense functions; empty without
-    /// modes.
+    /// Returns the matrix B^T S_pq B of dense functions; empty without modes.
     const dealii::LAPACKFullMatrix<double> &
     dense_S(const unsigned int p, const unsigned int q) const
     {

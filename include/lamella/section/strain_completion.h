@@ -13,18 +13,16 @@
 
 namespace lamella
 {
-  /**
-   * Corrects Poisson locking in theories of low order (EBBT, TBT, TE-1), whose
-   * functions cannot describe the lateral contraction of a bent section: eps_yy
-   * = kappa z requires u_x = -nu kappa x z and u_z = -nu kappa (z^2 - x^2) / 2.
-   * Without correction, the section is too stiff, by 35 % at nu = 0.3. The
-   * missing strains are added to those of each section function; stresses,
-   * energies and forces follow from the completed strains.
-   *
-   * The missing warping is condensed out by zero transverse stresses
-   * (FreeContraction) or by modes (ContractionModes). The added strains have no
-   * displacements, so a support that fixes u_x does not constrain them.
-   */
+  /// Corrects Poisson locking in theories of low order (EBBT, TBT, TE-1), whose
+  /// functions cannot describe the lateral contraction of a bent section:
+  /// eps_yy = kappa z requires u_x = -nu kappa x z and u_z = -nu kappa (z^2 -
+  /// x^2) / 2. Without correction, the section is too stiff, by 35 % at nu =
+  /// 0.3. The missing strains are added to those of each section function;
+  /// stresses, energies and forces follow from the completed strains.
+  ///
+  /// The missing warping is condensed out by zero transverse stresses
+  /// (FreeContraction) or by modes (ContractionModes). The added strains have
+  /// no displacements, so a support that fixes u_x does not constrain them.
   class StrainCompletion
   {
   public:
@@ -35,9 +33,8 @@ namespace lamella
     virtual void
     complete(SectionPoint &point) const = 0;
 
-    /// Returns the strain that an initial strain at a point of a cell adds to
-    /// the strain of the displacements. This default implementation returns
-    /// zero.
+    /// Returns the strain that an initial strain at a point adds to the strain
+    /// of the displacements. This default implementation returns zero.
     virtual Voigt
     of_initial(const unsigned int /*cell*/,
                const dealii::Point<2> & /*x*/,
@@ -61,8 +58,7 @@ namespace lamella
     FreeContraction(const PlyLaws                   &laws,
                     const std::vector<unsigned int> &ply_of_cell);
 
-    /// Replaces each strain eps by P eps, with eps_b as in the class
-    /// description.
+    /// Replaces each strain eps by P eps, with eps_b as above.
     void
     complete(SectionPoint &point) const override;
 
@@ -84,20 +80,18 @@ namespace lamella
     std::vector<unsigned int>  ply_of_cell;
   };
 
-  /**
-   * Strain completion for TE-1 by modes of the whole section. The modes are the
-   * in-plane displacements F_tau e_x and F_tau e_z with the polynomials F_tau
-   * of degree 2. For each strain eps of TE-1, their amplitudes minimize the
-   * energy, so that the displacement is
-   *   v = - K^-1 int (D_s v)^T C eps dA,   K = int (D_s v)^T C D_s v dA
-   * (static condensation; derivatives of v along y are neglected). The mean
-   * strain of each mode is subtracted, so that int D_s v dA = 0 and TE-1's
-   * constant in-plane strains are not affected.
-   *
-   * For one isotropic material, the modes contain the exact contraction under
-   * bending, and TE-1 has the bending stiffness of TBT. There are six modes,
-   * two for each quadratic polynomial.
-   */
+  /// Strain completion for TE-1 by modes of the whole section. The modes are
+  /// the in-plane displacements F_tau e_x and F_tau e_z with the polynomials
+  /// F_tau of degree 2. For each strain eps of TE-1, their amplitudes minimize
+  /// the energy, so that the displacement is
+  ///   v = - K^-1 int (D_s v)^T C eps dA,   K = int (D_s v)^T C D_s v dA
+  /// (static condensation; derivatives of v along y are neglected). The mean
+  /// strain of each mode is subtracted, so that int D_s v dA = 0 and TE-1's
+  /// constant in-plane strains are not affected.
+  ///
+  /// For one isotropic material, the modes contain the exact contraction under
+  /// bending, and TE-1 has the bending stiffness of TBT. There are six modes,
+  /// two for each quadratic polynomial.
   class ContractionModes : public StrainCompletion
   {
   public:
@@ -127,8 +121,7 @@ namespace lamella
                  const double                      weight,
                  const ElasticTensor              &C,
                  dealii::LAPACKFullMatrix<double> &K);
-    /// Returns the strains D_s v of all modes at a point, minus their means [1
-    /// / length].
+    /// Returns D_s v of all modes at a point, minus means [1 / length].
     std::vector<Voigt>
     mode_strains(const unsigned int cell, const dealii::Point<2> &unit) const;
 
@@ -136,8 +129,7 @@ namespace lamella
     TaylorElement modes;
     /// Mean strain of each mode over the section.
     std::vector<Voigt> means;
-    /// Amplitudes of each mode for the strains D_s Phi and D_y Phi of each
-    /// section function.
+    /// Amplitudes of modes for strains D_s Phi and D_y Phi of each function.
     dealii::LAPACKFullMatrix<double> of_in_plane, of_along;
   };
 } // namespace lamella

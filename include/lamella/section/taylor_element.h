@@ -8,25 +8,23 @@
 
 namespace lamella
 {
-  /**
-   * The Taylor expansion TE-N of a cross-section (Eq. 2): all polynomials of x
-   * and z up to degree N over the whole section, (N + 1)(N + 2) / 2 functions
-   * (equivalent single layer). Strains are continuous at ply interfaces, so
-   * transverse stresses jump.
-   *
-   * The first three functions are 1, (x - x_c)/h, (z - z_c)/h. Since monomials
-   * x^i z^j are nearly linearly dependent for N >= 8, the other functions are
-   * polynomials that are orthonormal over the section of area A,
-   *   1/A int F_tau F_sigma dA = delta,
-   * by the Arnoldi process (Brubeck, Nakatsukasa and Trefethen, Vandermonde
-   * with Arnoldi, SIAM Review 63, 2021). Each new polynomial is x or z times an
-   * earlier polynomial, orthogonalized to all earlier ones. The same recurrence
-   * evaluates the functions at any point, with x and z scaled to [-1, 1] over
-   * the bounding box.
-   *
-   * Integrals use the Gauss points of the section, exact for straight-sided
-   * cells. An evaluation takes O(N^3) operations.
-   */
+  /// The Taylor expansion TE-N of a cross-section (Eq. 2): all polynomials of x
+  /// and z up to degree N over the whole section, (N + 1)(N + 2) / 2 functions
+  /// (equivalent single layer). Strains are continuous at ply interfaces, so
+  /// transverse stresses jump.
+  ///
+  /// The first three functions are 1, (x - x_c)/h, (z - z_c)/h. Since monomials
+  /// x^i z^j are nearly linearly dependent for N >= 8, the other functions are
+  /// polynomials that are orthonormal over the section of area A,
+  ///   1/A int F_tau F_sigma dA = delta,
+  /// by the Arnoldi process (Brubeck, Nakatsukasa and Trefethen, Vandermonde
+  /// with Arnoldi, SIAM Review 63, 2021). Each new polynomial is x or z times
+  /// an earlier polynomial, orthogonalized to all earlier ones. The same
+  /// recurrence evaluates the functions at any point, with x and z scaled to
+  /// [-1, 1] over the bounding box.
+  ///
+  /// Integrals use the Gauss points of the section, exact for straight-sided
+  /// cells. An evaluation takes O(N^3) operations.
   class TaylorElement : public CrossSectionElement
   {
   public:
@@ -77,8 +75,7 @@ namespace lamella
     }
 
     /// Returns degree() + 1 Gauss-Lobatto points per side, with common
-    /// vertices. Weights are integrals of their Lagrange polynomials along the
-    /// sides.
+    /// vertices. Weights are integrals of their Lagrange polynomials.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
@@ -90,8 +87,7 @@ namespace lamella
     section_points() const override;
 
     /// Returns the Gauss-Lobatto points of all cells, degree() + 1 per
-    /// direction. The weights of points common to several cells are summed
-    /// [length^2].
+    /// direction. Weights [length^2] of common points are summed.
     std::vector<EdgePoint>
     section_grid() const override;
 
@@ -129,8 +125,7 @@ namespace lamella
     orthonormalize();
 
     /// Adds the polynomial from @p parent and @p direction to the recurrence
-    /// and its point values to @p values, unless it depends on earlier
-    /// polynomials.
+    /// and its values to @p values, unless it depends on earlier polynomials.
     void
     add_polynomial(const unsigned int                   parent,
                    const unsigned int                   direction,

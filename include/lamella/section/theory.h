@@ -12,31 +12,28 @@
 
 namespace lamella
 {
-  /**
-   * A structural theory of a body: for beams, the cross-section expansion and
-   * the correction of Poisson locking (doc/theory/theories.md).
-   *
-   * - EBBT, Euler-Bernoulli: sections stay plane and normal to the axis;
-   *   requires axis elements B4.
-   * - TBT, Timoshenko: sections stay plane; u_y is linear over the section.
-   *   EBBT and TBT have no torsion.
-   * - TE-N, Taylor: each component is a polynomial of degree N over the section
-   *   (Eq. 2), an equivalent single layer theory.
-   * - LE-N: layer-wise Lagrange elements of degree N (Eq. 3), L4, L9, L16 for N
-   *   = 1, 2, 3.
-   * - SV-N, Saint-Venant: the six rigid motions of a section, its six
-   *   Saint-Venant warpings, and section functions from harmonic loads at N
-   *   wave numbers for the loads and contacts of the scene; SV is SV-0. All are
-   *   computed with LE of degree section_order.
-   * - solid-N: hexahedral elements of degree N = 1 or 2.
-   *
-   * All displacement components have the same functions F_tau, except that u_x
-   * and u_z are constant over the section for EBBT and TBT.
-   */
+  /// A structural theory of a body: for beams, the cross-section expansion and
+  /// the correction of Poisson locking (doc/theory/theories.md).
+  ///
+  /// - EBBT, Euler-Bernoulli: sections stay plane and normal to the axis;
+  ///   requires axis elements B4.
+  /// - TBT, Timoshenko: sections stay plane; u_y is linear over the section.
+  ///   EBBT and TBT have no torsion.
+  /// - TE-N, Taylor: each component is a polynomial of degree N over the
+  ///   section (Eq. 2), an equivalent single layer theory.
+  /// - LE-N: layer-wise Lagrange elements of degree N (Eq. 3), L4, L9, L16 for
+  ///   N = 1, 2, 3.
+  /// - SV-N, Saint-Venant: the six rigid motions of a section, its six
+  ///   Saint-Venant warpings, and section functions from harmonic loads at N
+  ///   wave numbers for the loads and contacts of the scene; SV is SV-0. All
+  ///   are computed with LE of degree section_order.
+  /// - solid-N: hexahedral elements of degree N = 1 or 2.
+  ///
+  /// All displacement components have the same functions F_tau, except that u_x
+  /// and u_z are constant over the section for EBBT and TBT.
   struct Theory
   {
-    /// Kind of theory. `undefined` is only the default; parse() does not return
-    /// it.
+    /// Kind of theory; parse() never returns the default, `undefined`.
     enum class Kind
     {
       undefined,
@@ -56,8 +53,7 @@ namespace lamella
     static constexpr unsigned int default_section_order = 3;
 
     /// True if the functions of LE, also for SV, are hierarchical by degree
-    /// (see LagrangeElement::Basis). Required if nodes of a body have different
-    /// degrees.
+    /// (see LagrangeElement::Basis). Required if nodes have different degrees.
     bool hierarchical = false;
 
     /// True if sections of EBBT, TBT and TE-1 contract freely under bending
@@ -65,12 +61,10 @@ namespace lamella
     /// 26 % too small at nu = 0.3.
     bool poisson_correction = true;
     /// Shear correction factor k of TBT, 0 < k <= 1: the shear stiffness is k G
-    /// A (5/6 for homogeneous rectangles, 1 in the paper). Reported stresses
-    /// include k.
+    /// A (5/6 for homogeneous rectangles, 1 in the paper). Stresses include k.
     double shear_factor = 1.;
     /// True if sections of TBT also rotate about the axis, with the torsional
-    /// stiffness G times the polar moment. For finite rotations, see
-    /// of_rotating().
+    /// stiffness G times the polar moment (see of_rotating()).
     bool twists = false;
 
     /// Returns the theory LE-@p order.
@@ -127,8 +121,7 @@ namespace lamella
     {
       return kind == Kind::SV;
     }
-    /// Returns true for SV-N with section functions from harmonic loads, N >=
-    /// 1.
+    /// Returns true for SV-N, N >= 1: section functions from harmonic loads.
     bool
     has_responses() const
     {
@@ -141,8 +134,7 @@ namespace lamella
       return kind == Kind::EBBT;
     }
     /// Returns true if, for finite rotations, sections rotate rigidly and
-    /// deform in corotated axes. Other theories use a total Lagrangian
-    /// formulation.
+    /// deform in corotated axes. Other theories are total Lagrangian.
     bool
     has_rotating_sections() const
     {
@@ -200,9 +192,8 @@ namespace lamella
     Theory
     of_section() const;
 
-    /// Returns the theory named in @p entry. N is 1 to 20 for TE, 1 to 8 for
-    /// LE, 1 to 2 for solid, and 0 to 40 for SV. Throws InputError for any
-    /// other text.
+    /// Returns the theory named in @p entry. Throws InputError for other text.
+    /// N is 1 to 20 for TE, 1 to 8 for LE, 1 to 2 for solid, 0 to 40 for SV.
     static Theory
     parse(const Entry &entry);
   };
@@ -224,8 +215,7 @@ namespace lamella
   struct TheoryPieces
   {
     std::vector<Theory> theories;
-    /// Coordinates y at which intervals end, ascending, one fewer than theories
-    /// [length].
+    /// Coordinates y at which intervals end, ascending [length].
     std::vector<double> breaks;
 
     bool

@@ -24,8 +24,7 @@ namespace lamella
   ///   1 / (k G A) = int S(z)^2 / (G b) dz / (E I)^2,
   ///   S(z) = int_bottom^z E (z' - z_0) b dz',
   /// with the neutral axis z_0 and the width b = @p width [length]. E = 1 /
-  /// S_22 and G = 1 / S_66 of each of the @p plies, bottom to top (see
-  /// compliance()).
+  /// S_22 and G = 1 / S_66 of each ply by compliance().
   double
   shear_stiffness(const std::vector<Ply> &plies, const double width);
 
@@ -40,19 +39,15 @@ namespace lamella
                   const double            width,
                   const unsigned int      N);
 
-  /**
-   * Returns the torsional stiffness G J [force length^2] of @p section in its
-   * theory: the torque for a unit twist per length with the warping of minimum
-   * energy (Saint-Venant torsion). Empty for theories without torsion, for more
-   * than 2500 section functions, and for cells so thin that rounding errors
-   * dominate.
-   *
-   * With the section matrices S_pq, the rotation r about y, the reference
-   * length h, and the coefficients w of all other section functions except
-   * translations,
-   *   S_00 w = -S_01 r,   G J = h^2 (S_11 rr + w . S_01 r),
-   * w includes the slopes, so that the section rotates about its shear center.
-   */
+  /// Returns the torsional stiffness G J [force length^2] of @p section in its
+  /// theory: the torque for a unit twist per length with the warping of minimum
+  /// energy (Saint-Venant torsion). Empty for theories without torsion, more
+  /// than 2500 section functions, and cells so thin that rounding dominates.
+  ///
+  /// With section matrices S_pq, the rotation r about y, the reference length
+  /// h, and coefficients w of all other section functions except translations,
+  ///   S_00 w = -S_01 r,   G J = h^2 (S_11 rr + w . S_01 r),
+  /// w includes the slopes, so that the section rotates about its shear center.
   std::optional<double>
   torsional_stiffness(const Section &section);
 

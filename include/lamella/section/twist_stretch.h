@@ -11,23 +11,20 @@ namespace lamella
 {
   /// Returns the strain r^2 e_yy [length^2] of an axial fiber at @p point, for
   /// k^2 / 2 = 1 of the twist k. r is the distance from the centroid, e_yy a
-  /// unit strain along y, completed by the theory of @p section
-  /// (StrainCompletion).
+  /// unit strain along y, with StrainCompletion.
   Voigt
   stretch_of_fiber(const Section &section, const SectionPoint &point);
 
-  /**
-   * The second-order axial strain of a beam due to a twist k [rad / length]:
-   * fibers at the distance r from the centroid are inclined by k r and thus
-   * elongated (Wagner effect, 1929),
-   *   epsilon_2 = k^2 / 2 (r^2 e_yy + D_s v),
-   * where e_yy is a unit strain along y and v the free contraction of the
-   * section, S_00 v = -int D_s^T C e_yy r^2 dA. With I_n = int r^n dA and I_p =
-   * I_2, this effect adds E (I_4 - I_p^2 / A) k^2 / 2 to the stiffness G J of a
-   * strip and reduces that of a column under the compression N by N I_p / A.
-   * Only for LE, with a fine mesh: with one cell of LE-2, I_4 - I_p^2 / A is 19
-   * % too large in a bar of 8 x 5 and 7 % in a strip of 30 x 0.8.
-   */
+  /// The second-order axial strain of a beam due to a twist k [rad / length]:
+  /// fibers at the distance r from the centroid are inclined by k r and thus
+  /// elongated (Wagner effect, 1929),
+  ///   epsilon_2 = k^2 / 2 (r^2 e_yy + D_s v),
+  /// where e_yy is a unit strain along y and v the free contraction of the
+  /// section, S_00 v = -int D_s^T C e_yy r^2 dA. With I_n = int r^n dA and I_p
+  /// = I_2, this effect adds E (I_4 - I_p^2 / A) k^2 / 2 to the stiffness G J
+  /// of a strip and reduces that of a column under the compression N by N I_p /
+  /// A. Only for LE, with a fine mesh: with one cell of LE-2, I_4 - I_p^2 / A
+  /// is 19 % too large in a bar of 8 x 5 and 7 % in a strip of 30 x 0.8.
   class TwistStretch
   {
   public:

@@ -8,8 +8,7 @@
 namespace lamella
 {
   /// Orthogonalizes, compares and reduces displacements w over a section by
-  /// their warping, the component orthogonal to the rigid motions R_r of the
-  /// section,
+  /// their warping, the component orthogonal to the rigid motions R_r,
   ///   w <- w - sum_r c_r R_r   with   int R_s . w dA = 0   for all s,
   /// with the energy norm
   ///   |w|^2 = w^T (S_00 + (0.1 / H)^2 S_11) w,
@@ -74,8 +73,7 @@ namespace lamella
                    const double               tolerance) const;
 
   private:
-    /// Displacements without rigid motions and warpings, their metric(), their
-    /// norms.
+    /// Displacements orthogonalized to warpings, their metric(), norms.
     struct WarpingFields
     {
       FieldColumns        fields, metrics;
@@ -89,16 +87,14 @@ namespace lamella
     double         smaller_extent;
     /// Matrix S_00 + (0.1 / H)^2 S_11.
     Matrix metric_matrix;
-    /// Integrals int R_r . Phi_alpha dA, and inverse of the matrix int R_r .
-    /// R_s dA.
+    /// Integrals int R_r . Phi_alpha dA, and inverse of int R_r . R_s dA.
     std::vector<Vector>              rigid_products;
     dealii::LAPACKFullMatrix<double> inverse;
   };
 
   /// Returns columns that span X = @p fields and are orthonormal in the inner
-  /// product of a matrix M, X U Lambda^(-1/2). @p metrics are M X. U are the
-  /// eigenvectors of X^T M X with eigenvalues above @p tolerance^2 min(1,
-  /// largest).
+  /// product of a matrix M, X U Lambda^(-1/2). @p metrics are M X. U are
+  /// eigenvectors of X^T M X, eigenvalues above @p tolerance^2 min(1, largest).
   FieldColumns
   orthonormal(const FieldColumns &fields,
               const FieldColumns &metrics,

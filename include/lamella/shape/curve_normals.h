@@ -23,8 +23,7 @@ namespace lamella
     CurveNormals(const SectionMesh              &section,
                  const std::vector<std::string> &names);
 
-    /// Returns the unit normal (n_x, n_z) at the point @p x by a loop over all
-    /// sides.
+    /// Returns the unit normal at the point @p x by a loop over all sides.
     dealii::Tensor<1, 2>
     at(const dealii::Point<2> &x) const;
 

@@ -21,8 +21,7 @@ namespace lamella
     std::vector<const GmshFile::Element *> elements, lines;
   };
 
-  /// Throws InputError with the line number in the file if a cell is not
-  /// convex.
+  /// Throws InputError with the file's line number if a cell is not convex.
   void
   check_cells_are_convex(const GmshMesh &mesh, const Entry &entry);
 

@@ -66,8 +66,7 @@ namespace lamella
   /// 2.2. The result is consistent: numbers are finite, nodes and elements are
   /// numbered once, and elements refer to existing nodes. Sections of the file
   /// that a plane mesh does not need (`$Comments`, `$Periodic`) are skipped.
-  /// Throws InputError for @p entry, with line number, error and remedy, at the
-  /// first error.
+  /// Throws InputError for @p entry, with line number, at the first error.
   GmshFile
   read_gmsh_file(const std::string &text, const Entry &entry);
 } // namespace lamella

@@ -28,8 +28,7 @@ namespace lamella
       , entry(entry)
     {}
 
-    /// Returns @p word for messages: quoted, abridged, without control
-    /// characters.
+    /// Returns @p word for messages: quoted, abridged, printable.
     static std::string
     shown(const std::string_view word);
 
@@ -99,8 +98,7 @@ namespace lamella
 
 
 
-  /// The sections `$NAME ... $EndNAME` of a Gmsh file, which may have any
-  /// order.
+  /// The sections `$NAME ... $EndNAME` of a Gmsh file, in any order.
   class GmshParts
   {
   public:

@@ -46,24 +46,21 @@ namespace lamella
 
   /// Returns the structured mesh of @p laminate, with cells_across times
   /// cells_per_ply quadrilaterals in each ply. Boundary ids 0 to 3 are `left`
-  /// (x = 0), `right`, `bottom` (z = 0) and `top`. The material id is the ply
-  /// number.
+  /// (x = 0), `right`, `bottom` (z = 0) and `top`. Material ids number plies.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Laminate &laminate, const Materials &materials);
 
-  /**
-   * The stiffness matrices A, B, D of classical lamination theory, N = A e + B
-   * k, M = B e + D k in the order {yy, xx, xy} with y along the beam (Jones,
-   * Mechanics of Composite Materials, 2nd ed., Eqs. 4.22 to 4.24):
-   *   A = sum_k Q_k (z_k - z_k-1)
-   *   B = 1/2 sum_k Q_k (z_k^2 - z_k-1^2)
-   *   D = 1/3 sum_k Q_k (z_k^3 - z_k-1^3)
-   * Q_k is the plane-stress stiffness of ply k in the body's axes, z the
-   * distance from the mid-plane. e and k are strains and curvatures of the
-   * mid-plane, N and M forces and moments per width. Units are force/length for
-   * A, force for B, force times length for D. Used for comparisons and notes
-   * only.
-   */
+  /// The stiffness matrices A, B, D of classical lamination theory, N = A e + B
+  /// k, M = B e + D k in the order {yy, xx, xy} with y along the beam (Jones,
+  /// Mechanics of Composite Materials, 2nd ed., Eqs. 4.22 to 4.24):
+  ///   A = sum_k Q_k (z_k - z_k-1)
+  ///   B = 1/2 sum_k Q_k (z_k^2 - z_k-1^2)
+  ///   D = 1/3 sum_k Q_k (z_k^3 - z_k-1^3)
+  /// Q_k is the plane-stress stiffness of ply k in the body's axes, z the
+  /// distance from the mid-plane. e and k are strains and curvatures of the
+  /// mid-plane, N and M forces and moments per width. Units are force/length
+  /// for A, force for B, force times length for D. Used for comparisons and
+  /// notes only.
   struct LaminateStiffness
   {
     dealii::Tensor<2, 3> A, B, D;
@@ -72,8 +69,7 @@ namespace lamella
     /// twist. The compliances a_11 = e_yy / N_yy and d_11 = k_yy / M_yy are
     /// entries of the inverse of the 6 x 6 matrix [A, B; B, D].
     double EA = 0., EI = 0.;
-    /// Bending stiffness of a strip free to contract, but not to twist [force
-    /// length^2].
+    /// EI of a strip free to contract, but not to twist [force length^2].
     double EI_untwisted = 0.;
     /// Shear stiffness, the integral of C_yz,yz over the section, without shear
     /// correction factor [force].

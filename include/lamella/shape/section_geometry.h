@@ -15,8 +15,7 @@
 namespace lamella
 {
   /// The isoparametric map from the unit square to the cells of a section mesh,
-  /// with the nodes x_i of FE_Q<2>(degree), which follow curved edges of the
-  /// mesh,
+  /// with the nodes x_i of FE_Q<2>(degree), which follow curved edges,
   ///   x(xi) = sum_i N_i(xi) x_i, J = sum_i x_i (x) grad N_i,
   /// with Lagrange polynomials N_i at Gauss-Lobatto points. The map is bilinear
   /// for straight-sided cells. For curved cells, the area converges with the
@@ -24,8 +23,7 @@ namespace lamella
   class SectionGeometry
   {
   public:
-    /// Computes the nodes of the map of @p degree >= 1. Neighboring cells share
-    /// nodes.
+    /// Computes the nodes of @p degree >= 1, shared by neighboring cells.
     SectionGeometry(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree);
 
@@ -43,8 +41,7 @@ namespace lamella
       return positions;
     }
 
-    /// Returns the number of cells, which have the numbers of the mesh's active
-    /// cells.
+    /// Returns the number of cells, numbered as the mesh's active cells.
     unsigned int
     n_cells() const
     {

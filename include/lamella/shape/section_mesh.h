@@ -77,8 +77,7 @@ namespace lamella
     }
 
     /// Returns the thermal strain per kelvin in the body frame at the point
-    /// @p x of the section [1/K]. The material must have thermal expansion
-    /// data.
+    /// @p x of the section [1/K]. The material must have expansion data.
     Voigt
     expansion(const dealii::Point<2> &x) const
     {

@@ -34,8 +34,7 @@ namespace lamella
     unsigned int
     count(const std::string &entry) const;
 
-    /// Returns @p name. Throws InputError for @p entry if no material has this
-    /// name.
+    /// Returns @p name. Throws InputError for @p entry if it is no material.
     std::string
     material(const Entry &entry, const std::string &name) const;
     /// Returns material and fiber angle of a section of one material.
@@ -50,12 +49,10 @@ namespace lamella
     ellipse() const;
     Tube
     tube() const;
-    /// Returns a thin-walled section: a box, a double-T, a T, a channel or an
-    /// angle.
+    /// Returns a thin-walled section of the shape @p form.
     ThinWalled
     walls(const ShapeKind form) const;
-    /// Returns a section meshed by Gmsh. The path in the entry is relative to
-    /// @p folder.
+    /// Returns a section meshed by Gmsh. Its path is relative to @p folder.
     SectionFile
     file(const std::string &folder) const;
   };

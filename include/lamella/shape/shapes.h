@@ -58,8 +58,7 @@ namespace lamella
   /// A ply of a wall.
   struct WallPly
   {
-    /// Material, and fiber angle in the plane of the wall (PlyPlane) in
-    /// degrees.
+    /// Material, and fiber angle in the wall's plane (PlyPlane) in degrees.
     OrientedMaterial oriented_material;
     /// Thickness [length].
     double thickness = 0.;
@@ -68,18 +67,15 @@ namespace lamella
   /// Plies of a wall from the inside to the outside.
   using WallLayup = std::vector<WallPly>;
 
-  /**
-   * A half disc for Hertzian contact of cylinders (the paper's section 4.1),
-   * with the flat boundary `flat` on z = 0 from x = 0 to x = 2 radius and the
-   * round boundary `arc`.
-   *
-   * The mesh is graded towards the point P of the arc at the angle
-   * graded_towards, where cells have about the width finest_cell. The mesh
-   * consists of half a butterfly mesh at P, concentric rings, and a block at
-   * the flat side. Ring radii grow by about exp(pi / sectors), so that cells
-   * are nearly square. If P is not on top, a conformal map of the half disc
-   * moves P.
-   */
+  /// A half disc for Hertzian contact of cylinders (the paper's section 4.1),
+  /// with the flat boundary `flat` on z = 0 from x = 0 to x = 2 radius and the
+  /// round boundary `arc`.
+  ///
+  /// The mesh is graded towards the point P of the arc at the angle
+  /// graded_towards, where cells have about the width finest_cell. The mesh
+  /// consists of half a butterfly mesh at P, concentric rings, and a block at
+  /// the flat side. Ring radii grow by about exp(pi / sectors), so that cells
+  /// are nearly square. A conformal map of the half disc moves P from the top.
   struct HalfDisc
   {
     /// Radius [length].
@@ -96,8 +92,7 @@ namespace lamella
     OrientedMaterial oriented_material;
   };
 
-  /// A solid ellipse in the rectangle [0, width] x [0, height] with the
-  /// boundary `arc`.
+  /// A solid ellipse in [0, width] x [0, height] with the boundary `arc`.
   struct Ellipse
   {
     /// Lengths of the axes along x and z [length].
@@ -107,20 +102,18 @@ namespace lamella
     OrientedMaterial oriented_material;
   };
 
-  /**
-   * A section of vertical webs and horizontal flanges in the rectangle [0,
-   * width] x [0, height]. Boundaries on the sides of this rectangle are `left`,
-   * `right`, `bottom` and `top`, all others `inner`. Walls are meshed as
-   * solids, without a thin-wall theory.
-   *
-   * The mesh consists of rectangular blocks, e.g. eight of 3 x 3 for a box.
-   * Where a web and a flange meet, the block has cells_per_wall^2 cells.
-   *
-   * The plies of a wall are parallel to the wall (see PlyPlane). Flanges extend
-   * over the whole width, webs end at flanges. Normals point outwards: -x in
-   * left, +x in right, -z in bottom and +z in top walls. A web with two free
-   * faces has the normal +x.
-   */
+  /// A section of vertical webs and horizontal flanges in the rectangle [0,
+  /// width] x [0, height]. Boundaries on the sides of this rectangle are
+  /// `left`, `right`, `bottom` and `top`, all others `inner`. Walls are meshed
+  /// as solids, without a thin-wall theory.
+  ///
+  /// The mesh consists of rectangular blocks, e.g. eight of 3 x 3 for a box.
+  /// Where a web and a flange meet, the block has cells_per_wall^2 cells.
+  ///
+  /// The plies of a wall are parallel to the wall (see PlyPlane). Flanges
+  /// extend over the whole width, webs end at flanges. Normals point outwards:
+  /// -x in left, +x in right, -z in bottom and +z in top walls. A web with two
+  /// free faces has the normal +x.
   struct ThinWalled
   {
     /// Shape: box, double_t, t, channel or angle.
@@ -131,8 +124,7 @@ namespace lamella
     /// bottom to top [length], as many as wall_counts(). Their sums must be
     /// less than the width and the height.
     std::vector<double> webs, flanges;
-    /// Number of cells through the thickness of each wall, and along each wall
-    /// between corners.
+    /// Number of cells through each wall, and along each wall between corners.
     unsigned int     cells_per_wall = 1, cells_along_wall = 4;
     OrientedMaterial oriented_material;
     /// Layup of each wall, webs first; empty for walls of one material. The ply
@@ -190,16 +182,14 @@ namespace lamella
   {
     /// Path of the mesh file.
     std::string path;
-    /// Factor from the file's to the scene's unit of length, e.g. 0.001 from mm
-    /// to m.
+    /// Factor from the file's to the scene's lengths, e.g. 0.001 for mm to m.
     double scale = 1.;
     /// Material and fiber angle by name of the physical surface. The default is
     /// the material with the name of the surface, at 0 degrees.
     std::map<std::string, OrientedMaterial> parts;
     /// Subsection for messages, `Section NAME`.
     std::string what;
-    /// Ply plane by name of the physical surface, by default with the normal
-    /// +z.
+    /// Ply plane by name of the physical surface; the default normal is +z.
     std::map<std::string, PartPlane> planes = {};
   };
 
@@ -236,8 +226,7 @@ namespace lamella
           const unsigned int times,
           const std::string &what);
 
-  /// Returns the mesh of a half disc with boundary ids 0 for `arc` and 1 for
-  /// `flat`.
+  /// Returns the mesh of a half disc with boundary ids 0 `arc`, 1 `flat`.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const HalfDisc &disc, const Materials &materials);
 
@@ -245,8 +234,7 @@ namespace lamella
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Ellipse &ellipse, const Materials &materials);
 
-  /// Returns the mesh of a tube with boundary ids 0 for `inner` and 1 for
-  /// `outer`.
+  /// Returns the mesh of a tube with boundary ids 0 `inner`, 1 `outer`.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Tube &tube, const Materials &materials);
 
@@ -255,8 +243,7 @@ namespace lamella
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const ThinWalled &walls, const Materials &materials);
 
-  /// Reads the Gmsh file and returns its mesh, scaled. Error messages have line
-  /// numbers.
+  /// Reads the Gmsh file and returns its mesh, scaled. Throws InputError.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const SectionFile &file, const Materials &materials);
 } // namespace lamella

@@ -71,16 +71,15 @@ namespace lamella
     double along_1 = 0., along_2 = 0.;
   };
 
-  /**
-   * Returns the wrinkling stresses of a face sheet on a thick core (Hoff and
-   * Mautner, J. Aeronaut. Sci. 12 (1945) 285-297),
-   *   sigma = 1/2 (E_f E_c G_c)^(1/3),
-   * for compression along the axes d = 1, 2 of the face. E_f is Young's modulus
-   * of the face along d, E_c that of the core along 3. The shear modulus of the
-   * core in the plane of d and 3 is G_c = G13 cos^2 t + G23 sin^2 t, where t is
-   * the angle from the core's axis 1 to d: t = @p face_angle - @p core_angle,
-   * in degrees as in ply_axes(), plus 90 for d = 2.
-   */
+  /// Returns the wrinkling stresses of a face sheet on a thick core (Hoff and
+  /// Mautner, J. Aeronaut. Sci. 12 (1945) 285-297),
+  ///   sigma = 1/2 (E_f E_c G_c)^(1/3),
+  /// for compression along the axes d = 1, 2 of the face. E_f is Young's
+  /// modulus of the face along d, E_c that of the core along 3. The shear
+  /// modulus of the core in the plane of d and 3 is G_c = G13 cos^2 t + G23
+  /// sin^2 t, where t is the angle from the core's axis 1 to d: t =
+  /// @p face_angle - @p core_angle, in degrees as in ply_axes(), plus 90 for d
+  /// = 2.
   WrinklingStresses
   wrinkling_stresses(const EngineeringConstants &face,
                      const EngineeringConstants &core,
@@ -96,30 +95,28 @@ namespace lamella
     /// for the mechanical and the residual stress. Empty if R > 1e6; 0 if the
     /// residual stress alone causes failure.
     std::optional<double> reserve;
-    /// Failure mode at R, e.g. `tension 1`; if R is empty, the mode with the
-    /// largest f.
+    /// Failure mode at R, e.g. `tension 1`; without R, that of the largest f.
     std::string_view mode;
     /// Fracture angle of Puck's inter-fiber fracture, from axis 2 to the normal
     /// of the action plane, positive towards axis 3, in degrees from -90 to 90.
     std::optional<double> angle;
   };
 
-  /**
-   * The failure surface f(sigma) = 1 of a failure criterion for one material.
-   * Stresses are in the material's own axes, {11, 22, 33, 12, 13, 23}.
-   *
-   * All criteria but Puck's are piecewise quadratic. The coefficients s_i,
-   * p_ij, l_i depend on the failure mode and on the signs of sigma_11,
-   * sigma_22, sigma_33 and sigma_22 + sigma_33:
-   *   f = sum s_i sigma_i^2 + p_12 sigma_11 sigma_22 + p_13 sigma_11 sigma_33
-   *     + p_23 sigma_22 sigma_33 + sum l_i sigma_i.
-   * With the stress R sigma_mech + sigma_res, each f is a parabola in R between
-   * sign changes, and the reserve factor is the smallest root of f = 1 over all
-   * modes. If f jumps from below to above 1 at a sign change (Tsai-Hill,
-   * Hashin's fiber mode), the reserve factor is R of this sign change. Puck's
-   * stress exposure for inter-fiber fracture is homogeneous of degree 1, so R =
-   * 1/f without residual stress; otherwise R is found by bisection.
-   */
+  /// The failure surface f(sigma) = 1 of a failure criterion for one material.
+  /// Stresses are in the material's own axes, {11, 22, 33, 12, 13, 23}.
+  ///
+  /// All criteria but Puck's are piecewise quadratic. The coefficients s_i,
+  /// p_ij, l_i depend on the failure mode and on the signs of sigma_11,
+  /// sigma_22, sigma_33 and sigma_22 + sigma_33:
+  ///   f = sum s_i sigma_i^2 + p_12 sigma_11 sigma_22 + p_13 sigma_11 sigma_33
+  ///     + p_23 sigma_22 sigma_33 + sum l_i sigma_i.
+  /// With the stress R sigma_mech + sigma_res, each f is a parabola in R
+  /// between sign changes, and the reserve factor is the smallest root of f = 1
+  /// over all modes. If f jumps from below to above 1 at a sign change
+  /// (Tsai-Hill, Hashin's fiber mode), the reserve factor is R of this sign
+  /// change. Puck's stress exposure for inter-fiber fracture is homogeneous of
+  /// degree 1, so R = 1/f without residual stress; otherwise R is found by
+  /// bisection.
   class FailureSurface
   {
   public:
@@ -129,14 +126,13 @@ namespace lamella
                    const Material          &material,
                    const WrinklingStresses &wrinkling = {});
 
-    /// Evaluates the criterion for the sum of the @p mechanical stress, which
-    /// is proportional to the loads, and the constant @p residual stress, e.g.
+    /// Evaluates the criterion for the sum of the @p mechanical stress,
+    /// proportional to the loads, and the constant @p residual stress, e.g.
     /// from curing.
     Assessment
     assess(const Voigt &mechanical, const Voigt &residual = Voigt()) const;
 
-    /// Returns only the failure index of @p stress, which is faster than
-    /// assess().
+    /// Returns only the failure index of @p stress, faster than assess().
     double
     index(const Voigt &stress) const;
 
@@ -159,15 +155,13 @@ namespace lamella
       }
     };
 
-    /// Bits 0 to 3 are set if sigma_11, sigma_22, sigma_33, sigma_22 + sigma_33
-    /// < 0.
+    /// Bits: sigma_11 < 0, sigma_22 < 0, sigma_33 < 0, sigma_22 + sigma_33 < 0.
     using Signs                    = unsigned int;
     static constexpr Signs n_signs = 16;
     static Signs
     signs_of(const Voigt &stress);
 
-    /// Returns the functions f of all failure modes of @p criterion for
-    /// @p signs.
+    /// Returns f of all failure modes of @p criterion for @p signs.
     std::vector<Form>
     forms_of(const Criterion          criterion,
              const Material          &material,
@@ -182,8 +176,7 @@ namespace lamella
                const Voigt &residual,
                const double from,
                const double to) const;
-    /// Returns the largest f(@p stress) over all modes, and the name of that
-    /// mode.
+    /// Returns the largest f(@p stress) over all modes, and that mode.
     std::pair<double, std::string_view>
     largest_form(const Voigt &stress) const;
     /// Returns the assessment without Puck's inter-fiber fracture.
@@ -194,8 +187,7 @@ namespace lamella
     /// with its normal at @p angle [rad] from axis 2 to 3.
     double
     exposure(const Voigt &stress, const double angle) const;
-    /// Returns the largest exposure over all planes and the angle of that
-    /// plane.
+    /// Returns the largest exposure over all planes, and its angle.
     std::pair<double, double>
     action_plane(const Voigt &stress) const;
     /// Returns the assessment of Puck's inter-fiber fracture alone.
