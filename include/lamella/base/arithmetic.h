@@ -31,7 +31,7 @@ namespace lamella
     /// are printed as zero. Two values of a run that differ less are equal.
     constexpr double negligible = 1e-9;
 
-    // ---- places, relative to a length
+    // ---- distances of points, relative to a length
 
     /// Points closer than this fraction of the body's size coincide, if
     /// computed from decimal input, rotations and inverse maps.

@@ -108,7 +108,8 @@ namespace lamella
   /// process owns the rows terms.owned; its blocks may contribute to rows of
   /// other processes. @p kind is the solver, mumps or cg (see
   /// make_conjugate_gradients(), also for @p near_null_space). @p constraints
-  /// must be closed and equal on all processes. Collective.
+  /// must be closed and equal on all processes, which must all call this
+  /// function.
   std::unique_ptr<StiffnessMatrix>
   assemble_distributed(const StiffnessTerms      &terms,
                        const Constraints         &constraints,
