@@ -19,7 +19,7 @@ namespace lamella
     std::string length = "m";
     std::string force  = "N";
     std::string stress = "Pa";
-    /// One pascal in the scene's unit of stress, e.g. 1e-6 for `mm, N`.
+    /// Value of 1 Pa in the scene's unit of stress, e.g. 1e-6 for `mm, N`.
     double pascal = 1.;
 
     /// Returns the units of @p entry, which must be `m, N`, `mm, N` or `none`.

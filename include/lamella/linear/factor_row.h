@@ -11,7 +11,7 @@
 
 namespace lamella
 {
-  /// One row of the five axis matrices A_pq or of the five section matrices,
+  /// A row of the five axis matrices A_pq or of the five section matrices,
   /// whose Kronecker products are the stiffness of a beam. Each column has five
   /// entries: those for (p, q) = (0, 0), (0, 1), (1, 0), (1, 1), the orders of
   /// the derivatives, and that of transverse shear. Columns ascend.

@@ -62,7 +62,7 @@ namespace lamella
     {
       const std::vector<unsigned int> *fields = nullptr;
       dealii::LAPACKFullMatrix<double> matrix;
-      /// One row per integration point: dE_yy/dq, and the weight times
+      /// For each integration point a row dE_yy/dq, and the weight times
       ///   (C dE/dq)_yy - C_yyyy dE_yy/dq / 2.
       dealii::LAPACKFullMatrix<double> stretch, on_stretch;
     };
