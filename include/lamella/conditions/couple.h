@@ -10,44 +10,48 @@
 
 namespace lamella
 {
-  /// A moment M on a surface, applied as tractions that are linear over it,
+  /// A moment M on a surface, applied as tractions t(x) that are linear in x,
   ///   t(x) = theta x (x - c),   J theta = M,
   ///   J = integral of (r^2 1 - r r) dA,   r = x - c,
-  /// with c the surface's center of area, by Gauss points. These tractions have
-  /// the moment M, no force, and least squares among those which have.
+  /// with c the centroid of the surface. The resultant force of these tractions
+  /// is zero, their moment is M, and their L2 norm is the smallest possible.
   class Couple
   {
   public:
-    /// Constructs the couple of @p load. Throws InputError without the surface.
+    /// Constructs the couple of @p load on the surface @p region of @p body.
+    /// Throws InputError if the body has no such surface.
     Couple(const Load &load, const Region &region, const Body &body);
 
-    /// Returns points with areas, exact for trace functions times linear ones.
+    /// Returns the Gauss points of the surface with their areas; products of
+    /// trace functions and linear functions are integrated exactly.
     const std::vector<SurfacePoint> &
     points() const
     {
       return all;
     }
 
-    /// Returns t dA at the points moved to @p x, with unchanged areas [force].
+    /// Returns the forces t dA at points() displaced to @p x, with undeformed
+    /// areas [force].
     std::vector<dealii::Tensor<1, 3>>
     forces(const std::vector<dealii::Point<3>> &x) const;
 
-    /// Returns the first-order change of the forces for displacements @p u.
+    /// Returns the derivative of forces() at @p x in the direction @p u, the
+    /// displacements of the points.
     std::vector<dealii::Tensor<1, 3>>
     change(const std::vector<dealii::Point<3>>     &x,
            const std::vector<dealii::Tensor<1, 3>> &u) const;
 
-    /// Two vectors that are linear in the displacements u of the points,
+    /// Vectors that are linear in displacements u of the points; r = x - c:
     ///   spin    = J^-1 integral of r x u dA,
-    /// the rotation of the surface, and
+    /// is the mean rotation of the surface, and
     ///   stretch = dJ theta
     ///           = integral of 2 (r . u) theta - (r . theta) u
     ///             - (u . theta) r dA.
     /// The symmetric part of the derivative of the forces is
     ///   df . v = -(spin(u) . stretch(v) + stretch(u) . spin(v)) / 2.
-    /// Entry [k][point] is the factor of the displacement of the point. The
-    /// skew part belongs to a moment of fixed direction, which has a potential
-    /// only in its plane.
+    /// Entry [k][p] is the coefficient of u at point p in component k. The
+    /// derivative also has a skew part, since a moment of fixed direction has
+    /// no potential for spatial rotations.
     struct CoupleRotation
     {
       std::array<std::vector<dealii::Tensor<1, 3>>, 3> spin, stretch;
@@ -55,12 +59,12 @@ namespace lamella
     CoupleRotation
     rotation_of(const std::vector<dealii::Point<3>> &x) const;
 
-    /// Returns the dead load on the undeformed surface.
+    /// Returns the forces on the undeformed surface, for small displacements.
     PointForces
     dead_load() const;
 
   private:
-    /// Center, J^-1 and theta of the points moved to x.
+    /// c, J^-1 and theta of the points displaced to x.
     struct Place
     {
       dealii::Tensor<1, 3> center;

@@ -9,9 +9,11 @@
 
 namespace lamella
 {
-  /// Points of a body in any state u: displacements, and generalized forces
+  /// Material points of a body at any displacement u (vector of DoFs). Forces
+  /// F_k at the points have the generalized forces
   ///   f(u) = sum over k of R_k(u)^T F_k,   R_k the rows of point k at u
-  /// (Body::rows_at(), cached if constant). Keeps a reference to the body.
+  /// where each row gives a displacement component per change of the DoFs
+  /// (Body::rows_at()). Keeps a reference to the body, which must outlive this.
   class CurrentPoints
   {
   public:
@@ -25,17 +27,18 @@ namespace lamella
     std::vector<dealii::Tensor<1, 3>>
     displacements(const Vector &u) const;
 
-    /// Adds the generalized forces of @p forces at @p u to f.
+    /// Adds sum_k R_k(u)^T F_k with the @p forces F_k to f.
     void
     add_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
                const Vector                            &u,
                Vector                                  &f) const;
 
-    /// Returns the displacement of each point for the change @p w of @p u.
+    /// Returns R_k(u) w, the displacement of each point due to the change @p w.
     std::vector<dealii::Tensor<1, 3>>
     changes(const Vector &u, const Vector &w) const;
 
-    /// Adds @p factor sum_k dR_k^T F_k, for a change @p w of @p u, to f.
+    /// Adds @p factor sum_k dR_k^T F_k to f, with dR_k the derivative of the
+    /// rows R_k at @p u in the direction @p w and the @p forces F_k.
     void
     add_rotated_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
                        const double                             factor,
@@ -43,7 +46,8 @@ namespace lamella
                        const Vector                            &w,
                        Vector                                  &f) const;
 
-    /// Calls @p use for the blocks of the matrix of add_rotated_forces().
+    /// Calls @p use for the blocks of the matrix that add_rotated_forces()
+    /// applies to w.
     void
     for_each_rotation_block(
       const std::vector<dealii::Tensor<1, 3>>           &forces,

@@ -19,7 +19,7 @@ namespace lamella
   public:
     Formula() = default;
 
-    /// Converts literals and numbers implicitly, without checks.
+    /// Stores @p expression without parsing it. Conversions are implicit.
     Formula(const std::string &expression)
       : expression(expression)
     {}
@@ -42,7 +42,7 @@ namespace lamella
       return expression;
     }
 
-    /// Returns whether there is no value, as of a pressure if a force is given.
+    /// Returns whether no value is set, such as the pressure of a point force.
     bool
     empty() const
     {
@@ -58,13 +58,14 @@ namespace lamella
   };
 
   /// A real function of the scene's x, y, z in the language of muParser
-  /// (deal.II's FunctionParser), with pi. Keeps its entry for messages.
+  /// (deal.II's FunctionParser), with pi. Error messages name its parameter
+  /// file entry.
   class Expression
   {
   public:
-    /// Parses @p expression, all or part of @p entry. Throws InputError if it
-    /// does not parse, has a comma outside of functions, assigns (`x=1` is an
-    /// assignment of value 1 in muParser), or has no fixed value (`rand()`).
+    /// Parses @p expression, the value of @p entry or a component of that
+    /// value. Throws InputError for syntax errors, commas outside of function
+    /// calls, assignments (`x=1`) and random values (`rand()`).
     Expression(const std::string &expression, const Entry &entry);
 
     /// Returns the value at @p x. Throws InputError if it is not finite.

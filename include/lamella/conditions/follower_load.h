@@ -11,8 +11,8 @@
 
 namespace lamella
 {
-  /// A load with state-dependent forces f(u) on a body with finite rotations.
-  /// For small displacements it is the dead load of add_load().
+  /// A load on a body with finite rotations, whose nodal forces f(u) depend on
+  /// the displacement u. For small displacements it is the load of add_load().
   class FollowerLoad
   {
   public:
@@ -25,19 +25,19 @@ namespace lamella
       return true;
     }
 
-    /// Adds @p factor f(u) to f at the displacement @p u of the body.
+    /// Adds @p factor times f(u) to @p f.
     virtual void
     add_forces(const double factor, const Vector &u, Vector &f) const = 0;
 
-    /// Adds @p factor df/du @p w at @p u to f.
+    /// Adds @p factor times df/du @p w, the derivative at @p u, to @p f.
     virtual void
     add_derivative(const double  factor,
                    const Vector &u,
                    const Vector &w,
                    Vector       &f) const = 0;
 
-    /// Calls @p use for the blocks of its tangent stiffness, the symmetric part
-    /// of -@p factor df/du; without values if @p with_values is false.
+    /// Calls @p use for the blocks of the load stiffness, the symmetric part of
+    /// -@p factor df/du; blocks have no values if @p with_values is false.
     virtual void
     for_each_stiffness_block(
       const double                                       factor,
@@ -48,32 +48,33 @@ namespace lamella
 
   using FollowerLoads = std::vector<std::unique_ptr<FollowerLoad>>;
 
-  /// Returns whether @p load is a couple or a following pressure.
+  /// Returns whether @p load is a couple or a follower pressure.
   bool
   is_follower_load(const Load &load);
 
-  /// Returns whether @p load on @p body is a FollowerLoad: a follower load at
-  /// finite rotations, or any load if Body::constraints_rotate().
+  /// Returns whether @p load must be applied to @p body as a FollowerLoad: if
+  /// it is a follower load and the body has finite rotations, or if the body
+  /// has rotational DoFs (Body::constraints_rotate()).
   bool
   depends_on_state(const Load &load, const Body &body);
 
   /**
    * Returns the FollowerLoad of @p load on its region @p region of @p body:
-   * - a pressure p(X) that follows, per deformed area with material coordinates
-   *   s, t, by Gauss points of each facet:
+   * - for a follower pressure p(X) per deformed area, with material coordinates
+   *   s, t and test function v, integrated over each facet by Gauss points:
    *     f . v = -integral p v . (x_,s x x_,t) ds dt;
-   * - a couple as the tractions of Load::couple at the current places,
+   * - for a couple M, tractions t on the current surface:
    *     t = theta x (x - c),   J theta = M,
-   *   with c and J of the points x that carry the undeformed area: no force,
-   *   and the moment M of fixed direction at any rotation;
-   * - any other load as forces of fixed direction.
-   * Throws InputError as add_load() does, and if a pressure varies within an
-   * element by more than the Gauss points resolve.
+   *   with centroid c and area tensor J of the current points x, weighted by
+   *   undeformed area (Couple); M keeps its direction at any rotation;
+   * - for any other load, forces of fixed direction.
+   * Throws InputError as add_load() does, and if a pressure varies more within
+   * an element than the Gauss points resolve.
    */
   std::unique_ptr<FollowerLoad>
   follower_load(const Load &load, const Region &region, const Body &body);
 
-  /// Returns the load of heat on @p body (Body::add_thermal_load_at()).
+  /// Returns the thermal load on @p body (Body::add_thermal_load_at()).
   std::unique_ptr<FollowerLoad>
   turning_heat(const Body &body);
 

@@ -12,9 +12,10 @@
 
 namespace lamella
 {
-  /// A follower pressure p(X) per deformed area, against the current normal:
+  /// A pressure p(X) per deformed area, opposite to the current outward normal.
+  /// Its work on a virtual displacement v of the surface x(s, t) is
   ///   f . v = -integral p v . (x_,s x x_,t) ds dt
-  /// by Gauss points of each facet, with material coordinates s and t.
+  /// integrated by Gauss points of each facet, with material coordinates s, t.
   class FollowerPressure : public FollowerLoad
   {
   public:
@@ -34,14 +35,15 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// A Gauss point, its weight times p, trace functions and derivatives.
+    /// A Gauss point at (s, t) with p times its weight, the values of the trace
+    /// functions (shape functions on the facet) and their derivatives.
     struct GaussPoint
     {
       dealii::Point<2>    st;
       double              pressure;
       std::vector<double> value, by_s, by_t;
     };
-    /// A facet with its trace nodes.
+    /// A facet with its trace nodes, which interpolate the displacement on it.
     struct Facet
     {
       FacetMap                map;
@@ -51,14 +53,16 @@ namespace lamella
 
       FacetMap
       moved(const Vector &u) const;
-      /// Returns -df/du of the nodes' displacements, @p at the moved facet.
+      /// Returns -@p factor df/du for the displacements u of the trace nodes,
+      /// at the deformed facet @p at.
       dealii::FullMatrix<double>
       stiffness(const FacetMap &at, const double factor) const;
     };
     /// Evaluates the trace functions of @p facet at @p point.
     static void
     evaluate(const SurfaceFacet &facet, GaussPoint &point);
-    /// Returns the forces on the nodes of @p facet, whose map is @p now.
+    /// Returns the nodal forces on @p facet, times @p factor; @p now is the map
+    /// of the deformed facet.
     static std::vector<dealii::Tensor<1, 3>>
     forces_on(const Facet &facet, const FacetMap &now, const double factor);
     /// Returns the trace nodes of @p facet.

@@ -14,19 +14,18 @@ namespace lamella
   /**
    * Isostatic support of a body, `Isostatic support = true`: it removes the
    * rigid motions that supports leave free, so that displacements are relative
-   * to the body's middle.
+   * to the middle of the body.
    *
-   * For each rigid motion q without resistance of a support, or of a contact
-   * along its normal, there is one row
+   * For each rigid motion q that neither a support nor the normal force of a
+   * contact resists, there is one constraint
    *   r(u) = 1 / n sum_p q(X_p) . u(X_p) = 0,
-   * with the n points X_p of the section half way along the axis that are
-   * furthest from its centroid. The mean displacement and rotation there are
-   * zero, without strain. The force in a row is the imbalance of the loads,
-   * zero or an error (check_isostatic_balance()), and that of contact forces
-   * off their normal.
+   * with the n points X_p of the section at mid-length that are furthest from
+   * its centroid. These constraints set the mean displacement and rotation of
+   * the section to zero, without strain. Their reactions balance tangential
+   * contact forces; loads must be balanced already (check_isostatic_balance()).
    */
 
-  /// A place where a contact may act on a body along a normal.
+  /// A point of a body at which a contact force along a normal may act.
   struct PotentialContact
   {
     unsigned int         body = 0;
@@ -34,33 +33,36 @@ namespace lamella
     dealii::Tensor<1, 3> normal;
   };
 
-  /// Returns n . u at @p place, or nothing if it is outside of its body.
+  /// Returns the functional n . u at @p place; none if the body does not
+  /// contain the point.
   std::optional<BodyFunctional>
   row_of(const PotentialContact &place, const Bodies &bodies);
 
-  /// Returns the name of the isostatic support of the body @p name.
+  /// Returns the name of the isostatic support of the body @p name, for output.
   std::string
   name_of_isostatic_support(const std::string &name);
 
-  /// Sets the motions of isostatic supports among @p supports: those that
-  /// neither other supports nor contacts at @p places resist.
+  /// Sets the rigid motions that the isostatic supports among @p supports
+  /// remove: those that neither other supports nor contacts at @p places
+  /// resist.
   void
   find_isostatic_motions(std::vector<Support>                &supports,
                          const Bodies                        &bodies,
                          const std::vector<PotentialContact> &places);
 
-  /// Clears the motions of the isostatic supports among @p supports.
+  /// Clears the removed rigid motions of the isostatic supports in @p supports.
   void
   clear_isostatic_motions(std::vector<Support> &supports);
 
-  /// Returns the rows of the isostatic support @p hold, number @p support.
+  /// Returns the constraints of the isostatic support @p hold, which has the
+  /// index @p support in the list of supports.
   std::vector<PrescribedFunctional>
   rows_of_isostatic_support(const IsostaticSupport &hold,
                             const unsigned int      support,
                             const Bodies           &bodies);
 
-  /// Throws InputError if @p load at load factor 1 does work on a motion that
-  /// an isostatic support removes.
+  /// Throws InputError if the load vector @p load (load factor 1) does work on
+  /// a rigid motion that an isostatic support removes.
   void
   check_isostatic_balance(const std::vector<Support> &supports,
                           const Bodies               &bodies,

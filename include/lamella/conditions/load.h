@@ -14,15 +14,15 @@
 
 namespace lamella
 {
-  /// A dead load, as numbers or functions of the undeformed x, y, z, times the
-  /// load factor. Exactly one of force, pressure, couple, total and temperature
-  /// applies. No factor multiplies a temperature (Body::heat()).
+  /// A load as numbers or functions of the undeformed x, y, z, multiplied by
+  /// the load factor. Exactly one of force, pressure, couple, total and
+  /// temperature is set. A temperature is not multiplied (Body::heat()).
   struct Load
   {
     /// Name in `subsection Load NAME`.
     std::string name;
-    /// Points, lines and surfaces (whole bodies for a temperature), each of
-    /// which carries the full load: a force at two points acts twice.
+    /// Points, lines and surfaces (whole bodies for a temperature). The full
+    /// load acts on each of them: a force at two points acts twice.
     std::vector<Region> on;
     /// Force at a point [force], per length of a line or per area of a surface,
     /// scene components; empty for a pressure.
@@ -31,55 +31,59 @@ namespace lamella
     Formula pressure;
     /// True if the pressure remains normal to the surface, per deformed area.
     bool is_follower = false;
-    /// Moment on a surface [force x length], scene components, as tractions
-    /// linear over it (Couple): on an end those of Navier, or of a round shaft.
+    /// Moment on a surface [force x length], scene components, applied as
+    /// tractions linear over the surface (Couple).
     std::optional<dealii::Tensor<1, 3>> couple = {};
-    /// Resultant [force] of all regions, spread evenly
-    /// (distribute_total_forces()).
+    /// Resultant [force] of all regions together, evenly distributed over their
+    /// length or area (distribute_total_forces()).
     std::optional<dealii::Tensor<1, 3>> total = {};
     /// Temperature above that of the stress-free state [K].
     Formula temperature = {};
-    /// Number of its history of load factors (LoadFactor::of()).
+    /// Index of the history of load factors (LoadFactor::of()).
     unsigned int history = 0;
   };
 
-  /// Forces at points of a body equivalent to a load t on one of its regions:
-  /// they do the same work on all its displacements. On a surface they are
-  /// integral phi_k t dA at the trace nodes X_k of each facet, with trace
-  /// functions phi_k; for constant t on a plane facet, at Gauss points.
-  /// Constant expressions are exact except on curved facets.
+  /// Point forces that do the same work on all discrete displacements of a body
+  /// as a load t on one of its regions. On a surface they are integral phi_k t
+  /// dA at the nodes X_k of each facet, with the shape functions phi_k of the
+  /// displacement on the facet; for constant t on a plane facet they are at
+  /// Gauss points. Constant t is integrated exactly except on curved facets.
   struct PointForces
   {
-    /// Locations of the forces, in their order.
+    /// Location of each force.
     std::vector<Location> locations;
     /// Forces in scene components [force].
     std::vector<dealii::Tensor<1, 3>> forces;
 
     /// Resultant [force], and its moment about the origin [force x length].
     dealii::Tensor<1, 3> force, moment;
-    /// True if t varies, and the members below are set.
+    /// True if t is not constant; only then are the members below set.
     bool checked = false;
-    /// Integral of |t| [force]; zero if the load vanished at all points.
+    /// Integral of |t| [force]; zero if t vanished at all integration points.
     double size = 0.;
-    /// Resultant by a finer rule, its error, and the integrals' error [force].
+    /// Resultant by an independent rule with its error, and the error of the
+    /// adaptive integration [force].
     dealii::Tensor<1, 3> independent;
     double               independent_error = 0., error = 0.;
-    /// Largest number of bisections along a parameter, and the point around it.
+    /// Largest number of bisections in the adaptive integration, and the point
+    /// in the scene where they occurred.
     unsigned int     bisections = 0;
     dealii::Point<3> place;
   };
 
-  /// Integrates @p load at load factor 1 on @p region, one of its own, of @p
-  /// body, adaptively on lines and surfaces (adaptive_moments()). Throws
-  /// InputError as add_load() does, and for a pressure off a surface.
+  /// Returns the point forces of @p load at load factor 1 on @p region of @p
+  /// body, by adaptive integration on lines and surfaces (adaptive_moments()).
+  /// Throws InputError as add_load() does, and for a pressure on a point or a
+  /// line.
   PointForces
   point_forces(const Load &load, const Region &region, const Body &body);
 
-  /// Adds the forces @p at on @p body to f: f . v = sum of force . v(x).
+  /// Adds the forces @p at on @p body to the load vector f: f . v is the sum of
+  /// force . v(x) for any displacement v.
   void
   add_point_forces(const Body &body, const PointForces &at, Vector &f);
 
-  /// Resultant of a load, which reactions must balance. For the summary.
+  /// Resultant of a load, which reactions must balance, for the summary.
   struct LoadResultant
   {
     std::string name;
@@ -87,38 +91,39 @@ namespace lamella
     dealii::Tensor<1, 3> force, moment;
     /// True if the load is a temperature, without force and moment.
     bool is_temperature = false;
-    /// Notes on the integration and on parts that the theory lacks.
+    /// Notes on the integration, and on load components on which the
+    /// displacements of the theory do no work.
     std::vector<std::string> notes;
   };
 
   /**
-   * Adds the load vector of @p load at load factor 1 to f, with a block per
-   * body, constrained DoFs included,
+   * Adds the load vector of @p load at load factor 1 to f, which has a block
+   * per body. Forces on constrained DoFs are included. With a displacement v,
    *   f . v = sum or integral of force . v,
-   * so delta L_ext = f . delta u (Eq. 10), with the work of the given traction
-   * on every displacement. A torque on a theory without rotation about the axis
-   * does no work; a note says so. Throws InputError for regions outside of
-   * their body and for expressions that do not parse or are not finite.
+   * so the external virtual work is delta L_ext = f . delta u (Eq. 10). A
+   * torque does no work in a theory without rotation about the axis; the result
+   * then has a note. Throws InputError for regions outside of their body and
+   * for expressions that are invalid or not finite.
    */
   LoadResultant
   add_load(const Load &load, const Bodies &bodies, BlockVector &f);
 
-  /// Converts the totals of @p loads to forces total / M, with M the measure of
-  /// all regions as loads are integrated. Must be called before other uses of
-  /// the loads. Throws InputError for regions outside of their body.
+  /// Converts the total of each of @p loads to a force density total / M, with
+  /// M the length or area of all its regions. Must be called before other uses
+  /// of the loads. Throws InputError for regions outside of their body.
   void
   distribute_total_forces(std::vector<Load> &loads, const Bodies &bodies);
 
-  /// Heats the bodies of the temperatures among @p loads; may be repeated.
-  /// Throws InputError as Body::heat() does, and for two loads on one body.
+  /// Applies the temperatures among @p loads to their bodies. Throws InputError
+  /// as Body::heat() does, and for two temperatures on one body.
   void
   apply_temperatures(const std::vector<Load> &loads, const Bodies &bodies);
 
-  /// Name of the weight of all bodies among the loads.
+  /// Name of the load that is the weight of all bodies.
   constexpr const char *weight_load_name = "Gravity";
 
   /// Adds the weight of all bodies under @p acceleration [length / s^2] at load
-  /// factor 1 to f. Throws InputError without a density. Collective.
+  /// factor 1 to f. Throws InputError if a ply has no density. Collective.
   LoadResultant
   add_weight(const dealii::Tensor<1, 3> &acceleration,
              const Bodies               &bodies,

@@ -10,18 +10,20 @@
 
 namespace lamella
 {
-  /// The load factor t of a state, which multiplies loads, prescribed
-  /// displacements and motions of obstacles. The scene has a factor t_0 (`Load
-  /// factors`), and each object with its own history (`Factors`) has a t_k:
+  /// Load factors of a load step, which multiply loads, prescribed
+  /// displacements and motions of obstacles. t_0 is the factor of the scene
+  /// (`Load factors`). Each load, support or obstacle with its own history
+  /// (`Factors`) has a factor t_k. The load vector is
   ///   f(t) = t_0 f_0 + sum_k t_k f_k.
-  /// Heat has a factor, too: 1, and less on the way to a first large step.
+  /// Temperatures have a separate factor: 1, or less in the increments of the
+  /// first load step.
   class LoadFactor
   {
   public:
-    /// History number of heat.
+    /// History index of temperatures.
     static constexpr unsigned int heat = static_cast<unsigned int>(-1);
 
-    /// Sets t_0 and the t_k of own histories, if any.
+    /// Constructs the factors t_0 = @p scene and t_1, t_2, ... = @p own.
     LoadFactor(const double scene = 0., std::vector<double> own = {})
       : scene(scene)
       , own(std::move(own))
@@ -34,7 +36,7 @@ namespace lamella
       return scene;
     }
 
-    /// Returns t_k, k = @p history; 0 is that of the scene.
+    /// Returns t_k with k = @p history; 0 is the factor of the scene.
     double
     of(const unsigned int history) const
     {
@@ -46,7 +48,7 @@ namespace lamella
       return own[history - 1];
     }
 
-    /// Adds the factor of one more history. Returns its number.
+    /// Adds the factor of another history and returns its index.
     unsigned int
     add(const double factor)
     {
@@ -54,7 +56,8 @@ namespace lamella
       return own.size();
     }
 
-    /// Returns the factor at the fraction @p way between @p from and this.
+    /// Returns the factors interpolated linearly from @p from (way = 0) to this
+    /// (way = 1).
     LoadFactor
     after(const LoadFactor &from, const double way) const
     {
@@ -66,14 +69,14 @@ namespace lamella
       return result;
     }
 
-    /// Returns this with zero in all histories except heat.
+    /// Returns factors of zero for everything except temperatures.
     LoadFactor
     without_loads() const
     {
       return {0., std::vector<double>(own.size(), 0.)};
     }
 
-    /// Returns without_loads(), also without heat.
+    /// Returns factors of zero for everything, including temperatures.
     LoadFactor
     unloaded() const
     {
@@ -82,7 +85,7 @@ namespace lamella
       return result;
     }
 
-    /// Returns this with the heat factor of @p other.
+    /// Returns this with the factor of temperatures of @p other.
     LoadFactor
     with_thermal_factor_of(const LoadFactor &other) const
     {

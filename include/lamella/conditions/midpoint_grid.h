@@ -10,16 +10,17 @@
 
 namespace lamella
 {
-  /// The midpoint rule on a grid over a cell of a load, which detects features
-  /// between Gauss points (adaptive_moments()): about 2e4 points in all,
-  /// equally many per cell, at least four per parameter.
+  /// Values of a load f at the midpoints of a regular grid over a cell, which
+  /// detect features of f between Gauss points (adaptive_moments()). All cells
+  /// together have about 2e4 points; a cell has at least four per parameter.
   template <int dim>
   class MidpointGrid
   {
   public:
     using Cell = typename Moments<dim>::Cell;
 
-    /// Evaluates f over @p cell, one of @p n_cells; @p finer multiplies points.
+    /// Evaluates f on @p cell, one of @p n_cells cells. The number of points is
+    /// multiplied by @p finer.
     MidpointGrid(const Cell       &cell,
                  const std::size_t n_cells,
                  const double      finer);
@@ -31,7 +32,8 @@ namespace lamella
       return kept;
     }
 
-    /// Returns how far values in @p box exceed @p range (ForceRange::beyond()).
+    /// Returns the largest ForceRange::beyond() of @p range for the values of f
+    /// in @p box.
     double
     beyond(const ParameterBox<dim> &box, const ForceRange &range) const;
 

@@ -10,7 +10,8 @@
 
 namespace lamella
 {
-  /// A part of a cell's unit square (or interval), made by bisection.
+  /// A box in the unit square (or interval) of a cell of a load, created by
+  /// bisection, with the corners `low` and `high`.
   template <int dim>
   struct ParameterBox
   {
@@ -29,7 +30,8 @@ namespace lamella
     halves(const unsigned int d) const;
   };
 
-  /// Smallest and largest value of each component of the added values.
+  /// Smallest and largest values of each component of f among the values passed
+  /// to add().
   struct ForceRange
   {
     dealii::Tensor<1, 3> low, high;
@@ -38,19 +40,21 @@ namespace lamella
     void
     add(const dealii::Tensor<1, 3> &f);
 
-    /// Returns how far @p f is beyond the range, a quarter wider each way.
+    /// Returns the distance of @p f from the range, after the range is widened
+    /// by a quarter of its width on both sides.
     double
     beyond(const dealii::Tensor<1, 3> &f) const;
   };
 
-  /// A Gauss rule over a box of a cell for integrals of f phi_k (Moments).
+  /// A Gauss rule for the integrals of f phi_k (load times polynomial k, see
+  /// Moments) over a box of a cell.
   template <int dim>
   class MomentRule
   {
   public:
     using Cell = typename Moments<dim>::Cell;
 
-    /// Sets up degree + 3 and @p more points along each parameter of @p cell.
+    /// Constructs a rule of degree + 3 + @p more points along each parameter.
     MomentRule(const Cell              &cell,
                const ParameterBox<dim> &box,
                const unsigned int       more);
@@ -61,12 +65,13 @@ namespace lamella
       return points;
     }
 
-    /// Returns the integrals as Moments::of_cells. Adds the values to @p range.
+    /// Returns the integral of f phi_k for each k, ordered as in
+    /// Moments::of_cells. Adds the values of f to @p range.
     std::vector<dealii::Tensor<1, 3>>
     integrate(ForceRange &range) const;
 
   private:
-    /// A point of the rule, with its index along each parameter.
+    /// A Gauss point with its index along each parameter and its weight.
     struct Node
     {
       std::array<unsigned int, dim> at;
@@ -76,12 +81,14 @@ namespace lamella
 
     Node
     node(const unsigned int q) const;
-    /// Returns w phi_k at @p node.
+    /// Returns the weight of the Gauss point @p node times the polynomial
+    /// phi_k.
     double
     weighted(const Node &node, const unsigned int k) const;
 
     const Cell &cell;
-    /// Points, weights and functions of each parameter.
+    /// Along each parameter: Gauss points x, weights w, and the values phi of
+    /// the Lagrange polynomials at these points.
     std::array<std::vector<double>, dim> x, w, phi;
     unsigned int                         points = 1, functions = 1;
   };

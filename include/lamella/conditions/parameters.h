@@ -15,29 +15,32 @@
 
 namespace lamella
 {
-  /// Returns the number of the body in @p bodies, and the rest of `BODY: rest`.
-  /// Throws InputError without a colon or a known name, suggesting the nearest.
+  /// Parses the text `BODY: rest` of @p entry. Returns the index of BODY in @p
+  /// bodies and the text after the colon. Throws InputError if there is no
+  /// colon or BODY is unknown; the message suggests the nearest name.
   std::pair<unsigned int, std::string>
   parse_on_body(const Entry &entry, const std::vector<std::string> &bodies);
 
-  /// Returns the regions of @p on, `BODY: point | line | body | SURFACE`
-  /// between semicolons, with the positions @p at of points and lines. All
-  /// points are one region; a line has two different ends. Throws InputError
-  /// for no or repeated regions, and for too few, too many or unused positions.
+  /// Returns the regions in @p on, a list `BODY: point | line | body | SURFACE`
+  /// separated by semicolons. @p at has the positions of all points (one
+  /// region) and of the two ends of each line. Throws InputError if there is no
+  /// region, if a region is repeated, and if the number of positions is wrong.
   std::vector<Region>
   parse_regions(const Entry                    &on,
                 const Entry                    &at,
                 const std::vector<std::string> &bodies);
 
-  /// The entry `Factors` of a load, a support or an obstacle.
+  /// The entry `Factors`, the load factors of a single load, support or
+  /// obstacle.
   struct HistoryParameters
   {
     /// Declares the entry in the subsection that @p prm is in.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Adds the history in @p in to all @p steps and returns its number; 0 if
-    /// it is empty. Throws InputError unless there is one number per step.
+    /// Adds the factors in @p in to @p steps, one per load step, and returns
+    /// the index of the history (LoadFactor::of()); 0 if the entry is empty.
+    /// Throws InputError if there is not one number per step.
     static unsigned int
     parse(const Entries &in, std::vector<LoadFactor> &steps);
   };
@@ -49,9 +52,10 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the support @p name on bodies @p bodies. An empty u fixes all
-    /// components; `free` leaves one free. A normal displacement excludes u and
-    /// is for surfaces only. Throws InputError.
+    /// Returns the support @p name; @p bodies are the names of all bodies. If
+    /// the displacement is empty, all components are zero; `free` leaves a
+    /// component free. A normal displacement is for surfaces only and excludes
+    /// displacement components. Throws InputError for invalid entries.
     static Support
     parse(const Entries                  &in,
           const std::string              &name,
@@ -65,11 +69,9 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the load @p name on bodies @p bodies, expressions not yet
-    /// parsed. Throws InputError, also for overlapping regions of one body
-    /// (`all`, `ends`), forces on whole bodies, temperatures on anything else,
-    /// pressures and couples not on a surface, couples on several surfaces, and
-    /// totals at points or on lines beside surfaces.
+    /// Returns the load @p name; @p bodies are the names of all bodies.
+    /// Expressions are not parsed yet. Throws InputError for invalid entries
+    /// and for regions on which a load of its kind cannot act.
     static Load
     parse(const Entries                  &in,
           const std::string              &name,

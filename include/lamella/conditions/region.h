@@ -16,11 +16,12 @@
 
 namespace lamella
 {
-  /// The part of a body that a support or a load acts on: `On = BODY: point |
-  /// line | body | SURFACE` with `At` in a scene (check_surface()).
+  /// The points, line or surface of a body, or the whole body, on which a
+  /// support or a load acts: `On = BODY: point | line | body | SURFACE` with
+  /// `At` in a scene.
   struct Region
   {
-    /// Kind of region; reading `undefined` is a program error.
+    /// Kind of region; `undefined` must not be used.
     enum class Kind
     {
       undefined,
@@ -29,19 +30,20 @@ namespace lamella
       surface,
       body
     };
-    /// Number of the body in the scene's list.
+    /// Index of the body in the scene.
     unsigned int body = 0;
-    /// Kind, which selects the members below.
+    /// Kind, which determines the member below that is used.
     Kind kind = Kind::undefined;
     /// Name of a surface (bottom, top, start, ends, ...).
     std::string surface;
-    /// Positions of points, which are one region, or of the ends of a line.
+    /// Positions of the points, or of the two ends of the line.
     std::vector<dealii::Point<3>> at;
 
-    /// Returns whether this is a surface that contains @p side of the body.
+    /// Returns whether this is a surface that contains the surface @p side.
     bool
     covers(const std::string &side) const;
-    /// Returns whether this is a surface with the body's whole start (or end).
+    /// Returns whether this is a surface that contains the start section of the
+    /// body, or its end section if @p at_start is false.
     bool
     covers_end(const bool at_start) const;
     /// Returns whether this is the whole body, including its interior.
@@ -50,15 +52,16 @@ namespace lamella
     {
       return kind == Kind::body;
     }
-    /// Returns whether a point or line of this is within @p near of @p x.
+    /// Returns whether a point or line of this region is closer to @p x than
+    /// the distance @p near.
     bool
     has_point_at(const dealii::Point<3> &x, const double near) const;
-    /// Returns whether this is a surface made of several.
+    /// Returns whether this is a surface composed of several (`ends`, `all`).
     bool
     is_several_surfaces() const;
   };
 
-  /// Names of regions except surfaces, which have their own.
+  /// Names of the kinds of regions; surfaces have individual names.
   template <>
   struct Names<Region::Kind>
   {
@@ -74,22 +77,22 @@ namespace lamella
    *   Kind     locations
    *   point    one for each position in `at`
    *   line     Body::line_points() of the segment: as many per element as its
-   *            polynomial degree along the line takes
+   *            polynomial degree along the line requires
    *   surface  Body::constraint_points()
    *   body     Body::body_points()
    *
-   * RowReduction removes redundant rows. Throws InputError of the entry or
-   * subsection @p path if a point or a line is not in the body (both ends are
-   * tested first, then all points) or the body has no such surface.
+   * RowReduction removes redundant constraints. Throws InputError, which names
+   * the entry or subsection @p path, if a point or a line is not in the body or
+   * the body has no such surface.
    */
   std::vector<Location>
   region_locations(const Body        &body,
                    const Region      &region,
                    const std::string &path);
 
-  /// Returns the locations of each point, one in each ply there
-  /// (Body::locate()), since stresses jump between plies. Throws InputError of
-  /// @p path, with the body's extent, for a point outside of @p body.
+  /// Returns for each of @p points one location per adjacent ply
+  /// (Body::locate()), since stresses jump between plies. Throws InputError,
+  /// which names the entry @p path, for a point outside of @p body.
   std::vector<std::vector<Location>>
   locate_in_plies(const Body                          &body,
                   const std::vector<dealii::Point<3>> &points,
@@ -102,7 +105,8 @@ namespace lamella
              const std::vector<dealii::Point<3>> &points,
              const std::string                   &path);
 
-  /// Throws InputError of @p path, with suggestions, without that @p surface.
+  /// Throws InputError, which names the entry @p path, if @p body has no @p
+  /// surface.
   void
   check_surface(const Body        &body,
                 const std::string &surface,

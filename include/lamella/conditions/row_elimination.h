@@ -14,40 +14,45 @@
 
 namespace lamella
 {
-  /// The prescribed rows of a body, as RowReduction uses them.
+  /// The prescribed constraints of one body (each a row vector of weights of
+  /// its DoFs) as input of RowReduction.
   struct BodyConstraints
   {
-    /// Selects the @p rows that belong to @p body, number @p index; keeps both.
+    /// Selects those of @p rows that belong to @p body, which has the index @p
+    /// index. Keeps references to @p body and @p rows.
     BodyConstraints(const Body                              &body,
                     const unsigned int                       index,
                     const std::vector<PrescribedFunctional> &rows);
 
-    /// Returns the nonempty rows in groups that share DoFs.
+    /// Returns the indices of nonempty rows in groups. Rows that share a DoF
+    /// are in the same group.
     std::vector<std::vector<unsigned int>>
     groups() const;
 
     const Body                              &body;
     const std::vector<PrescribedFunctional> &prescribed;
-    /// Functionals of the rows in independent DoFs; empty for other bodies.
+    /// Each row in the independent DoFs of the body (without DoFs that its
+    /// kinematic constraints eliminate); empty for rows of other bodies.
     std::vector<LinearFunctional> functionals;
-    /// Body::dof_scales().
+    /// Displacement per unit of each DoF (Body::dof_scales()).
     std::vector<double> sizes;
   };
 
-  /// The independent rows of a group, which shares no DoF with another one, and
-  /// the DoFs that they eliminate.
+  /// The linearly independent constraint rows of a group, and the DoF that each
+  /// of them eliminates.
   struct IndependentRows
   {
-    /// Numbers of the rows in the list of all.
+    /// Indices of the rows in the list of all rows.
     std::vector<unsigned int> rows;
     /// DoF that rows[k] eliminates.
     std::vector<DofIndex> pivots;
-    /// Factorized transpose of the rows in the pivots' columns.
+    /// LU factors of the transpose of the matrix of rows and pivot columns.
     std::shared_ptr<const dealii::SparseDirectUMFPACK> transposed;
   };
 
-  /// A row during elimination: the rest of its entries, in displacements (DoFs
-  /// times sizes), and of its right-hand side.
+  /// A constraint row during Gauss-Jordan elimination: its remaining entries,
+  /// in terms of displacements (DoFs times Body::dof_scales()), and its
+  /// right-hand side `value`.
   struct FunctionalEquation
   {
     unsigned int               number;
@@ -63,7 +68,7 @@ namespace lamella
       return pivot != dealii::numbers::invalid_dof_index;
     }
 
-    /// Returns whether the rest of the row is large enough for a pivot.
+    /// Returns whether the largest remaining entry may be a pivot.
     bool
     is_open() const;
 
@@ -73,30 +78,31 @@ namespace lamella
     double
     entry(const DofIndex dof) const;
 
-    /// Subtracts @p factor times @p other, removes @p eliminated, and returns
-    /// the DoFs that are new in the row.
+    /// Subtracts @p factor times @p other and removes the DoF @p eliminated.
+    /// Returns the DoFs that the row did not have before (fill-in).
     std::vector<DofIndex>
     subtract(const FunctionalEquation &other,
              const DofIndex            eliminated,
              const double              factor);
   };
 
-  /// Gauss-Jordan elimination of a group (RowReduction). Entries of equations
-  /// with a pivot belong to DoFs.
+  /// Gauss-Jordan elimination of one group of constraint rows (RowReduction).
+  /// Entries of equations with a pivot are in terms of unscaled DoFs.
   class RowElimination
   {
   public:
-    /// Eliminates @p group, numbers in the list of @p held.
+    /// Eliminates the rows with indices @p group among those of @p held.
     RowElimination(const std::vector<unsigned int> &group,
                    const BodyConstraints           &held);
 
-    /// Returns the shift of all DoFs, if any, that makes the rows @p group
-    /// equal to these, as for supports along an axis node by node.
+    /// Returns the difference of DoF indices if the rows @p group equal these
+    /// rows with shifted DoFs, as for equal supports of successive axis nodes.
     std::optional<DofIndex>
     find_shift(const std::vector<unsigned int> &group,
                const BodyConstraints           &held) const;
 
-    /// Makes this the elimination of @p group, shifted by @p shift.
+    /// Converts this to the elimination of the rows @p group, whose DoFs are
+    /// shifted by @p shift.
     void
     apply_shift_to(const std::vector<unsigned int> &group,
                    const DofIndex                   shift);

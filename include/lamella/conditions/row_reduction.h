@@ -14,73 +14,72 @@
 namespace lamella
 {
   /**
-   * Reduction of the prescribed rows R u = d of one body, together with its
-   * kinematic constraints (which come first), to u = G v + u_p with the
-   * unconstrained DoFs v. Gauss-Jordan elimination with rank detection, in each
-   * group of rows that shares DoFs, eliminates one DoF per independent row:
-   *   R = P (pivot columns) + Q (others),  u_P = P^-1 d - P^-1 Q u_Q,
-   * exact to rounding, without a penalty. Coarse DoFs are eliminated first, so
-   * that the rest stays hierarchical. A pivot has at least a tenth of its row's
-   * largest weight; among rows with a pivot within a factor of ten of the
-   * largest, the shortest is taken, which limits fill. A group that is its
-   * predecessor shifted along the axis is not eliminated again.
+   * Elimination of the linear constraints R u = d of one body, after its
+   * kinematic constraints: u = G v + u_p with the unconstrained DoFs v.
+   * Gauss-Jordan elimination with rank detection, in each group of rows that
+   * share DoFs, eliminates one DoF (pivot) per independent row:
+   *   R u = P u_P + Q u_Q,   u_P = P^-1 d - P^-1 Q u_Q,   u_P the pivots,
+   * exact to rounding, without a penalty. Coarse DoFs are eliminated first,
+   * which keeps the basis hierarchical. A pivot is at least a tenth of the
+   * largest entry of its row; among rows with pivots of similar size, the
+   * shortest is eliminated first, which limits fill-in. The result of a group
+   * is reused for a group that differs by a shift along the axis only.
    *
-   * A row is dependent if less than 1e-6 of its largest weight remains, with
-   * DoFs scaled by their displacements (Body::dof_scales()): a line of points
-   * that close to a mesh line fixes the same DoFs. Its value must agree to 1e-6
-   * of the largest. Keeps a reference to the kinematic constraints of its body.
+   * A row is linearly dependent if elimination leaves less than 1e-6 of its
+   * largest entry, with DoFs scaled by their displacements
+   * (Body::dof_scales()). Its right-hand side must then agree to 1e-6 of the
+   * largest value. Keeps a reference to the kinematic constraints of the body.
    */
   class RowReduction
   {
   public:
-    /// Reduces the @p rows of @p body, number @p index, others are ignored.
-    /// Each row must name a DoF once. Throws InputError with @p support_names
-    /// if rows contradict each other.
+    /// Eliminates those of @p rows that belong to @p body, which has the index
+    /// @p index. A row must not contain a DoF twice. Throws InputError, which
+    /// names supports by @p support_names, if rows contradict each other.
     RowReduction(const Body                              &body,
                  const unsigned int                       index,
                  const std::vector<PrescribedFunctional> &rows,
                  const std::vector<std::string>          &support_names);
 
-    /// Returns the closed homogeneous constraints u = G v of supports and
-    /// theory, which condense the stiffness and distribute solutions.
+    /// Returns the homogeneous constraints u = G v of supports and theory, with
+    /// which the stiffness is condensed.
     const Constraints &
     constraints() const
     {
       return homogeneous;
     }
 
-    /// Returns u_p at load factor 1, zero in unconstrained DoFs. Times the load
-    /// factor s it satisfies R u = s d.
+    /// Returns the particular solution u_p of R u = d, zero in unconstrained
+    /// DoFs.
     const Vector &
     particular() const
     {
       return particular_solution;
     }
 
-    /// Returns the multipliers mu, residual = R^T mu, that balance the forces
-    /// @p residual (internal minus external): pairs of the row's number and its
-    /// force on the body. Dependent rows have none: their multipliers are not
-    /// unique, but resultants are. R_P^T mu = residual_P is solved in the
-    /// pivots, with the residual condensed by the kinematic constraints, by one
-    /// sparse LU factor per group.
+    /// Returns the Lagrange multipliers mu (reactions) of the independent rows,
+    /// pairs (index of the row, force on the body), from R^T mu = @p residual,
+    /// internal minus external forces. Only the equations P^T mu = residual_P
+    /// of the pivots are solved, after condensation of kinematic constraints.
+    /// Dependent rows have no multiplier; resultants are still unique.
     std::vector<std::pair<unsigned int, double>>
     multipliers(const Vector &residual) const;
 
-    /// Returns the transpose of multipliers(): a displacement w, zero in DoFs
-    /// that no row eliminates, with
-    ///   sum_k weight(k) mu_k = w . residual,   k the number of the row.
+    /// Returns the displacement w, zero except in pivots, whose work on a
+    /// residual is the weighted sum of its multipliers() mu:
+    ///   w . residual = sum_k weight(k) mu_k,   k the index of the row.
     Vector
     influence(const std::function<double(const unsigned int)> &weight) const;
 
   private:
-    /// Stores the rest of a group as constraints; throws InputError for 0 = 1.
+    /// Stores the result for a group; throws InputError for contradictions.
     void
     keep(const RowElimination                    &elimination,
          const Body                              &body,
          const std::vector<PrescribedFunctional> &rows,
          const std::vector<std::string>          &support_names);
 
-    /// Constraints of the body; those with supports; u_p for all its DoFs.
+    /// Kinematic constraints; with supports; particular().
     const Constraints           &kinematic;
     Constraints                  homogeneous;
     Vector                       particular_solution;

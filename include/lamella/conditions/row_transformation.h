@@ -12,7 +12,8 @@
 
 namespace lamella
 {
-  /// Transforms forms of displacements of places to forms of their rows' DoFs.
+  /// Transforms linear and quadratic forms of the displacements u_k of points
+  /// to forms of the DoFs; three functionals per point give u_k in the DoFs.
   class RowTransformation
   {
   public:
@@ -39,8 +40,8 @@ namespace lamella
       return block;
     }
 
-    /// Returns the block of the quadratic form @p of_rows, row 3 k + c of which
-    /// is component c at place k.
+    /// Returns the matrix in DoFs of the quadratic form with the matrix @p
+    /// of_rows, whose row 3 k + c belongs to component c of u_k.
     StiffnessBlock
     operator()(const dealii::FullMatrix<double> &of_rows) const
     {
@@ -59,7 +60,8 @@ namespace lamella
       return result;
     }
 
-    /// Returns the linear form sum_k weights[k] . u_k in the block's DoFs.
+    /// Returns the coefficients of sum_k weights[k] . u_k in the DoFs of
+    /// pattern().
     std::vector<double>
     form(const std::vector<dealii::Tensor<1, 3>> &weights) const
     {

@@ -10,24 +10,24 @@
 
 namespace lamella
 {
-  /// A spring to the ground in the displacement r(u) of a row: energy 1/2 k
-  /// r(u)^2, force -k r(u) r^T, stiffness k r^T r of rank one (SpringTerm).
+  /// A spring between a body and the ground that acts on the displacement r(u),
+  /// a linear functional of the DoFs: energy 1/2 k r(u)^2, stiffness k r^T r.
   struct Spring
   {
-    /// Row r of the DoFs of one body [length]; compressed.
+    /// Functional r of the DoFs of one body [length].
     LinearFunctional row;
     /// Stiffness k [force / length].
     double stiffness = 0.;
-    /// Stabilization::share of the spring, dimensionless.
+    /// Stabilization::share from which k was computed.
     double share = 0.;
-    /// Description of the rigid motion that it resists.
+    /// Description of the rigid motion that the spring resists.
     std::string motion;
   };
 
-  /// Stiffness of springs for bodies that only contact constrains in some rigid
-  /// motions, as a share (such as 1e-6; 0: none) of the axial stiffness. Spring
-  /// forces vanish by iteration from the previous state (proximal point method,
-  /// doc/theory/contact.md).
+  /// Stiffness of stabilizing springs, for bodies with rigid motions that only
+  /// contact constrains, as a fraction of E A / L (such as 1e-6; 0: no
+  /// springs). The solution is repeated with springs relaxed until their forces
+  /// vanish (proximal point method, doc/theory/contact.md).
   struct Stabilization
   {
     double share = 0.;
@@ -37,20 +37,20 @@ namespace lamella
   dealii::Point<3>
   centroid_of(const std::vector<SurfacePoint> &points);
 
-  /// Returns the corners of @p surface of @p body: all points furthest from its
-  /// centroid, and if there is only one, those furthest from it, too.
+  /// Returns the points of @p surface of @p body that are furthest from its
+  /// centroid; if this is a single point, also those furthest from that point.
   std::vector<SurfacePoint>
   farthest_points(const Body &body, const std::string &surface);
 
   /**
-   * Returns one spring for each rigid motion of @p body, number @p index, that
-   * @p rows leave free, acting on
+   * Returns one spring for each rigid motion of @p body (which has the index @p
+   * index) that the constraints @p rows leave free. The spring acts on
    *   r(u) = 4 / n sum_p q(X_p) . u(X_p),
-   * with the n corners X_p of both ends (farthest_points()), and motions q
-   * orthonormal in that product, which makes springs independent of each other
-   * and of the number of corners. The stiffness is @p stabilization.share times
-   * E A / L (normal modulus and area of the start, distance of the ends). None
-   * if the share is zero or the rows constrain the body.
+   * with the n corners X_p of both ends (farthest_points()) and rigid motions q
+   * that are orthonormal in this product. The stiffness is @p
+   * stabilization.share times E A / L (normal modulus and area of the start
+   * section, distance of the ends). No springs are returned if the share is
+   * zero.
    */
   std::vector<Spring>
   stabilizing_springs(const Body                              &body,

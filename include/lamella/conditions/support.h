@@ -13,14 +13,15 @@
 
 namespace lamella
 {
-  /// A rigid motion that nothing prevents: the body needs a Stabilization, or
-  /// the scene is rejected.
+  /// An unconstrained rigid motion of a body. Such a body needs a
+  /// Stabilization, otherwise the scene is rejected.
   struct FreeMotion
   {
-    /// Motion with rotations about center() times size(), all in displacements.
+    /// Translations t, and rotations about Body::center() times Body::size()
+    /// [length].
     RigidMotion motion;
-    /// Description, "translation along x with rotation about y"; parts below 1
-    /// % are omitted.
+    /// Description, such as "translation along x with rotation about y";
+    /// components below 1 % are omitted.
     std::string words;
 
     /// Returns the displacement at @p x, for small rotations of its @p body,
@@ -29,89 +30,95 @@ namespace lamella
     at(const dealii::Point<3> &x, const Body &body) const;
   };
 
-  /// Isostatic support of a body: rows that remove unresisted rigid motions
-  /// (conditions/isostatic_support.h).
+  /// Isostatic support of a body, which constrains the rigid motions that
+  /// nothing resists (conditions/isostatic_support.h).
   struct IsostaticSupport
   {
-    /// Number of the body in the scene's list.
+    /// Index of the body in the scene.
     unsigned int body = 0;
-    /// Removed motions; empty until find_isostatic_motions() is called.
+    /// Constrained rigid motions, set by find_isostatic_motions().
     std::vector<FreeMotion> motions = {};
   };
 
-  /// Rigid motion of a surface at load factor s, R the rotation about theta,
-  ///   u(X) = s d + (R(s theta) - 1) (X - c).
+  /// Prescribed rigid motion of a surface: at load factor s, point X moves by
+  ///   u(X) = s d + (R(s theta) - 1) (X - c), R the rotation by s theta about
+  ///   c.
   struct RigidRotation
   {
-    /// Translation d [length] and rotation theta [rad], scene axes.
+    /// Translation d [length] and rotation vector theta [rad], scene axes.
     dealii::Tensor<1, 3> translation, rotation;
     dealii::Point<3>     about;
 
-    /// Returns u(@p X).
+    /// Returns u(X) at load factor @p s.
     dealii::Tensor<1, 3>
     displacement(const double s, const dealii::Point<3> &X) const;
-    /// Returns the derivative of u by s, d + theta x R(s theta) (X - c).
+    /// Returns du/ds = d + theta x R(s theta) (X - c).
     dealii::Tensor<1, 3>
     rate(const double s, const dealii::Point<3> &X) const;
   };
 
   /// Prescribed displacements (Dirichlet conditions),
   ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
-  /// with the load factor s of its history, or a RigidRotation, which bodies of
-  /// small rotations linearize. RowReduction eliminates them exactly, without
-  /// penalty or multiplier. Either u or normal is used.
+  /// with the load factor s, or a RigidRotation, linearized for bodies with
+  /// small rotations. RowReduction eliminates the constraints exactly. Either u
+  /// or normal is used.
   struct Support
   {
     /// Name in `subsection Support NAME`.
     std::string name;
     /// Regions, possibly of several bodies.
     std::vector<Region> on;
-    /// Scene components of u at load factor 1 [length]: 0 is fixed, none free.
+    /// Components of d in scene axes [length]; a component without value is
+    /// free.
     std::array<std::optional<double>, 3> u;
-    /// n . u on surfaces with the outward normal n [length]; 0 is symmetry.
+    /// Displacement d along the outward normal n [length]; 0 for symmetry.
     std::optional<double> normal = std::nullopt;
-    /// theta of a RigidRotation, which has u as d [rad].
+    /// Rotation vector theta of a RigidRotation [rad], which has u as d.
     std::optional<dealii::Tensor<1, 3>> rotation = std::nullopt;
-    /// c of a RigidRotation; by default the middle of the held points' box.
+    /// Center c of a RigidRotation; by default that of the bounding box of the
+    /// constrained points.
     std::optional<dealii::Point<3>> about = std::nullopt;
-    /// Isostatic support, without regions and values.
+    /// Set for an isostatic support, which has no regions and no values.
     std::optional<IsostaticSupport> isostatic = std::nullopt;
-    /// Number of its history of load factors (LoadFactor::of()).
+    /// Index of the history of load factors (LoadFactor::of()).
     unsigned int history = 0;
   };
 
-  /// The displacement of one point along a direction, row(u) = value, or a mean
-  /// of points (isostatic). Its multiplier is the reaction along the direction.
+  /// A linear constraint row(u) = value on the DoFs u of a body. row(u) is the
+  /// displacement of a point along a direction or, for an isostatic support, a
+  /// mean over several points. Its multiplier is the reaction along the
+  /// direction.
   struct PrescribedFunctional
   {
-    /// Compressed row, without constant part or rounding errors.
+    /// Linear functional of the DoFs, without constant part.
     BodyFunctional row;
-    /// Value at load factor 1, for small rotations [length].
+    /// Value at load factor 1 if rotations are small [length].
     double value = 0.;
-    /// Number of the support in the list.
+    /// Index of the support in the scene.
     unsigned int support = 0;
-    /// Direction (unit, scene) of the row's force; isostatic: of its resultant.
+    /// Direction of the reaction or its resultant (unit vector, scene axes).
     dealii::Tensor<1, 3> direction;
-    /// Position in the scene, for moments of reactions and messages.
+    /// Position of the reaction in the scene.
     dealii::Point<3> position;
-    /// Moment of a unit force about the position; zero unless isostatic.
+    /// Moment of a unit reaction about the position; zero unless isostatic.
     dealii::Tensor<1, 3> couple = {};
-    /// History of the support.
+    /// Support::history.
     unsigned int history = 0;
-    /// Location of the position in the body; none if isostatic, or on an end of
-    /// a body without finite rotations, where section DoFs are prescribed.
+    /// Location in the body; none for isostatic supports and where section DoFs
+    /// are prescribed (ends of bodies without finite rotations).
     std::optional<Location> location = {};
-    /// Rigid motion of the place, if its support has one.
+    /// Prescribed rigid motion of the point, if its support has a rotation.
     std::optional<RigidRotation> rotation = {};
 
-    /// Returns the value at load factor @p s for finite rotations [length].
+    /// Returns the value at load factor @p s, also for finite rotations
+    /// [length].
     double
     value_at(const double s) const
     {
       return rotation ? direction * rotation->displacement(s, position) :
                         s * value;
     }
-    /// Returns the derivative of value_at() by s.
+    /// Returns the derivative of value_at() with respect to s.
     double
     rate_at(const double s) const
     {
@@ -119,7 +126,8 @@ namespace lamella
     }
   };
 
-  /// Returns the rigid motion that @p support prescribes on @p bodies.
+  /// Returns the rigid motion that @p support, which has a rotation,
+  /// prescribes.
   RigidRotation
   rigid_rotation(const Support &support, const Bodies &bodies);
 
@@ -127,32 +135,31 @@ namespace lamella
   dealii::Tensor<1, 3>
   scene_axis(const unsigned int c);
 
-  /// Returns the rows of @p supports by support, region and point: up to three
-  /// per point for u, one for a normal displacement, one per isostatic motion.
-  /// They may be dependent (RowReduction). Weights below 1e-13 of a row's
-  /// largest are dropped. Throws InputError for regions outside of their body,
-  /// and for a normal displacement on a surface with corners.
+  /// Returns the constraints of @p supports, ordered by support, region and
+  /// point: up to three per point for displacement components, one per point
+  /// for a normal displacement, one per rigid motion of an isostatic support.
+  /// They may be linearly dependent (RowReduction). Throws InputError for
+  /// regions outside of their body, and for a normal displacement on a surface
+  /// with corners.
   std::vector<PrescribedFunctional>
   prescribed_functionals(const std::vector<Support> &supports,
                          const Bodies               &bodies);
 
-  /// Returns the row @p prescribed of @p body linearized at @p u
-  /// (Body::rows_at()), and its value there. The direction of a row with a
-  /// rigid motion rotates with the section, which keeps independent rows
-  /// independent.
+  /// Returns the constraint @p prescribed of @p body linearized at the
+  /// displacement @p u (Body::rows_at()), and the displacement along its
+  /// direction. The direction of a constraint with a RigidRotation rotates with
+  /// the section, so that independent constraints stay independent.
   std::pair<PrescribedFunctional, double>
   row_at(PrescribedFunctional prescribed, const Body &body, const Vector &u);
 
   /**
-   * Returns the rigid motions of @p body, number @p index, that @p rows leave
-   * free: the null space of R E, E the rigid motions (rotations times the
-   * body's size), by a singular value decomposition with the threshold 1e-8 of
-   * the largest singular value. Body::omitted_rigid_motions() count as
-   * constrained.
+   * Returns the rigid motions of @p body (which has the index @p index) that
+   * the constraints @p rows leave free: the null space of R E, with R the
+   * matrix of the rows and E the rigid motions, by a singular value
+   * decomposition with a threshold of 1e-8 of the largest singular value.
+   * Body::omitted_rigid_motions() count as constrained.
    *
-   * The result is in echelon form, rotations first: each motion has a rotation
-   * or translation of its own, for readable messages. Rows are folded, sixty at
-   * a time, into six with the same singular values, at linear cost.
+   * The motions are in echelon form, rotations first, for readable messages.
    */
   std::vector<FreeMotion>
   free_rigid_motions(const Body                              &body,

@@ -9,7 +9,8 @@
 
 namespace lamella
 {
-  /// The value of a load at a point, a traction on a surface, at load factor 1.
+  /// Evaluates a load at load factor 1 at points: the traction on a surface,
+  /// the force per length of a line, or the force at a point.
   class Traction
   {
   public:
@@ -18,14 +19,13 @@ namespace lamella
     ~Traction();
     Traction(Traction &&) noexcept;
 
-    /// Returns the force f per area (or of a line or point), or -p n of a
-    /// pressure, at @p x with outward unit @p normal, scene axes. Throws
-    /// InputError if an expression is not finite.
+    /// Returns the load at @p x, scene axes; for a pressure p it is -p n with
+    /// the outward unit @p normal n. Throws InputError if it is not finite.
     dealii::Tensor<1, 3>
     operator()(const dealii::Point<3>     &x,
                const dealii::Tensor<1, 3> &normal) const;
 
-    /// Returns whether it is constant on any plane.
+    /// Returns whether the load has the same value at all points of a plane.
     bool
     is_constant() const;
 
