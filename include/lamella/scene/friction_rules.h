@@ -8,10 +8,10 @@
 
 namespace lamella
 {
-  /// Throws InputError for entries of @p scene, with the top level @p in, that
-  /// friction does not allow: the strategy `full`, since the matrix is not
-  /// symmetric, and runs to a tolerance. Throws it also for entries that need
-  /// friction: Substeps, and the dissipation of a contact.
+  /// Throws InputError if @p scene, with the top-level entries @p in, combines
+  /// contact friction with the strategy `full` (its matrix is unsymmetric then)
+  /// or with a tolerance of goals; or if a scene without friction has entries
+  /// that need friction (`Substeps`, the dissipation of a contact).
   void
   check_friction(const Scene &scene, const Entries &in);
 } // namespace lamella

@@ -17,13 +17,13 @@
 
 namespace lamella
 {
-  /// Modes of the error estimation of goals.
+  /// Options for error bars (error estimates) of the goals of a run.
   enum class ErrorBars
   {
     undefined,
-    automatic, ///< where that costs at most half of what the run does
+    automatic, ///< if they cost at most half of the run
     always,
-    richer, ///< always, from richer models
+    richer, ///< always, by comparison with finer models
     never
   };
 
@@ -36,34 +36,36 @@ namespace lamella
                                                 {ErrorBars::never, "false"}};
   };
 
-  /// Entries of `subsection Goals`: the numbers that a run is made for.
+  /// Entries of `subsection Goals`: the quantities of interest of a run, with
+  /// the tolerances of their errors.
   struct GoalParameters
   {
-    /// Quantities named; by default those with References or named by Trade.
+    /// The goals; by default quantities with References or named in Trade.
     std::vector<NamedQuantity> quantities;
-    /// Probes whose largest displacement and stress are the goals by default.
+    /// Probes; without `quantities`, the largest displacement and the largest
+    /// stress among these probes are the goals.
     std::vector<std::string> probes_as_goals;
-    /// Tolerance of each quantity, or one for all; empty if there is none.
+    /// Tolerance of the error of each goal, or one for all; may be empty.
     std::vector<Tolerance> tolerances;
     ErrorBars              bars = ErrorBars::undefined;
-    /// Limits of a run to a tolerance; 0: none.
+    /// Limits of DoFs and of time [s] of a run to a tolerance; 0: no limit.
     unsigned int budget_dofs    = 0;
     double       budget_seconds = 0.;
-    /// True if the scene sets no Theory, so that a run to a tolerance chooses.
+    /// True if the scene sets no Theory; a run to a tolerance then chooses it.
     bool theory_is_default = false;
-    /// Names of the bodies whose axis elements the scene leaves open.
+    /// Names of the bodies for which the scene sets no number of axis elements.
     std::set<std::string> axes_are_default;
 
-    /// Declares the entries in `subsection Goals`, which must be entered.
+    /// Declares the entries in @p prm, which must be in `subsection Goals`.
     static void
     declare(dealii::ParameterHandler &prm);
 
     /// Returns the entries of `subsection Goals`. @p of_trade are the
-    /// quantities that a trade names. Throws InputError for a quantity not in
-    /// @p names; a tolerance that is not above 0 and at most 100 per cent, or
-    /// is below 1e-6 per cent; a tolerance in another unit than @p units gives
-    /// its quantity; a tolerance that is not in per cent for quantities without
-    /// a common unit; and a wrong number of tolerances.
+    /// quantities named in `subsection Trade`. Throws InputError for a quantity
+    /// that is not in @p names, a tolerance outside of 1e-6 to 100 per cent, a
+    /// tolerance in another unit than its quantity has by @p units, one
+    /// absolute tolerance for quantities of different units, and a wrong number
+    /// of tolerances.
     static GoalParameters
     parse(const Entries                    &in,
           const QuantityNames              &names,

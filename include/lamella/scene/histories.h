@@ -9,12 +9,13 @@
 
 namespace lamella
 {
-  /// Returns the subsection, as `Load push`, of the first support, load or
-  /// obstacle of @p scene with `Factors` of its own; empty if there is none.
+  /// Returns the name of the subsection (such as `Load push`) of the first
+  /// support, load or obstacle of @p scene that has an entry `Factors` (its own
+  /// load factors); empty if there is none.
   std::string
   first_with_factors(const Scene &scene);
 
-  /// Returns the first contact of @p scene with friction; null if none.
+  /// Returns the first contact of @p scene with friction, or a null pointer.
   const ContactPair *
   first_with_friction(const Scene &scene);
 } // namespace lamella

@@ -11,9 +11,9 @@
 namespace lamella
 {
   /**
-   * Returns sentences, without a full stop, on numbers of @p scene whose unit
-   * is probably not that of the scene. @p meshes are those of its sections.
-   * Lengths and stresses are checked with `Units` only.
+   * Returns warnings (sentences without a full stop) on numbers of @p scene
+   * that are probably in a wrong unit. @p meshes are the meshes of its
+   * sections. Lengths and stresses are checked only if the scene has `Units`.
    *
    *   number                    warning if
    *   layup                     no angle exceeds 3.2, and one is pi/2, pi/3,

@@ -8,14 +8,15 @@
 namespace lamella
 {
   /**
-   * Returns @p scene with finite rotations of its bodies, with contacts of
-   * finite sliding, and without error bars unless they are set.
+   * Returns @p scene with finite rotations of its bodies and with
+   * finite-sliding contacts. Error bars are disabled unless the scene requests
+   * them.
    *
    * Throws InputError for entries that large rotations do not allow: theories
-   * without finite-rotation kinematics, axes that lock, solid-1, node-dependent
-   * theories, Stabilization and Isostatic support, pairs of nodes, the full
-   * strategy, error bars and tolerances, stresses by equilibrium, several
-   * processes.
+   * without finite-rotation kinematics, axis elements that lock, solid-1,
+   * node-dependent theories, `Stabilization`, `Isostatic support`, node-to-node
+   * contact, the strategy `full`, error bars and tolerances, stresses by
+   * equilibrium. Several processes are not allowed either.
    */
   Scene
   with_finite_rotations(Scene scene);
@@ -24,20 +25,21 @@ namespace lamella
   bool
   can_rotate(const Theory &theory);
 
-  /// Returns whether @p contact of @p body may be `line to roller`: contact at
-  /// the line of a beam that is nearest to a roller across the beam.
+  /// Returns whether @p contact of @p body with a cylindrical obstacle may be
+  /// `line to roller`, contact along the line of the beam surface that is
+  /// nearest to a cylinder across the beam.
   bool
   allows_line_contact(const ContactPair &contact, const BodyDescription &body);
 
-  /// Returns whether @p scene has entries that need large rotations.
+  /// Returns whether @p scene has entries that require finite rotations.
   bool
   requests_finite_rotations(const Scene &scene);
 
-  /// Applies `Rotations` to @p scene: with_finite_rotations() if they are
-  /// large. Automatic rotations stay undecided, but become linear, with a
-  /// warning of the scene, if that function throws and no entry needs large
-  /// ones. Throws what it throws, and InputError for linear rotations with
-  /// entries that need large ones.
+  /// Applies the entry `Rotations` to @p scene. If it is `large`, calls
+  /// with_finite_rotations(). If it is `auto`, the run chooses later; but if
+  /// with_finite_rotations() throws, rotations become `linear` with a warning.
+  /// Throws as with_finite_rotations() if entries require finite rotations, and
+  /// InputError if these are combined with `linear`.
   void
   apply_rotations(Scene &scene);
 } // namespace lamella

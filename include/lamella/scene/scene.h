@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The room `scene`: the text of a scene, its grammar, its messages with line,
-// entry, value, rule and remedy, and the descriptions that the text becomes.
-// Each subject defines its own entries; this room assembles them and does not
-// run scenes. Start with SceneText (the text with its lines), read_scene()
-// (makes a Scene of it) and Simulation (run/simulation.h, made of a Scene).
+// entry, value, rule and remedy, and the description of the problem. Other
+// rooms define the entries of their subsections; this room combines them. It
+// does not run scenes. Start with SceneText (text and line numbers),
+// read_scene() (text to Scene) and Simulation (run/simulation.h).
 
 #ifndef lamella_scene_scene_h
 #define lamella_scene_scene_h
@@ -30,19 +30,19 @@
 
 namespace lamella
 {
-  /// References of the resultants fx, fy and fz of supports or contacts.
+  /// Reference values of the resultant forces of supports or contacts, by name.
   using ReferencesByName = std::map<std::string, std::vector<Reference>>;
 
   /**
-   * A scene, read and checked: plain data with names resolved. It describes a
-   * boundary value problem with contact: materials, cross-sections, bodies (a
-   * section swept along an axis, with the theory of its displacements),
-   * supports, loads and contacts, solution parameters, and output.
+   * A boundary value problem with contact as read from a scene file and
+   * checked: materials, cross-sections, bodies (a section extruded along an
+   * axis, with the theory of its displacements), supports, loads, contacts,
+   * solution parameters and output, as plain data.
    *
-   * Lists have the order of the lists of names in the text. Bodies are referred
-   * to by their index in `bodies`, materials and sections by name. All
-   * quantities are in the scene's units; positions are in its axes unless
-   * stated otherwise. There is no mesh yet: a scene is cheap to copy.
+   * Lists are in the order of the lists of names in the file. Bodies are
+   * referred to by their index in `bodies`, materials and sections by name. All
+   * quantities are in the units of the file; positions are in global axes
+   * unless stated otherwise. A scene contains no mesh.
    */
   struct Scene
   {
@@ -53,11 +53,11 @@ namespace lamella
 
     /// Materials by name, with elastic constants in the material's axes.
     Materials materials;
-    /// Shapes by name of the section, from which its mesh is made.
+    /// Shape of each section by name, from which the section is meshed.
     std::map<std::string, SectionShape> sections;
-    /// Number of times, by section, that all cells are divided in four.
+    /// Number of uniform refinements of the mesh of each section.
     std::map<std::string, unsigned int> divisions;
-    /// Number of layers of cells at the corners, by section.
+    /// Number of refined cell layers at the corners of each section.
     std::map<std::string, unsigned int> corner_layers;
     /// Name, section, theory (Eq. 1), axis and placement of each body.
     std::vector<BodyDescription> bodies;
@@ -66,13 +66,13 @@ namespace lamella
     std::vector<Support> supports;
     /// Forces at load factor 1, and temperatures.
     std::vector<Load> loads;
-    /// Acceleration that acts on each density, at load factor 1 [length / s^2].
+    /// Acceleration of gravity at load factor 1 [length / s^2].
     dealii::Tensor<1, 3> gravity;
-    /// Rigid bodies that contacts refer to.
+    /// Rigid surfaces with which bodies may be in contact.
     Obstacles obstacles;
     /// Pairs of surfaces that may be in contact.
     std::vector<ContactPair> contacts;
-    /// Load factors, strategy, limits.
+    /// Parameters of the solution: load factors, strategy, limits.
     SolveParameters solve;
 
     /// Points, segments and sections at which fields are reported.
@@ -81,26 +81,27 @@ namespace lamella
     std::vector<Cut>   cuts;
     /// Differences of values at probes.
     std::vector<Measure> measures;
-    /// Plies and criteria of the failure analysis.
+    /// Plies and strength criteria of the failure analysis.
     StrengthParameters strength;
-    /// True if the load at first failure is sought after the load factors.
+    /// True if the load factor of first failure is computed after the load
+    /// steps.
     bool find_first_failure = false;
-    /// References of resultants; probes have their own.
+    /// Reference values of resultant forces.
     ReferencesByName support_references, contact_references;
     /// True if a run writes VTU files for ParaView.
     bool write_vtu = true;
-    /// Goals of the run, with their tolerances.
+    /// Quantities of interest of the run, with their tolerances.
     GoalParameters goals;
     /// Parameters of `lamella trade`; unused by a run.
     TradeParameters trade;
 
-    /// Known inaccuracies of choices, a sentence each (notes_on_choices()).
+    /// Warnings on inaccurate theories and meshes (notes_on_choices()).
     std::vector<std::string> warnings;
 
-    /// Text of all entries with their values as run, for read_scene().
+    /// Text of a scene file with all entries, defaults included.
     std::string resolved;
 
-    /// Returns how often the cells of @p section are divided; 0 by default.
+    /// Returns the number of uniform refinements of @p section.
     unsigned int
     divisions_of(const std::string &section) const
     {
@@ -109,25 +110,23 @@ namespace lamella
     }
   };
 
-  /// Returns the scene of @p text. Each subject parses its own subsections.
-  /// Names, surfaces that two contacts pair, and sizes that exceed any memory
-  /// are checked here. No mesh is made and no file is read (paths of mesh files
-  /// are checked). Throws InputError with the place in the text.
+  /// Parses @p text and returns the scene. Names, repeated pairs of contact
+  /// surfaces and problem sizes that exceed the memory are checked. No mesh is
+  /// generated and no mesh file is read. Throws InputError with file and line.
   Scene
   read_scene(const SceneText &text);
 
-  /// Throws InputError for entries and subsections of @p text that no scene
-  /// has.
+  /// Throws InputError for unknown entries and subsections of @p text.
   void
   check_entries(const SceneText &text);
 
-  /// Returns all entries with documentation and default, as the text of a scene
-  /// with one subsection NAME of each kind (--print-parameters).
+  /// Returns a scene file with all entries, their documentation and defaults,
+  /// and one subsection NAME of each kind (--print-parameters).
   std::string
   parameter_documentation();
 
-  /// Returns the meshes of all sections of @p scene by name. Throws InputError
-  /// for shapes or mesh files that cannot be meshed, and distorted cells.
+  /// Generates or reads the meshes of all sections of @p scene. Throws
+  /// InputError for invalid shapes or mesh files and for distorted cells.
   SectionMeshes
   build_section_meshes(const Scene &scene);
 } // namespace lamella

@@ -9,21 +9,21 @@
 
 namespace lamella
 {
-  /// Returns @p text with each run of white space replaced by a space.
+  /// Returns @p text with each sequence of white space replaced by one blank.
   std::string
   collapsed(const std::string &text);
 
-  /// Returns the beginning of messages about line @p line of @p file.
+  /// Returns `FILE:LINE: `, the prefix of messages on line @p line of @p file.
   std::string
   line_prefix(const std::string &file, const unsigned int line);
 
-  /// Returns @p text without a UTF-8 byte order mark. Throws InputError, with
-  /// @p file, for invalid bytes.
+  /// Returns @p text without a UTF-8 byte order mark. Throws InputError, which
+  /// names @p file, if the bytes are not valid UTF-8.
   std::string
   checked_bytes(const std::string &text, const std::string &file);
 
-  /// Returns the name of the entry @p path of version 0.2.0 since it was
-  /// renamed; empty for any other.
+  /// Returns the current name of an entry that was renamed after version 0.2.0
+  /// and had the path @p path there; empty for all other paths.
   std::string
   new_name(const std::string &path);
 } // namespace lamella

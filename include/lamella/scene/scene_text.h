@@ -14,9 +14,9 @@
 namespace lamella
 {
   /**
-   * The text of a scene with its lines, checked before ParameterHandler parses
-   * it. Messages have line numbers and suggest the nearest known entry for an
-   * unknown one. The grammar, by lines:
+   * The text of a scene file with line numbers. It is checked before deal.II's
+   * ParameterHandler parses it, so that messages have line numbers and suggest
+   * the nearest known entry for an unknown entry. Each line is one of
    *   subsection NAME      opens a subsection; they nest
    *   end                  closes it
    *   set ENTRY = VALUE    sets an entry of the open subsection
@@ -29,21 +29,20 @@ namespace lamella
   class SceneText
   {
   public:
-    /// An entry with its value, or a subsection without one.
+    /// An entry with its value, or a subsection (its value is empty).
     struct Item
     {
-      /// Path, as `Body upper/Kinematics/Theory`, and value.
+      /// Path, such as `Body upper/Kinematics/Theory`, and value.
       std::string path, value;
       /// Line in the file, from 1; 0 for --set.
       unsigned int line = 0;
     };
 
     /// Parses @p text of the file named @p file and applies @p overrides, each
-    /// PATH=VALUE as of --set; of equal ones the last counts, and new entries
-    /// are added. Throws InputError for lines other than `subsection`, `set`
-    /// and `end`, open subsections, repeated entries and subsections, values
-    /// hidden by a comment, bytes that are not UTF-8, and a text without
-    /// entries.
+    /// PATH=VALUE as in the option --set. An override may add an entry; if a
+    /// path is repeated, the last override counts. Throws InputError for
+    /// invalid lines, unclosed subsections, repeated entries and subsections,
+    /// values hidden by a comment, invalid UTF-8, and a text without entries.
     SceneText(const std::string              &text,
               const std::string              &file,
               const std::vector<std::string> &overrides);
@@ -53,35 +52,37 @@ namespace lamella
     static SceneText
     read(const std::string &file, const std::vector<std::string> &overrides);
 
-    /// Sets the entries of @p prm to the values of the scene; with
-    /// @p top_level_only without those in subsections. All must be declared.
-    /// Throws InputError for a value that does not match its pattern.
+    /// Sets the entries of @p prm to the values in the text; only entries
+    /// outside of subsections if @p top_level_only is true. @p prm must declare
+    /// all these entries. Throws InputError if a value does not match its
+    /// pattern.
     void
     fill(dealii::ParameterHandler &prm,
          const bool                top_level_only = false) const;
 
-    /// Returns all entries of @p prmas the text of a scene, in the order of
-    /// declaration.
+    /// Returns all entries of @p prm as the text of a scene file, in the order
+    /// of declaration.
     static std::string
     printed(const dealii::ParameterHandler &prm);
 
-    /// Returns @p scene, made by printed(), with @p value in place of `auto`
-    /// for the entry @p name of the top-level subsection @p path.
+    /// Returns @p scene, a result of printed(), in which the entry @p name of
+    /// the top-level subsection @p path has @p value instead of `auto`.
     static std::string
     with_automatic(std::string        scene,
                    const std::string &path,
                    const std::string &name,
                    const std::string &value);
 
-    /// Removes the subsections `KIND NAME` with names not among @p names if
-    /// --set gave the list @p list.
+    /// Removes the subsections `KIND NAME` whose names are not among @p names,
+    /// if the option --set has replaced the list of names @p list.
     void
     drop_unlisted(const std::string              &list,
                   const std::string              &kind,
                   const std::vector<std::string> &names);
 
-    /// Throws InputError, at the line of @p list, if one of its @p names has no
-    /// subsection `KIND NAME` while another of this kind is not among them.
+    /// Throws InputError, with the line of the entry @p list, if one of its @p
+    /// names has no subsection `KIND NAME` although there is a subsection of
+    /// this kind with a name that is not listed.
     void
     check_listed(const std::string              &list,
                  const std::string              &kind,
@@ -91,11 +92,13 @@ namespace lamella
     std::string
     folder() const;
 
-    /// Returns the value of the entry @p path in the text or an override.
+    /// Returns the value of the entry @p path, if the text or an override sets
+    /// it.
     std::optional<std::string>
     says(const std::string &path) const;
 
-    /// Sets the entry @p path to @p value unless it has a value.
+    /// Sets the entry @p path to @p value unless the text or an override sets
+    /// it.
     void
     set_default(const std::string &path, const std::string &value);
 
@@ -107,8 +110,7 @@ namespace lamella
     void
     erase(const std::string &path);
 
-    /// Replaces the subsection @p path by copies of it with the paths
-    /// @p copies.
+    /// Replaces the subsection @p path by duplicates with the paths @p copies.
     void
     copy_subsection(const std::string              &path,
                     const std::vector<std::string> &copies);
@@ -118,20 +120,20 @@ namespace lamella
     has_subsection(const std::string &path) const;
 
     /// Throws InputError for the first entry or subsection that @p prm does not
-    /// declare, with the nearest declared one. Subsections are skipped with
-    /// @p top_level_only.
+    /// declare; the message suggests the nearest declared name. Subsections are
+    /// ignored if @p top_level_only is true.
     void
     check_declared(const dealii::ParameterHandler &prm,
                    const bool top_level_only = false) const;
 
-    /// Returns @p error with the place of its entry or subsection, `FILE:LINE:
-    /// ` or `FILE: `, unless it has a place or no entry.
+    /// Returns @p error with the prefix `FILE:LINE: ` (or `FILE: `) of its
+    /// entry or subsection, unless it has a prefix already or names no entry.
     InputError
     placed(const InputError &error) const;
 
   private:
-    /// Parses @p text into entries and subsections in their order. Throws
-    /// InputError for lines outside the grammar, with @p file.
+    /// Parses @p text into entries and subsections, in the order of lines.
+    /// Throws InputError, which names @p file, for invalid lines.
     static void
     scan(const std::string &text,
          const std::string &file,
@@ -142,23 +144,24 @@ namespace lamella
     std::string
     place(const Item &entry) const;
 
-    /// Returns `FILE:LINE: ` of the entry or subsection @p pathor its nearest
-    /// parent, or `FILE: `.
+    /// Returns `FILE:LINE: ` of the entry or subsection @p path, or of its
+    /// nearest parent in the text, otherwise `FILE: `.
     std::string
     place_of(std::string path) const;
 
-    /// Throws InputError for the subsection @p item, not among @p declared.
+    /// Throws InputError for the subsection @p item, which is not in @p
+    /// declared.
     [[noreturn]] void
     throw_unknown_subsection(const Item              &item,
                              const std::vector<Item> &declared) const;
 
-    /// Adds @p entry with its subsections, or replaces the one with its path.
+    /// Adds @p entry and its subsections, or replaces the entry of equal path.
     void
     set_entry(const Item &entry);
 
     /// Name of the file, for messages.
     std::string file;
-    /// Items in the order of the text; overrides of new ones follow.
+    /// In the order of the text, followed by those that overrides add.
     std::vector<Item> entries, subsections;
   };
 } // namespace lamella

@@ -8,15 +8,15 @@
 namespace lamella
 {
   /**
-   * Throws InputError for the first body of @p scene with a stiffness that
-   * cannot fit into memory, before meshing. Only layer-wise beams and solids
-   * with laminated sections are counted. The order p of the expansion, the
+   * Throws InputError for the first body of @p scene whose stiffness matrix
+   * exceeds the memory, before meshing. Only layer-wise beams and solids with
+   * laminated sections are estimated. With the order p of the expansion, the
    * degree q of the axis elements (p for solids), and n_x cells across, n_z
-   * through the thickness and n_y along the axis give
+   * through the thickness and n_y along the axis, the number of DoFs is
    *   DoFs = 3 (p n_x + 1) (p n_z + 1) (q n_y + 1),
-   * each coupled with those of the adjacent cells, 3 (p + 2)^2 (q + 2) on
-   * average at least; a nonzero takes 24 bytes. Bodies below 2e5 DoFs pass;
-   * MemoryBudget is exact for these.
+   * A row of the matrix has at least 3 (p + 2)^2 (q + 2) nonzeros of 24 bytes
+   * on average. Bodies below 2e5 DoFs are accepted; MemoryBudget checks them
+   * exactly after meshing.
    */
   void
   check_sizes(const Scene &scene);

@@ -15,62 +15,66 @@
 
 namespace lamella
 {
-  /// Variant of a trade: a theory and refinement factors on the meshes of the
-  /// scene, or a run to a tolerance.
+  /// Variant of a trade (comparison of cost and accuracy): a theory with
+  /// refinement factors of the meshes of the scene, or a run to a tolerance.
   struct TradeVariant
   {
-    /// Name in the scene: `LE-2, axis 2`.
+    /// Name in the scene file, such as `LE-2, axis 2`.
     std::string name;
-    /// Theory for Theory::parse(); `tolerance 1` for a run to a tolerance.
+    /// Theory as in a scene file; `tolerance 1` for a run to 1 % error.
     std::string theory;
-    /// Factors on the numbers of axis elements and of section cells per
-    /// direction, 0.05 to 20.
+    /// Factors, 0.05 to 20, that multiply the numbers of axis elements and of
+    /// section cells per direction.
     double axis = 1., section = 1.;
-    /// Overrides PATH=VALUE, as in --set; not yet checked against the scene.
+    /// Changes of entries, PATH=VALUE as in the option --set.
     std::vector<std::string> overrides;
-    /// Tolerance of a run to one, as a fraction: above 0, at most 1.
+    /// Relative error of a run to a tolerance: above 0, at most 1.
     std::optional<double> tolerance = {};
   };
 
-  /// Names of a scene that a trade can use.
+  /// Names of bodies and quantities to which entries of a trade may refer.
   struct TradeNames
   {
     std::vector<std::string> bodies;
     QuantityNames            quantities;
-    /// Quantities named by `Quantities` of Goals.
+    /// Quantities named in `subsection Goals`.
     std::vector<NamedQuantity> of_goals = {};
   };
 
-  /// Entries of `subsection Trade` (`lamella trade`).
+  /// Entries of `subsection Trade`: variants of a scene (theories and meshes)
+  /// whose cost and accuracy `lamella trade` compares.
   struct TradeParameters
   {
-    /// Variants, at least two, from cheap to the finest.
+    /// Variants, at least two, from the cheapest to the finest.
     std::vector<TradeVariant> variants;
-    /// Quantities named; by default those of Goals, or those with References.
+    /// Compared quantities; by default those of Goals or with References.
     std::vector<NamedQuantity> quantities;
-    /// Probes in empty Quantities: the largest displacement and stress are
-    /// taken there. None with the reference `given`.
+    /// Probes. If `quantities` is empty, the largest displacement and the
+    /// largest stress among these probes are compared. Empty if the reference
+    /// is `given`.
     std::vector<std::string> probes_as_goals;
-    /// Names of the bodies that the variants change; all by default.
+    /// Names of the bodies whose theory and mesh the variants change; by
+    /// default all bodies.
     std::vector<std::string> bodies;
-    /// Reference of the errors: `finest`, the last variant that succeeds;
-    /// `solid`, the last hexahedra; `given`, the scene's References; or the
-    /// name of a variant.
+    /// Reference solution for errors: `finest`, the last variant that succeeds;
+    /// `solid`, the last variant of hexahedra; `given`, the References of the
+    /// scene; or the name of a variant.
     std::string reference = "finest";
-    /// Relative errors for the closing sentences, as fractions.
+    /// Relative errors (fractions); for each of them the report names the
+    /// cheapest variant whose errors are below it.
     std::vector<double> tolerances;
-    /// True if each variant has error bars; runs to a tolerance always have.
+    /// True if error bars are computed for each variant; runs to a tolerance
+    /// always compute error bars.
     bool error_bars = false;
-    /// Largest processor seconds of a variant; 0: no limit.
+    /// Limit of the processor time of a variant [s]; 0: no limit.
     double time_limit = 0.;
 
-    /// Declares the entries of `subsection Trade`, which must be entered.
+    /// Declares the entries in @p prm, which must be in `subsection Trade`.
     static void
     declare(dealii::ParameterHandler &prm);
     /// Returns the entries of `subsection Trade`. Throws InputError for invalid
-    /// variants, for quantities that no probe, support or contact of @p names
-    /// gives, and for references that are missing or zero if `given` needs
-    /// them.
+    /// variants, for quantities that are not in @p names, and for missing or
+    /// zero reference values if the reference is `given`.
     static TradeParameters
     parse(const Entries &in, const TradeNames &names);
   };
