@@ -15,14 +15,17 @@
 
 namespace lamella
 {
-  /// The integral over a beam's axis by sum factorization. On each element, the
-  /// coefficients of the fields at its integration points (stations),
+  /// Integration along the axis of a beam by sum factorization. With the nodal
+  /// DoFs u_(i,alpha) of section functions alpha and the shape functions N_i of
+  /// axis nodes, the amplitudes at an integration point (station) of an
+  /// element,
   ///   q_alpha = sum_i N_i u_(i,alpha),   q_alpha' = sum_i N_i' u_(i,alpha),
-  /// give section forces W, which act on the element's nodes as
+  /// determine section forces W_0 (work-conjugate to q) and W_1 (to q'), whose
+  /// nodal forces are
   ///   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy.
-  /// An element has the fields that any of its nodes carries, zero at the
-  /// others. Each process has the elements Axis::own_cells(). Refers to the
-  /// space, the axis and the DoF map.
+  /// The functions of an element are those of any of its nodes; a missing
+  /// amplitude is zero. Each process integrates the elements Axis::own_cells().
+  /// Keeps references to the arguments of its constructor.
   class AxisLoop
   {
   public:
@@ -34,47 +37,48 @@ namespace lamella
       , dof_map(dof_map)
     {}
 
-    /// Returns this process's integration points, first and one past the last.
+    /// Returns the number of integration points per axis element.
     unsigned int
     n_stations() const
     {
       return axis.integration_points().size() / axis.n_cells();
     }
 
-    /// Returns this process's integration points, first and one past last.
+    /// Returns the first integration point of this process, and one past the
+    /// last.
     std::pair<unsigned int, unsigned int>
     own_points() const;
 
-    /// Calls @p use with each own axis element and the section's operator for
-    /// its fields, which consecutive elements with the same fields share.
+    /// Calls @p use with the index of each axis element of this process and the
+    /// section operator for its functions.
     using ElementCallback =
       std::function<void(const unsigned int, const SectionOperator &)>;
     void
     for_each_element(const ElementCallback &use) const;
 
-    /// Returns the parts of the displacement @p u for the fields @p fields at
-    /// @p stations of one element. Derivatives use differences to the element's
-    /// first node, so that they vanish exactly for rigid translations.
+    /// Returns the amplitudes q and q' of the section functions @p fields in
+    /// the displacement @p u at @p stations of one element. Derivatives use
+    /// differences to the first node and vanish exactly for rigid translations.
     FieldParts
     at(const dealii::ArrayView<const AxisPoint> &stations,
        const std::vector<unsigned int>          &fields,
        const Vector                             &u) const;
 
-    /// Returns at() for the integration points of the element @p cell.
+    /// Returns at() for all integration points of the axis element @p cell.
     FieldParts
     on_element(const unsigned int               cell,
                const std::vector<unsigned int> &fields,
                const Vector                    &u) const;
 
-    /// Adds the nodal forces of all elements to @p f, which has all DoFs.
-    /// @p forces_of returns those at the stations of an element on the fields
-    /// of its operator. Collective.
+    /// Adds the nodal forces of all elements to @p f. @p forces_of returns the
+    /// section forces W at the stations of an element. Collective.
     using ForcesOfElement =
       std::function<SectionForces(const unsigned int, const SectionOperator &)>;
     void
     add_forces(const ForcesOfElement &forces_of, Vector &f) const;
 
-    /// Returns the energy of @p forces over the element @p cell [force length].
+    /// Returns the integral of the energy per length in @p forces over the axis
+    /// element @p cell [force length].
     double
     energy(const unsigned int cell, const SectionForces &forces) const;
 
@@ -82,7 +86,7 @@ namespace lamella
     std::vector<unsigned int>
     fields_of_element(const unsigned int cell) const;
 
-    /// Adds @p work to the DoFs of @p cell: the integrated on_element()^T.
+    /// Adds the nodal forces of section forces @p work on the element @p cell.
     void
     add_on_nodes(const unsigned int               cell,
                  const std::vector<unsigned int> &fields,

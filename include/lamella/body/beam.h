@@ -11,38 +11,40 @@
 namespace lamella
 {
   /**
-   * A beam in the Carrera Unified Formulation: a section times an axis,
+   * A beam in the Carrera Unified Formulation, with section functions Phi_alpha
+   * and axial shape functions N_i:
    *   u(x, y, z) = sum N_i(y) Phi_alpha(x, z) u_(i,alpha)     (Eqs. 1 and 7),
    * with the stiffness of Eq. 12 as a sum of Kronecker products,
    *   K = A_NN (x) S_00 + A_NdN (x) S_01 + A_dNN (x) S_10 + A_dNdN (x) S_11
    * (and, for assumed transverse shear strains, (A_shear - A_NN) (x) S_shear).
-   * EBBT is TBT with Kirchhoff's constraint on each element.
+   * EBBT (Euler-Bernoulli) is TBT (Timoshenko) with Kirchhoff's constraint.
    *
-   * N_i is the shape function of axis node i (Axis), Phi_alpha a vector field
-   * of the section, made of the paper's F_tau (Section). With D = D_s + D_y
-   * d/dy of Eq. 5 the strain is
+   * N_i is the shape function of axis node i (Axis); Phi_alpha is a vector
+   * function on the section, formed from the functions F_tau of the paper
+   * (Section). With D = D_s + D_y d/dy of Eq. 5 the strain is
    *   epsilon = sum (N_i D_s Phi_alpha + N_i' D_y Phi_alpha) u_(i,alpha),
-   * so K needs only integrals A_pq over the axis and S_pq over the section. The
-   * 3 x 3 blocks of K are the paper's nuclei k^(ij tau s), except for linear
-   * fields, some of which combine two functions.
+   * so K needs only integrals A_pq over the axis (of products of N_i or N_i')
+   * and S_pq over the section (of D_p Phi_alpha . C D_q Phi_beta). The 3 x 3
+   * blocks of K are the nuclei k^(ij tau s) of the paper.
    *
-   * Processes share the rows of K by axis nodes (Axis::own_nodes()), and volume
-   * integrals by axis elements (Axis::own_cells()). A "cell" of Location is
-   * axis element * (number of section cells) + section cell, with unit
-   * coordinates (xi, place along the axis element, eta).
+   * Rows of K are distributed over processes by axis nodes, volume integrals by
+   * axis elements. A "cell" of Location is axis element * (number of section
+   * cells) + section cell, with unit coordinates (xi, position along the axis
+   * element, eta).
    */
   class Beam : public Body
   {
   public:
-    /// Constructs a beam whose axis nodes all carry all fields of the section.
-    /// Throws InputError if there are more processes than axis nodes.
+    /// Constructs a beam with all section functions at all axis nodes. Throws
+    /// InputError if there are more processes than axis nodes.
     Beam(const std::string             &name,
          std::shared_ptr<const Section> section,
          std::shared_ptr<const Axis>    axis,
          const Placement               &placement);
 
-    /// Constructs a beam of node-dependent kinematics with the lists of
-    /// BeamDofMap. EBBT needs B4 and all fields at all nodes. Throws InputError
+    /// Constructs a beam with node-dependent kinematics: @p fields_of_node
+    /// lists the section functions of each axis node (BeamDofMap). EBBT
+    /// requires B4 elements and all functions at all nodes. Throws InputError
     /// if there are more processes than axis nodes.
     Beam(const std::string                            &name,
          std::shared_ptr<const Section>                section,
@@ -50,7 +52,8 @@ namespace lamella
          const Placement                              &placement,
          const std::vector<std::vector<unsigned int>> &fields_of_node);
 
-    /// Constructs such a beam with modes; theory() begins with @p theory.
+    /// Constructs such a beam with section modes (linear combinations of
+    /// section functions, in @p space); theory() begins with @p theory.
     Beam(const std::string                            &name,
          std::shared_ptr<const SectionSpace>           space,
          std::shared_ptr<const Axis>                   axis,
@@ -58,10 +61,10 @@ namespace lamella
          const std::vector<std::vector<unsigned int>> &fields_of_node,
          const std::string                            &theory);
 
-    /// Returns the theory, with the number of dependent polynomials of TE-N.
+    /// Returns the theory; of TE-N also the number of dependent polynomials.
     std::string
     theory() const override;
-    /// Returns the sum over axis nodes of the numbers of their fields.
+    /// Returns the sum of the numbers of section functions of all axis nodes.
     DofIndex
     n_dofs() const override
     {
@@ -77,7 +80,8 @@ namespace lamella
         sum += dof_map.fields(node).size();
       return sum;
     }
-    /// Returns the non-zeros of A times those of S, exact for full lists.
+    /// Returns the nonzeros of A_pq times those of S_pq, exact if all nodes
+    /// have all functions.
     double
     stiffness_entries() const override;
     dealii::IndexSet
@@ -86,7 +90,7 @@ namespace lamella
     dof_level(const DofIndex dof) const override;
     std::vector<double>
     dof_scales() const override;
-    /// Returns the place of the DoF's node on the centroid axis.
+    /// Returns the position of the node of @p dof on the centroid axis.
     dealii::Point<3>
     dof_position(const DofIndex dof) const override;
     const Constraints &
@@ -94,9 +98,9 @@ namespace lamella
     {
       return kirchhoff;
     }
-    /// Returns the rigid motions, a few entries per node. With v the direction
-    /// in body axes, h the section's reference length and y_m the middle of the
-    /// axis, a rotation has in the fields of RigidField
+    /// Returns the rigid motions. With the rotation axis v in body axes, the
+    /// reference length h of the section and the middle y_m of the axis, a
+    /// rotation has these nodal values (in the order of RigidField):
     ///   u_x = -v_z (y - y_m),  u_z = v_x (y - y_m)        (translations),
     ///   h v_z, -h v_x                                     (slopes of u_y),
     ///   h v_y                                             (rotation about y).
@@ -106,23 +110,24 @@ namespace lamella
     omitted_rigid_motions() const override;
     dealii::Point<3>
     center() const override;
-    /// Returns half the length, at least the section's reference length.
+    /// Returns half the length, or the section's reference length if larger.
     double
     size() const override;
     dealii::BoundingBox<3>
     bounding_box() const override;
 
-    /// Adds the section forces of @p u, integrated over the axis (AxisLoop).
+    /// Adds the internal forces, section forces integrated along the axis.
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
-    /// Returns dense blocks per axis node, factorized for `automatic` on one
-    /// process if all nodes carry dense lists (SectionSpace).
+    /// Returns a solver for a matrix with dense blocks per axis node if @p
+    /// requested is `automatic`, on one process and with dense section matrices
+    /// (SectionSpace); otherwise Body::solver_of().
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      requested,
               const SolverMonitor  &monitor) const override;
-    /// Returns energy and the largest rotation (SectionOperator's) at points.
+    /// Returns the energy and the largest rotation at integration points.
     Deformation
     deformation(const Vector &u) const override;
     std::unique_ptr<SecondOrder>
@@ -141,19 +146,21 @@ namespace lamella
       return beam_section->plies();
     }
 
-    /// Thermal load on the section's fields: integral D_s^T C epsilon_0 dA on
-    /// values, integral D_y^T C epsilon_0 dA on derivatives along the axis.
+    /// Thermal load per length on the amplitudes of section functions, integral
+    /// D_s^T C epsilon_0 dA, and on their axial derivatives, integral D_y^T C
+    /// epsilon_0 dA.
     struct SectionThermalLoad
     {
       Vector on_values, on_derivatives;
     };
     SectionThermalLoad
     section_thermal_load(const double y) const;
-    /// Returns the load by weight on the fields, integral of rho g . Phi dA.
+    /// Returns the weight per length on each section function, integral rho g .
+    /// Phi_alpha dA.
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
 
-    /// Returns the locations within nearness(), along the axis and across.
+    /// Returns the locations, with the same tolerance in section and axis.
     std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const override;
     std::vector<std::vector<LinearFunctional>>
@@ -166,36 +173,39 @@ namespace lamella
     position(const Location::Place &place) const override;
     PlyAndAxes
     ply_at(const Location::Place &place) const override;
-    /// Returns cells with the degrees of axis elements and section functions.
+    /// Returns the elements, with degrees of axis elements and section
+    /// functions.
     Cells
     cells() const override;
-    /// Returns the degree of the axis elements (for EBBT, whose rotation is
-    /// -w', one less), and across it that of LE-N, else zero.
+    /// Returns along the axis the degree of the elements (one less for EBBT, as
+    /// the rotation is -w'), in the section the degree of LE-N, otherwise zero.
     std::array<unsigned int, 3>
     recovery_degrees() const override;
-    /// Returns across the axis the least LE degree of the element's nodes.
+    /// Returns in the section the lowest LE degree of the nodes of the element.
     std::array<unsigned int, 3>
     recovery_degrees_of(const unsigned int cell) const override;
 
     std::vector<std::string>
     surfaces() const override;
-    /// Returns on a lateral surface a point per axis node and edge point of the
-    /// section (CrossSectionElement::edge_points()), with the area int N_i dy
-    /// times that point's length, and on an end the section's grid. LE-q nodes
-    /// have the points of LE-q, as rows must not outnumber DoFs. `ends` and
-    /// `all` repeat shared places.
+    /// Returns for a lateral surface one point per axis node and edge point of
+    /// the section (CrossSectionElement::edge_points()), with the area int N_i
+    /// dy times the tributary length of the edge point; for an end the grid of
+    /// section points. Nodes with LE-q have the points of LE-q only, so that
+    /// constraints do not outnumber DoFs. `ends` and `all` repeat shared
+    /// points.
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
-    /// Returns on an end as few points as it needs: three for EBBT and TBT.
+    /// Returns for an end the fewest points that determine its displacement,
+    /// three for EBBT and TBT.
     std::vector<Location>
     constraint_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
-    /// Returns facets of ends by section cells, then lateral ones by elements.
+    /// Returns the facets of ends, one per section cell, then lateral facets.
     std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const override;
-    /// Returns the topology with node numbers (section node) * (axis nodes) +
-    /// axis node; section cells share nodes at common vertices and lines.
+    /// Returns the facets with node numbers (section node) * (number of axis
+    /// nodes) + axis node; adjacent section cells share nodes.
     SurfaceTopology
     surface_topology(const std::string &surface) const override;
     SurfacePoint
@@ -212,12 +222,12 @@ namespace lamella
     cut(const double       position,
         const unsigned int n,
         const Vector      &u) const override;
-    /// Returns across the section min(trace degree, max(degree, 3)).
+    /// Returns in the section min(trace degree, max(degree, 3)) intervals.
     GridIntervals
     output_degrees() const override;
     /// Calls @p use with cells numbered (own axis element) * (section cells) +
-    /// section cell. Forms coefficients once per place on the axis, keeping all
-    /// of this process, and functions once per section point.
+    /// section cell. Amplitudes are computed once per axis point and section
+    /// functions once per section point.
     void
     for_each_output_cell(const GridIntervals      &n,
                          const Vector             &u,
@@ -251,7 +261,7 @@ namespace lamella
     }
 
   protected:
-    /// Calls @p use with single rows of K of own nodes, columns ascending.
+    /// Calls @p use with each row of K that this process owns.
     void
     for_each_stiffness_block(
       const bool                                         with_values,
@@ -263,36 +273,42 @@ namespace lamella
       return {*space, *beam_axis, dof_map};
     }
 
-    /// Returns forces and energy per length at stations with coefficients @p q.
+    /// Returns section forces and energy per length for amplitudes @p q at
+    /// stations.
     virtual SectionForces
     section_forces(const SectionOperator &section_operator,
                    const FieldParts      &q) const;
 
-    /// Returns fields of @p u at section point @p point, axis point @p on_axis.
+    /// Returns displacement, strain and stress of @p u at the section point @p
+    /// point and the axis point @p on_axis.
     virtual FieldSample
     sample_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
               const Vector       &u) const;
 
-    /// Returns sample_at() for all @p points at each place of one element.
+    /// Returns sample_at() for all @p points at each of @p places, axis points
+    /// of one element.
     virtual std::vector<FieldSample>
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
                const Vector                    &u) const;
 
-    /// Returns the law of section cell @p cell at @p at, heated as at @p x.
+    /// Returns the elastic law of section cell @p cell at its point @p at, with
+    /// the thermal strain at the scene point @p x.
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<2> &at,
            const dealii::Point<3> &x) const;
 
-    /// Returns the work of C epsilon_0 of heat on the section's fields, and its
-    /// energy epsilon_0 . C epsilon_0 / 2, for groups of stations y.
+    /// Returns section forces of the thermal stress C epsilon_0, and its energy
+    /// epsilon_0 . C epsilon_0 / 2 per length, for @p stations, lists of axial
+    /// positions y.
     std::vector<SectionForces>
     thermal_forces(const std::vector<std::vector<double>> &stations) const;
 
-    /// Calls @p use for section points with the strain that opposes one kelvin,
-    /// and its stress times the integration weight.
+    /// Calls @p use for integration points of the section with the thermal
+    /// strain for one kelvin, reversed, and its stress times the integration
+    /// weight.
     void
     for_each_thermal_point(
       const std::function<void(const SectionPoint &point,
@@ -310,42 +326,43 @@ namespace lamella
     friend class BeamSecondOrder;
     friend class BeamGeometricStiffness;
 
-    /// Returns 1e-6 of the smaller section extent, or 1e-10 of the length.
+    /// Returns the tolerance for positions: 1e-6 of the smaller section extent,
+    /// or 1e-10 of the length if larger.
     double
     position_tolerance() const;
 
-    /// Constrains w' and the rotation to cancel on every B4 element. The cubic
-    /// w is then given by w and the rotation a at its ends (Hermite):
+    /// Applies Kirchhoff's constraint on every B4 element: section rotation a =
+    /// -h w'. The cubic deflection w is then determined by w and a at the ends
+    /// of the element (Hermite):
     ///   w = H_0 w_0 + H_2 w_1 - L/h (H_1 a_0 + H_3 a_1),   a = -h w',
-    /// where u_y = a (z - z_c) / h, L is the element's length, h the section's
-    /// reference length, and with t = (y - y_0) / L
+    /// where u_y = a (z - z_c) / h, L is the length of the element, h the
+    /// reference length of the section, and with t = (y - y_0) / L
     ///   H_0 = 1 - H_2,        H_2 = t^2 (3 - 2 t),
     ///   H_1 = t (1 - t)^2,    H_3 = -t^2 (1 - t).
-    /// Ties w and a of bending in both planes at the two inner nodes exactly to
-    /// those of the ends; deflections are smooth across elements.
+    /// w and a at the two inner nodes are constrained to those at the ends, in
+    /// both planes of bending; w is C1-continuous across elements.
     void
     constrain_to_kirchhoff();
 
-    /// Displacements u_tau(y) of Eq. 1 by FieldPart, for all fields and modes:
-    /// entry alpha * y.size() + j is field alpha at place j of one axis
-    /// element.
+    /// Amplitudes u_tau(y) of Eq. 1 and their derivatives at positions y of one
+    /// axis element: entry alpha * y.size() + j is function alpha at y[j].
     struct AxisStates
     {
       std::vector<double> y, value, shear_value, derivative;
     };
 
-    /// Returns coefficients of @p u at the first node of @p cell, and
-    /// differences of the others to it.
+    /// Returns the nodal values of @p u at the first node of the axis element
+    /// @p cell, and at other nodes the differences to the first node.
     std::vector<std::vector<double>>
     coefficients_of_element(const unsigned int cell, const Vector &u) const;
 
-    /// Calls @p use for finite rotations, evaluating section points once.
+    /// for_each_output_cell() for beams with finite rotations.
     void
     for_each_rotated_cell(const GridIntervals      &n,
                           const Vector             &u,
                           const OutputCellCallback &use) const;
 
-    /// Returns the states at @p etas in [0, 1] of axis element @p cell.
+    /// Returns the amplitudes at @p etas in [0, 1] of axis element @p cell.
     AxisStates
     axis_states(const unsigned int         cell,
                 const std::vector<double> &etas,
@@ -358,7 +375,7 @@ namespace lamella
       Voigt                strain;
     };
 
-    /// Returns the state at section point @p point, axis point @p on_axis.
+    /// Returns the state at the section point @p point, axis point @p on_axis.
     PointState
     point_state(const SectionPoint &point,
                 const AxisPoint    &on_axis,
@@ -368,33 +385,34 @@ namespace lamella
     Voigt
     expansion_at(const SectionPoint &point) const;
 
-    /// Returns @p state in scene and ply axes, with the stress of the law.
+    /// Returns the fields of @p state with stress, in scene and ply axes.
     FieldSample
     field_sample(PointState              state,
                  const SectionPoint     &point,
                  const dealii::Point<3> &x) const;
 
-    /// Returns thermal_forces() at integration points of Axis::own_cells().
+    /// Returns thermal_forces() at the integration points of this process.
     std::vector<SectionForces>
     thermal_forces() const;
 
-    /// A section point with the data of samples for all places on the axis.
+    /// A section point with data of samples that do not depend on y.
     struct GridPoint;
 
-    /// Returns a grid of points on @p section_cell, xi fastest.
+    /// Returns a regular grid of points on @p section_cell, xi running fastest.
     std::vector<GridPoint>
     grid_points(const unsigned int section_cell,
                 const unsigned int n_xi,
                 const unsigned int n_eta) const;
 
-    /// Returns field_sample() for @p point of a grid.
+    /// Returns the fields at @p point for given displacement and strain.
     FieldSample
     grid_sample(const GridPoint            &point,
                 const dealii::Tensor<1, 3> &displacement,
                 Voigt                       strain,
                 const dealii::Point<3>     &x) const;
 
-    /// Sets samples of @p cell at @p states; n_xi + 1 of @p points are a line.
+    /// Sets the samples of @p cell for amplitudes @p states; @p points are
+    /// lines of n_xi + 1 points.
     void
     sample_grid(const std::vector<GridPoint> &points,
                 const unsigned int            n_xi,
@@ -404,14 +422,16 @@ namespace lamella
     OutputCell
     empty_output_cell(const unsigned int section_cell) const;
 
-    /// Returns an output cell per section cell: (n + 1)^2 samples at @p eta.
+    /// Returns an output cell for each section cell, with (n + 1)^2 samples at
+    /// the position @p eta of the axis element @p axis_cell.
     std::vector<OutputCell>
     cut_axis_cell(const unsigned int axis_cell,
                   const double       eta,
                   const unsigned int n,
                   const Vector      &u) const;
 
-    /// Adds @p share of the rows at @p place to @p rows, one per component.
+    /// Adds @p share times the functionals of @p quantity at @p place to @p
+    /// rows, one per component.
     void
     add_to_rows(const Location::Place         &place,
                 const Quantity                 quantity,
@@ -419,7 +439,7 @@ namespace lamella
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
-    /// Returns the location at @p eta of @p axis_cell, @p unit of @p
+    /// Returns the location at @p eta in @p axis_cell and @p unit in @p
     /// section_cell.
     Location
     location(const dealii::Point<3> &position,
@@ -428,28 +448,29 @@ namespace lamella
              const unsigned int      section_cell,
              const dealii::Point<2> &unit) const;
 
-    /// Returns the surface point over @p edge at @p eta of @p axis_cell, its
-    /// area edge weight times @p weight (both lengths).
+    /// Returns the surface point at the edge point @p edge of the section and
+    /// at @p eta in @p axis_cell; its area is edge weight times @p weight.
     SurfacePoint
     lateral_point(const EdgePoint   &edge,
                   const double       weight,
                   const unsigned int axis_cell,
                   const double       eta) const;
 
-    /// Returns the surface point of an end; depth is the axis element's length.
+    /// Returns a surface point of an end; its depth is the axis element length.
     SurfacePoint
     end_point(const EdgePoint &point, const bool at_start) const;
 
-    /// Returns the LE degree of @p node, the section's for nodes with modes.
+    /// Returns the LE degree of axis node @p node (with modes, the section's).
     unsigned int
     degree_at(const unsigned int node) const;
 
-    /// Returns few of @p points whose values span those of the fields @p list.
+    /// Returns a minimal set of @p points whose displacements determine all
+    /// amplitudes of the section functions @p list.
     std::vector<EdgePoint>
     select_constraint_points(std::vector<EdgePoint>           points,
                              const std::vector<unsigned int> &list) const;
 
-    /// Sets corners and degrees of @p facet from its cell and square.
+    /// Sets corners and degrees of @p facet from its cell and its axes.
     void
     complete(SurfaceFacet &facet) const;
 
@@ -457,13 +478,13 @@ namespace lamella
     std::shared_ptr<const Section>      beam_section;
     std::shared_ptr<const Axis>         beam_axis;
     BeamDofMap                          dof_map;
-    /// Result of theory(); that of the section if empty.
+    /// Result of theory(); if empty, the theory of the section.
     std::string label;
-    /// Kirchhoff's constraints, closed; empty except for EBBT.
+    /// Kirchhoff's constraints; empty except for EBBT.
     Constraints kirchhoff;
   };
 
-  /// Returns the beams among @p bodies by number, null for other bodies.
+  /// Returns a pointer to each of @p bodies that is a beam, null for others.
   std::vector<const Beam *>
   beams_of(const Bodies &bodies);
 } // namespace lamella

@@ -9,18 +9,17 @@
 
 namespace lamella
 {
-  /// The global DoFs of a beam, pairs of axis node i and section field alpha.
-  /// Each node has its own list of fields (node-dependent kinematics) and
-  /// contiguous DoFs,
+  /// Numbering of the DoFs of a beam. A DoF is the amplitude of a section
+  /// function alpha at an axis node i. Each node has its own list of section
+  /// functions (node-dependent kinematics) and contiguous DoFs,
   ///   DoF of (i, alpha) = first(i) + place(i, alpha),
-  ///   first(i) = sum over j < i of the number of fields(j),
-  /// so that the stiffness is banded along the axis. alpha combines the
-  /// component and the function tau of the paper's DoF u_(tau i).
+  ///   first(i) = sum over j < i of the length of fields(j),
+  /// with place(i, alpha) the index of alpha in the list fields(i) of node i.
   class BeamDofMap
   {
   public:
-    /// Constructs the map from the fields of each axis node, ascending and
-    /// below @p n_fields. Fields that a node does not carry are zero there.
+    /// Constructs the map from the section functions of each axis node,
+    /// ascending and below @p n_fields. Amplitudes of other functions are zero.
     BeamDofMap(const std::vector<std::vector<unsigned int>> &fields_of_node,
                const unsigned int                            n_fields);
 
@@ -38,21 +37,21 @@ namespace lamella
       return kinds.size();
     }
 
-    /// Returns the fields of @p node, ascending.
+    /// Returns the section functions of @p node, ascending.
     const std::vector<unsigned int> &
     fields(const unsigned int node) const
     {
       return lists[kinds[node]];
     }
 
-    /// Returns the first DoF of @p node; the others follow as fields() do.
+    /// Returns the first DoF of @p node; DoFs are in the order of fields().
     DofIndex
     first(const unsigned int node) const
     {
       return offsets[node];
     }
 
-    /// Returns the place of @p alpha in fields(node), or -1 if not carried.
+    /// Returns the index of @p alpha in fields(node), or -1 if it is missing.
     int
     place(const unsigned int node, const unsigned int alpha) const
     {
@@ -63,15 +62,16 @@ namespace lamella
     unsigned int
     node_of(const DofIndex dof) const;
 
-    /// Returns the field alpha of @p dof, by bisection over the nodes.
+    /// Returns the section function alpha of @p dof, by bisection.
     unsigned int
     field_of(const DofIndex dof) const;
 
   private:
-    /// Distinct lists of fields, and the place of every field in each, or -1.
+    /// Distinct lists of section functions, and place() of each function in
+    /// each list.
     std::vector<std::vector<unsigned int>> lists;
     std::vector<std::vector<int>>          places;
-    /// Number of each node's list; first(node), followed by n_dofs().
+    /// Index of each node's list in `lists`; first(node), followed by n_dofs().
     std::vector<unsigned int> kinds;
     std::vector<DofIndex>     offsets;
   };

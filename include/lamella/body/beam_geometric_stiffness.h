@@ -13,32 +13,32 @@
 namespace lamella
 {
   /**
-   * The geometric stiffness K_G of a beam's stress field s, in the beam's axes,
+   * The geometric stiffness K_G of a beam with stress s, in body axes,
    *   v . K_G w = int s_ij v_k,i w_k,j dV.
-   * Stresses and displacement gradients are sampled at a tensor product of
-   * Gauss points: degree() along each axis element (the stations) and, in each
-   * cell of the section, one per direction fewer than its stiffness has. At
-   * these Barlow points stresses are most accurate. The forces apply to s_ij
-   * u_,j the transpose of the map from coefficients to gradients,
+   * Stresses and displacement gradients are evaluated at Barlow points, where
+   * stresses are most accurate: Gauss points, as many as the degree along each
+   * axis element (stations) and one fewer per direction than for the stiffness
+   * in each section cell. With amplitudes q_a of section functions Phi_a the
+   * gradients are
    *   u_,x = sum_a q_a Phi_a,x,  u_,y = sum_a q_a' Phi_a,
    *   u_,z = sum_a q_a Phi_a,z,
-   * one component of u at a time, since most fields have only one. Refers to
-   * the beam. Each process has the stations of its own elements.
+   * and the forces apply the transpose of this map to s_ij u_,j. Keeps a
+   * reference to the beam. Each process has the stations of its elements.
    */
   class BeamGeometricStiffness
   {
   public:
     explicit BeamGeometricStiffness(const Beam &beam);
 
-    /// Coefficients of each FieldPart: a row per station, a column per field.
+    /// Amplitudes q and q': one row per station, one column per function.
     using Coefficients =
       std::array<dealii::LAPACKFullMatrix<double>, FieldPart::n>;
 
-    /// Returns the coefficients of the displacement @p w of the beam.
+    /// Returns the amplitudes of the displacement @p w at all stations.
     Coefficients
     coefficients(const Vector &w) const;
 
-    /// Sets s to the stress of the strains of @p q, including thermal stress.
+    /// Sets s to the stress for the amplitudes @p q, with thermal stress.
     void
     set_stress(const Coefficients &q);
 
@@ -50,7 +50,7 @@ namespace lamella
     double
     largest_short_wave_ratio() const;
 
-    /// Returns the Gauss points of own axis elements, element by element.
+    /// Returns the stations of this process, element by element.
     const std::vector<AxisPoint> &
     stations() const
     {
@@ -65,9 +65,9 @@ namespace lamella
     }
 
   private:
-    /// Fields of a section cell with one component of u: values and
-    /// derivatives, a row per point (those along z below those along x), a
-    /// column per field.
+    /// Section functions that have one component of u in a section cell: values
+    /// and derivatives, one column per function and one row per point
+    /// (derivatives by z below those by x).
     struct Component
     {
       std::vector<unsigned int>        fields;
@@ -87,26 +87,27 @@ namespace lamella
     void
     add_cell(const unsigned int           number,
              const dealii::Quadrature<2> &quadrature);
-    /// Sets the functions of component @p c of @p cell at its point @p p.
+    /// Sets component @p c of the section functions at point @p p of @p cell.
     void
     set_functions(const unsigned int    c,
                   const unsigned int    p,
                   const FunctionValues &f,
                   Cell                 &cell) const;
-    /// Sets the stress at @p point of the section at all stations, times the
-    /// integration weight there (@p area in the section).
+    /// Sets @p at_point to the stress at @p point of the section at each
+    /// station, times the integration weight (@p area times length).
     void
     find_stress(const Coefficients &q,
                 const SectionPoint &point,
                 const double        area,
                 Voigt              *at_point);
-    /// Adds to @p work the forces of @p of_cell on the fields of @p component.
+    /// Adds to @p work the section forces on functions of @p component, for
+    /// stresses @p of_cell of a section cell and gradients of amplitudes @p q.
     void
     add_work(const Component    &component,
              const Voigt        *of_cell,
              const Coefficients &q,
              Coefficients       &work) const;
-    /// Adds the nodal forces of @p work to @p f.
+    /// Adds the nodal forces of the section forces @p work to @p f.
     void
     add_on_nodes(const Coefficients &work, Vector &f) const;
 
@@ -118,9 +119,9 @@ namespace lamella
     std::vector<AxisPoint> along;
     std::vector<double>    lengths;
     std::vector<Cell>      cells;
-    /// Stress at all stations, times the weight, for each point of the section.
+    /// Stress times integration weight at all stations, for each section point.
     std::vector<Voigt> stress;
-    /// Value of largest_short_wave_ratio() on this process.
+    /// Largest short_wave_ratio() on this process.
     double largest_wave = 0.;
   };
 } // namespace lamella

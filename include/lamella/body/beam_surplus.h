@@ -10,27 +10,28 @@
 
 namespace lamella
 {
-  /// Elements of an axis of one degree, from @p begin to @p end [length].
+  /// Range of a beam axis, from begin to end [length], with elements of equal
+  /// degree.
   struct AxisSpan
   {
     double       begin = 0., end = 0.;
     unsigned int degree = 0;
   };
 
-  /// The part of the displacement u of a beam of LE-p on elements of degree r
-  /// that coarser models do not have: (1 - L) u, with L_q the interpolation of
-  /// HierarchicalSurplus at every node, and (1 - M) u, with M the interpolation
-  /// at Gauss-Lobatto points of several spans of the axis. No coarser model is
-  /// solved. Refers to the beam.
+  /// Hierarchical surplus of a beam of theory LE-p, an indicator of
+  /// discretization errors: the difference between its displacement u and the
+  /// interpolant in a coarser model. L_q u interpolates in LE-q in every
+  /// section (HierarchicalSurplus); M u interpolates along the axis at
+  /// Gauss-Lobatto points of coarser elements. No coarser model is solved.
+  /// Keeps a reference to the beam.
   class BeamSurplus
   {
   public:
-    /// Returns true if @p beam is of LE-2 or more with all fields of the
-    /// section at every node, and no modes.
+    /// Returns true if @p beam has LE-2 or higher at every node and no modes.
     static bool
     is_possible(const Beam &beam);
 
-    /// Constructs the surplus of a beam that is_possible().
+    /// Requires is_possible().
     explicit BeamSurplus(const Beam &beam);
 
     /// Returns p.
@@ -40,16 +41,16 @@ namespace lamella
       return of_section.degree();
     }
 
-    /// Returns (1 - L_q) u, 0 < @p q < section_degree().
+    /// Returns u - L_q u for 0 < @p q < section_degree().
     Vector
     in_section(const Vector &u, const unsigned int q) const;
 
-    /// Returns (1 - M) u; @p spans divide the axis at element ends.
+    /// Returns u - M u; @p spans are the coarser elements of M.
     Vector
     along_axis(const Vector &u, const std::vector<AxisSpan> &spans) const;
 
   private:
-    /// Subtracts the interpolant of @p u at nodes in @p span from @p result.
+    /// Subtracts the interpolant of @p u in @p span from @p result.
     void
     subtract_interpolation(const AxisSpan &span,
                            const Vector   &u,

@@ -11,15 +11,14 @@
 
 namespace lamella
 {
-  /// A Gauss-Lobatto grid on an element's unit cube and the polynomials through
-  /// its nodes, products of GaussLobattoBasis (static tables):
+  /// A Gauss-Lobatto grid on the unit cube of an element, with the Lagrange
+  /// polynomials N_k of its nodes, for interpolation of a function f by
   ///   f(u) = sum_k N_k(u) f_k.
-  /// It interpolates maps and displacements with derivatives. The coordinate xi
-  /// of the section runs fastest, as in an OutputCell.
+  /// Nodes are ordered as in an OutputCell, xi running fastest.
   class CellGrid
   {
   public:
-    /// Constructs a grid of @p degrees, each at least 1.
+    /// Constructs a grid for polynomials of @p degrees, each at least 1.
     explicit CellGrid(const GridIntervals &degrees);
 
     /// Returns the nodes on the unit cube.
@@ -29,7 +28,7 @@ namespace lamella
       return grid;
     }
 
-    /// Values N_k and derivatives by the unit coordinates, for all nodes.
+    /// N_k of all nodes and their derivatives by unit coordinates.
     struct Functions
     {
       std::vector<double>               N;
@@ -47,8 +46,8 @@ namespace lamella
     std::vector<dealii::Point<3>> grid;
   };
 
-  /// Returns d f_c / d u_d = sum_k f_k (x) dN_k of the field with values @p f
-  /// at the nodes; for positions the Jacobian.
+  /// Returns sum_k f_k (x) dN_k, the derivatives by unit coordinates of the
+  /// function with nodal values @p f; for nodal positions this is the Jacobian.
   template <typename Values>
   dealii::Tensor<2, 3>
   unit_gradient(const Values &f, const CellGrid::Functions &functions)

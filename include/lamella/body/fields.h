@@ -14,11 +14,11 @@ namespace lamella
 {
   // Conversion of strains in body axes to output, shared by beam and solid.
 
-  /// An affine map of a strain epsilon to another quantity, in the order of Eq.
-  /// 4,
+  /// An affine map of a strain epsilon (order of Eq. 4) to another strain or
+  /// stress q,
   ///   q = matrix epsilon + constant.
   /// The constant comes from initial strains: stress is C (epsilon -
-  /// epsilon_0). Weights and constant of a LinearFunctional follow from it.
+  /// epsilon_0).
   struct StrainMap
   {
     ElasticTensor matrix;
@@ -26,12 +26,10 @@ namespace lamella
   };
 
   /// Returns the map from a strain in the axes of a body at @p placement to @p
-  /// quantity in the axes of @p frame, where the ply has the axes @p ply and
-  /// the law @p law in body axes. With T the strain rotation to the axes of @p
-  /// frame,
+  /// quantity in the axes of @p frame, with ply axes @p ply and the elastic law
+  /// @p law in body axes. With the strain rotation T to the axes of @p frame,
   ///   epsilon' = T epsilon,   sigma' = T^-T C (epsilon - epsilon_0),
-  /// since the energy sigma . epsilon is invariant. T^-1 is the strain rotation
-  /// of the inverse rotation.
+  /// since sigma . epsilon is invariant.
   StrainMap
   make_strain_map(const Quantity    quantity,
                   const Frame       frame,
@@ -39,14 +37,16 @@ namespace lamella
                   const Triad      &ply,
                   const ElasticLaw &law);
 
-  /// Rotations of samples from body axes to scene and ply axes, once per ply.
+  /// Rotates strains and stresses of a ply from body axes to scene and ply
+  /// axes.
   class SampleRotations
   {
   public:
     SampleRotations(const Placement &placement, const Triad &ply);
 
-    /// Returns the sample of displacement, strain (order of Eq. 4, engineering
-    /// shear strains) and stress, all in body axes, with zero jump.
+    /// Returns the FieldSample of @p displacement, @p strain (order of Eq. 4,
+    /// engineering shear strains) and @p stress, all in body axes; its jump is
+    /// 0.
     FieldSample
     sample(const dealii::Tensor<1, 3> &displacement,
            const Voigt                &strain,
@@ -57,7 +57,8 @@ namespace lamella
     ElasticTensor strain_to_scene, stress_to_scene, stress_to_ply;
   };
 
-  /// Returns SampleRotations::sample() of one point, with the stress of @p law.
+  /// Returns the FieldSample of a point with @p displacement and @p strain in
+  /// body axes and the stress by @p law.
   FieldSample
   sample_of(const dealii::Tensor<1, 3> &displacement,
             const Voigt                &strain,
@@ -65,8 +66,9 @@ namespace lamella
             const Triad                &ply,
             const ElasticLaw           &law);
 
-  /// Returns a sample for finite rotations with the displacement gradient @p H:
-  /// Green's strain @p strain, and the stress R^T sigma R.
+  /// Returns the FieldSample of a point with finite rotations: displacement
+  /// gradient @p H, Green's strain @p strain, and as stress R^T sigma R (Cauchy
+  /// stress in axes that rotate by R with the material).
   FieldSample
   finite_strain_sample(const dealii::Tensor<1, 3> &displacement,
                        const Gradient             &H,
@@ -75,24 +77,25 @@ namespace lamella
                        const Triad                &ply,
                        const ElasticLaw           &law);
 
-  /// Changes the stress s of @p sample to scene axes, R s R^T, and R to 1.
+  /// Replaces the stress s of @p sample, given in axes rotated by R, by R s R^T
+  /// in scene axes, and R by the identity.
   void
   to_scene_axes(FieldSample &sample);
 
-  /// Returns summed energies and maxima of the rest of @p share. Collective.
+  /// Returns over all processes the sum of Deformation::energy and the maximum
+  /// of each other member of @p share. Collective.
   Deformation
   reduce_over_processes(Deformation share);
 
-  /// Returns the mean of the @p samples at the places of a location, with their
-  /// jump,
+  /// Returns the mean of @p samples of the elements that meet at a point, with
+  /// the jump of their stresses sigma_a,
   ///   max over a, b of |sigma_a - sigma_b| / max over a of |sigma_a|,
-  /// Euclidean norms of six components in scene axes; 0 without stress or for
-  /// one sample.
+  /// by Euclidean norms of six components; 0 without stress.
   FieldSample
   mean_sample(const std::vector<FieldSample> &samples);
 
-  /// Returns the names ux ... uz, exx ... gyz, sxx ... syz, s11 ... s23, jump
-  /// of CSV columns (VTU has no jump).
+  /// Returns the column names of fields in CSV files: ux ... uz, exx ... gyz,
+  /// sxx ... syz, s11 ... s23, jump (VTU files have no jump).
   const std::vector<std::string> &
   field_names();
 

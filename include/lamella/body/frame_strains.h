@@ -9,32 +9,33 @@
 
 namespace lamella
 {
-  // Kinematics of a section with finite rotation that keeps its shape except
-  // for warping (Reissner, Simo), by its rotation R and the place r of its
-  // center, in body axes. The quaternion Q = (Q_0, Q_x, Q_y, Q_z) of R has any
-  // length, as interpolated unit quaternions of nodes have:
+  // Kinematics of rigid cross-sections with finite rotations (Reissner, Simo):
+  // rotation R and displacement r of the center of the section, in body axes. R
+  // is given by a quaternion Q = (Q_0, Q_x, Q_y, Q_z), which need not have unit
+  // length, since it is interpolated between nodes:
   //   R v = Q (0, v) Q* / |Q|^2.
   // The results and their derivatives do not depend on |Q|, and are objective.
 
   using Quaternion = dealii::Tensor<1, 4>;
 
-  /// Returns exp(theta / 2): the rotation by |theta| about @p theta [rad].
+  /// Returns exp(theta / 2), the rotation by the angle |theta| about @p theta.
   Quaternion
   quaternion_of(const dealii::Tensor<1, 3> &theta);
 
-  /// Returns the rotation vector of @p q, of angle 0 to pi [rad].
+  /// Returns the rotation vector of @p q, with an angle from 0 to pi [rad].
   dealii::Tensor<1, 3>
   rotation_vector_of(const Quaternion &q);
 
-  /// Returns the rotation @p b followed by @p a.
+  /// Returns the product a b, the rotation @p b followed by @p a.
   Quaternion
   compose_rotations(const Quaternion &a, const Quaternion &b);
 
-  /// Returns dq / d theta for a spin theta after @p q: dq = (0, theta) q / 2.
+  /// Returns dq / d theta for a spin theta that follows the rotation @p q: dq =
+  /// (0, theta) q / 2.
   std::array<dealii::Tensor<1, 3>, 4>
   spin_derivative(const Quaternion &q);
 
-  /// Returns R(Q).
+  /// Returns the rotation matrix R(Q).
   dealii::Tensor<2, 3>
   rotation_of(const Quaternion &Q);
 
@@ -48,22 +49,20 @@ namespace lamella
   };
 
   /**
-   * Strains of a section about its axis y as functions of (Q, Q', r'), in this
-   * order:
+   * Strains of a beam section (axis y) as functions of the quaternion Q of its
+   * rotation R, its derivative Q' along y, and r':
    *   Gamma = R^T (e_y + r') - e_y,
    *   kappa = vec(R^T R') = 2 vec(Q* Q') / |Q|^2,
-   * with shears Gamma_x, Gamma_z [no unit], curvatures kappa_x, kappa_z and
-   * twist kappa_y [1 / length]; and kappa_y^2 / 2 as the seventh. Gamma_y,
-   * kappa_x and kappa_z are replaced by
+   * with shears Gamma_x, Gamma_z, curvatures kappa_x, kappa_z and twist kappa_y
+   * [1 / length]; the seventh strain is kappa_y^2 / 2. Gamma_y, kappa_x and
+   * kappa_z are replaced by
    *   Gamma_y + (Gamma_x^2 + Gamma_z^2) / 2,
    *   kappa_x - kappa_y Gamma_x,   kappa_z - kappa_y Gamma_z.
-   * With r^2 times the seventh these add the stretch of axial fibers tilted
-   * against the section's normal by shear and twist,
+   * With (x^2 + z^2) kappa_y^2 / 2 these add the stretch of axial fibers that
+   * shear and twist incline to the normal of the section,
    *   [(Gamma_x + kappa_y z)^2 + (Gamma_z - kappa_y x)^2] / 2,
-   * small for thick homogeneous sections; but it stretches the faces of a
-   * sandwich whose core shears, bends it under twist, and stiffens twisted
-   * strips. frame_strains() takes the rotation @p Q, and the derivatives @p dQ
-   * and @p dr along y of Q and of the center's displacement.
+   * which matters for sandwiches with a soft core and for twisted strips. @p dQ
+   * and @p dr are the derivatives of Q and r along y.
    */
   using FrameStrains = Derivatives<7, 11>;
   FrameStrains
@@ -71,7 +70,7 @@ namespace lamella
                 const Quaternion           &dQ,
                 const dealii::Tensor<1, 3> &dr);
 
-  /// Returns R(@p Q) @p v as a function of (Q, v).
+  /// Returns R(@p Q) @p v with its derivatives by (Q, v).
   using RotatedVector = Derivatives<3, 7>;
   RotatedVector
   rotated_vector(const Quaternion &Q, const dealii::Tensor<1, 3> &v);
