@@ -116,7 +116,6 @@ namespace lamella
     dealii::BoundingBox<3>
     bounding_box() const override;
 
-    /// Adds the internal forces, section forces integrated along the axis.
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
     /// Returns a solver for a matrix with dense blocks per axis node if @p
@@ -160,7 +159,6 @@ namespace lamella
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
 
-    /// Returns the locations, with the same tolerance in section and axis.
     std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const override;
     std::vector<std::vector<LinearFunctional>>
@@ -173,8 +171,6 @@ namespace lamella
     position(const Location::Place &place) const override;
     PlyAndAxes
     ply_at(const Location::Place &place) const override;
-    /// Returns the elements, with degrees of axis elements and section
-    /// functions.
     Cells
     cells() const override;
     /// Returns along the axis the degree of the elements (one less for EBBT, as
