@@ -21,12 +21,12 @@
 
 namespace lamella
 {
-  /// Refinement of a solid: numbers of divisions in eight of its cells.
+  /// Mesh refinement of a solid: how often hexahedra are divided into eight.
   struct SolidRefinement
   {
-    /// Divisions of all cells.
+    /// Number of refinements of all hexahedra.
     unsigned int everywhere = 0;
-    /// Further divisions of cells that reach into a ball.
+    /// Further refinements, `times`, of hexahedra that intersect a ball.
     struct Ball
     {
       dealii::Point<3> center;
@@ -34,21 +34,20 @@ namespace lamella
       unsigned int     times  = 0;
     };
     std::vector<Ball> balls;
-    /// Memory limit in bytes; 0: that of the machine.
+    /// Memory limit [bytes]; 0: memory of the machine.
     double memory_limit = 0.;
   };
 
-  /// The hexahedra of a solid in body axes: a section mesh extruded along the
-  /// axis, on deal.II's parallel::distributed::Triangulation (p4est), with the
-  /// nodes of FE_Q<3>(degree), numbered process by process. Each process keeps
-  /// all cells with their nodes and sides, so that points, rows and surfaces
-  /// agree everywhere: some 250 bytes per cell of degree 2, 24 bytes per node.
-  /// The geometry is isoparametric: nodes lie on the section's curved edges,
-  /// hanging ones where their constraints put them.
+  /// The hexahedral mesh of a solid in body axes: a section mesh extruded along
+  /// the axis, on deal.II's parallel::distributed::Triangulation (p4est), with
+  /// the nodes of FE_Q<3>(degree), numbered process by process. Each process
+  /// stores all cells, nodes and boundary faces. The geometry is isoparametric:
+  /// nodes are on the curved edges of the section, hanging nodes where their
+  /// constraints require.
   class HexahedralMesh
   {
   public:
-    /// Number of faces that are not on the surface of the body.
+    /// Side index of faces in the interior of the body.
     static constexpr int inside = -1;
 
     struct Cell
@@ -56,7 +55,7 @@ namespace lamella
       unsigned int ply = 0;
       /// Nodes in the order of FE_Q's shape functions.
       std::vector<unsigned int> nodes;
-      /// Number in sides() of each face, deal.II's order, or inside.
+      /// Index in sides() of each face (deal.II's order), or `inside`.
       std::array<int, 6> sides;
 
       template <typename Archive>
@@ -67,16 +66,16 @@ namespace lamella
       }
     };
 
-    /// A hanging node: its value is the weighted sum of those of others.
+    /// A hanging node, whose value is a weighted sum of values of other nodes.
     struct HangingNode
     {
       unsigned int                                 node = 0;
       std::vector<std::pair<unsigned int, double>> masters;
     };
 
-    /// Constructs the mesh; balls are in body axes. Throws InputError,
-    /// beginning with @p what, if the section mesh has hanging nodes, if a ball
-    /// meets no hexahedron, or if the hexahedra would not fit in memory.
+    /// Constructs the mesh; balls are in body axes. Throws InputError, whose
+    /// text begins with @p what, if the section mesh has hanging nodes, a ball
+    /// intersects no hexahedron, or the memory is not sufficient.
     HexahedralMesh(std::shared_ptr<const SectionMesh> section,
                    const AxisMesh                    &axis,
                    const unsigned int                 degree,
@@ -95,7 +94,7 @@ namespace lamella
       return all_cells;
     }
 
-    /// Returns the cells of this process, first and one past the last.
+    /// Returns the first cell of this process, and one past the last.
     std::pair<unsigned int, unsigned int>
     owned_cells() const
     {
@@ -108,7 +107,7 @@ namespace lamella
       return positions;
     }
 
-    /// Returns the nodes of this process, first and one past the last.
+    /// Returns the first node of this process, and one past the last.
     std::pair<unsigned int, unsigned int>
     owned_nodes() const
     {
@@ -121,7 +120,8 @@ namespace lamella
       return hanging;
     }
 
-    /// Returns the names of the sides: the section's boundaries, start and end.
+    /// Returns the names of the sides: boundaries of the section, start and
+    /// end.
     const std::vector<std::string> &
     sides() const
     {

@@ -21,14 +21,15 @@
 
 namespace lamella
 {
-  /// The stiffness C at a point of a hexahedron, in the axes of its nodes.
+  /// Elasticity matrix C as a function of the point in a hexahedron.
   using StiffnessField = std::function<ElasticTensor(const dealii::Point<3> &)>;
 
-  /// Shape functions of a hexahedron at one of its points.
+  /// Values N_i and gradients of the shape functions at a point of a
+  /// hexahedron.
   struct HexahedronPoint
   {
     dealii::Point<3> unit, position;
-    /// Derivative d(x, y, z) / d(unit coordinates).
+    /// Jacobian d(x, y, z) / d(unit coordinates).
     dealii::Tensor<2, 3> jacobian;
     /// Weight of a quadrature point times det(jacobian).
     double                            JxW = 0.;
@@ -36,12 +37,12 @@ namespace lamella
     std::vector<dealii::Tensor<1, 3>> gradients;
   };
 
-  /// Data of the incompatible modes of a hexahedron of degree 1.
+  /// Data of the incompatible modes (amplitudes a) of a trilinear hexahedron.
   struct IncompatibleModes
   {
-    /// Matrix A of a = A u, 9 x 24; empty without modes.
+    /// Matrix A (9 x 24) of a = A u, u the nodal displacements; may be empty.
     dealii::FullMatrix<double> A;
-    /// Product det J_0 J_0^-T.
+    /// det J_0 J_0^-T, with the Jacobian J_0 at the element center.
     dealii::Tensor<2, 3> middle;
   };
 
@@ -49,17 +50,15 @@ namespace lamella
    * The isoparametric hexahedron of degree 1 or 2 with full integration. DoF 3
    * i + c is the component c at its node i.
    *
-   * Degree 1 has the incompatible modes of Wilson as modified by Taylor,
-   * Beresford and Wilson (1976), which pass the patch test and prevent locking
-   * in bending:
+   * For degree 1, incompatible modes of Taylor, Beresford and Wilson (1976),
+   * which pass the patch test, prevent locking in bending:
    *   u = sum N_i u_i + sum_k (1 - xi_k^2) a_k.
-   * Gradients of the modes use the Jacobian J_0 of the middle, (det J_0 / det
-   * J) J_0^-T grad (1 - xi_k^2), so that their mean vanishes. The nine a are
-   * condensed out on each element, a = A u with A = -K_aa^-1 K_au, and complete
-   * its strains.
+   * Gradients of the modes are (det J_0 / det J) J_0^-T grad (1 - xi_k^2) with
+   * the Jacobian J_0 at the center. The nine amplitudes a are condensed on each
+   * element: a = A u with A = -K_aa^-1 K_au.
    *
-   * Geometry and shape functions are deal.II's on one cell, whose mapping is
-   * set to the nodes in question. Each call changes the cell: not thread-safe.
+   * Geometry and shape functions are computed by deal.II on one cell, which
+   * each call maps to the given nodes: not thread-safe.
    */
   class Hexahedron
   {
@@ -80,15 +79,15 @@ namespace lamella
       return fe.n_dofs_per_cell();
     }
 
-    /// Returns the place of node @p i in the unit cube.
+    /// Returns the unit coordinates of node @p i.
     const dealii::Point<3> &
     unit_node(const unsigned int i) const
     {
       return fe.get_unit_support_points()[i];
     }
 
-    /// Returns the cell and sets mapping() from the unit cube to x - x_0 with
-    /// the first of @p nodes x_0, without loss of digits far from the origin.
+    /// Returns the cell after setting mapping() to positions relative to the
+    /// first of @p nodes, which avoids loss of digits far from the origin.
     dealii::Triangulation<3>::active_cell_iterator
     cell(const Nodes &nodes) const;
 
@@ -101,18 +100,18 @@ namespace lamella
     HexahedronPoint
     evaluate(const Nodes &nodes, const dealii::Point<3> &unit) const;
 
-    /// Returns the points of full integration.
+    /// Returns the Gauss points of full integration.
     std::vector<HexahedronPoint>
     quadrature_points(const Nodes &nodes) const;
 
     IncompatibleModes
     incompatible_modes(const Nodes &nodes, const StiffnessField &C) const;
 
-    /// Returns the strains of unit DoFs at @p point: epsilon = sum strains u_d.
+    /// Returns the columns of the strain-displacement matrix B at @p point.
     std::vector<Voigt>
     strains(const HexahedronPoint &point, const IncompatibleModes &modes) const;
 
-    /// Returns int B^T C B dV.
+    /// Returns the element stiffness int B^T C B dV.
     dealii::FullMatrix<double>
     stiffness(const Nodes             &nodes,
               const StiffnessField    &C,

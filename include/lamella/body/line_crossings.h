@@ -10,13 +10,13 @@
 
 namespace lamella
 {
-  // Crossings of a line with elements in the plane (x, z) of the section; the
-  // bodies add those along the axis.
+  // Intersections of a line a + t d with the edges of section cells, in the
+  // plane (x, z) of the section.
 
-  /// Adds to @p crossings the parameters t at which the line a + t d meets an
-  /// end of the straight edge from @p p to @p q or crosses it, within @p
-  /// tolerance (a length). An edge on the line adds its two ends. @p d must not
-  /// be zero. Shared crossings are repeated; merge_breaks() removes duplicates.
+  /// Adds to @p crossings the parameters t at which the line a + t d intersects
+  /// the straight edge from @p p to @p q, within @p tolerance [length]. If the
+  /// edge is on the line, its two ends are added. @p d must not be zero.
+  /// Duplicates are possible (merge_breaks()).
   void
   add_edge_crossings(const dealii::Point<2>     &p,
                      const dealii::Point<2>     &q,
@@ -25,8 +25,9 @@ namespace lamella
                      const double                tolerance,
                      std::vector<double>        &crossings);
 
-  /// Adds crossings with the curved edge @p x(s), s in [0, 1]: roots of the
-  /// distance from the line between five points with a change of sign.
+  /// Adds the parameters t of intersections with the curved edge @p x(s), s in
+  /// [0, 1]: roots of the distance from the line, which are bracketed by the
+  /// signs at five points.
   void
   add_curve_crossings(const std::function<dealii::Point<2>(const double)> &x,
                       const dealii::Point<2>                              &a,
@@ -34,7 +35,8 @@ namespace lamella
                       const double         tolerance,
                       std::vector<double> &crossings);
 
-  /// Returns the @p breaks in [0, 1], ascending, with 0 and 1, merged to 1e-9.
+  /// Returns 0, the @p breaks in (0, 1) in ascending order, and 1, without
+  /// duplicates (within 1e-9).
   std::vector<double>
   merge_breaks(std::vector<double> breaks);
 } // namespace lamella

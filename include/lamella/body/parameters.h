@@ -17,43 +17,42 @@
 
 namespace lamella
 {
-  /// Input of a body as plain data: placement, section, theory (the paper's
-  /// Sec. 2) and mesh along the axis. make_bodies() creates the body.
+  /// Description of a body as read from a scene: placement, section, theory
+  /// (Sec. 2 of the paper) and axial mesh. make_bodies() constructs the body.
   struct BodyDescription
   {
     /// Names of the body and of its section.
     std::string name, section;
-    /// Theory of the body or the scene, beam or solid; the first of `Theories`.
+    /// Theory of the body, beam or solid (the first of `Theories`).
     Theory theory;
-    /// Theories of pieces of the axis, if given; else empty.
+    /// Theory of each axial range (`Theories`); may be empty.
     TheoryPieces pieces;
     /// Position and axes in the scene.
     Placement placement;
-    /// Length, and elements along it, of beams and extruded solids.
+    /// Length and elements along the axis, of beams and solids.
     AxisMesh axis;
-    /// Stiffness of springs on free rigid motions, share of E A / L, 0 to 0.01.
+    /// Stiffness of springs on unconstrained rigid motions, as a fraction of E
+    /// A / L, 0 to 0.01 (Stabilization).
     double stabilization = 0.;
-    /// Flag: unloaded rigid motions are removed
-    /// (conditions/isostatic_support.h).
+    /// True if the body has an isostatic support.
     bool is_held = false;
-    /// Flag: finite rotations (TotalLagrangianBeam).
+    /// True if the body has finite rotations (TotalLagrangianBeam).
     bool has_finite_rotations = false;
-    /// Refinement of a solid's hexahedra; make_bodies() sets its memory limit.
+    /// Refinement of the hexahedra of a solid.
     SolidRefinement refinement;
   };
 
   /**
-   * The entries of a `subsection Body NAME`, with its `Kinematics`. Those of
-   * the subsection itself are
+   * The entries of `subsection Body NAME` and its subsection `Kinematics`. The
+   * former (defaults in parentheses, scene axes, units of the scene) are
    *   Section          a name of the scene's sections
    *   Origin           of the section at the start of the axis   (0, 0, 0)
-   *   Axis, Up         directions of y, and that z leans towards (y, z)
+   *   Axis, Up         direction of y; direction whose normal part is z (y, z)
    *   Length           of the axis
-   *   Stabilization    share of E A / L, 0 to 0.01               (0)
+   *   Stabilization    fraction of E A / L, 0 to 0.01            (0)
    *   Isostatic support  true or false                          (false)
-   * in the scene's axes and unit of length. `Kinematics` has all entries of
-   * TheoryParameters, AxisParameters and SolidParameters; those that the theory
-   * does not need may stay when it changes.
+   * `Kinematics` has the entries of TheoryParameters, AxisParameters and
+   * SolidParameters; entries that the theory does not need are ignored.
    */
   struct BodyParameters
   {
@@ -61,12 +60,11 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the body @p name from @p prm, whose current subsection, restored
-    /// at the end, is that of the body. @p scene_theory, `Theory` of the scene,
-    /// is the default; @p sections are the valid names. Throws InputError,
-    /// naming the entry, if the section is unknown, the length not positive,
-    /// Axis and Up parallel or zero, or another entry wrong. EBBT needs B4, as
-    /// Kirchhoff's constraint takes cubic deflections.
+    /// Returns the body @p name; the current subsection of @p prm must be that
+    /// of the body. @p scene_theory is the default of the theory; @p sections
+    /// are the names of all sections. Throws InputError, which names the entry,
+    /// for an unknown section, a length that is not positive, parallel Axis and
+    /// Up, EBBT with elements other than B4, and other invalid entries.
     static BodyDescription
     parse(dealii::ParameterHandler       &prm,
           const std::string              &name,
@@ -75,14 +73,14 @@ namespace lamella
   };
 
   /**
-   * Returns the bodies of @p descriptions on their section @p meshes. Solids
-   * may take @p memory_limit bytes (0: that of the machine). Beams with the
-   * same mesh and theory share their section with its matrices S_pq. Nodes of
-   * SV-N, and of bodies with `Theories`, carry all fields: choose_fields()
-   * selects them later. Throws InputError for a body longer than 1e7 times the
-   * extent of its section, whose rigid motions doubles cannot distinguish
-   * (doc/theory/stable-basis.md), for a beam with fewer axis nodes than
-   * processes, and as HexahedralMesh does. Collective.
+   * Constructs the bodies of @p descriptions with the section @p meshes. Solids
+   * may use @p memory_limit bytes (0: memory of the machine). Beams with the
+   * same mesh and theory share a Section. Nodes of SV-N, and of bodies with
+   * `Theories`, have all section functions until choose_fields() selects some
+   * of them. Throws InputError for a body longer than 1e7 times the extent of
+   * its section (rigid motions are indistinguishable in double precision), for
+   * a beam with fewer axis nodes than processes, and as HexahedralMesh does.
+   * Collective.
    */
   Bodies
   make_bodies(const std::vector<BodyDescription> &descriptions,

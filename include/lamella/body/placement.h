@@ -9,12 +9,11 @@
 
 namespace lamella
 {
-  /// Placement of a body in the scene: the origin of the section at the start
-  /// of the axis, and the body axes x (across), y (along), z (up) as rows of
-  /// unit vectors. With R = axes (orthogonal, det R = 1) and the origin o,
+  /// Placement of a body in the scene: the origin o of the section at the start
+  /// of the axis, and the rotation R = axes, whose rows are the unit vectors of
+  /// the body axes x (across), y (along), z (up):
   ///   x_body = R (X - o),   X = o + R^T x_body,   v_body = R v.
-  /// Beams and solids compute in their own axes, with y along the beam as in
-  /// the paper's Fig. 1; their interfaces use scene axes.
+  /// Bodies compute in body axes; their interfaces use scene axes.
   struct Placement
   {
     /// Scene position of the section's lower left corner (or of its mesh file's
@@ -26,41 +25,41 @@ namespace lamella
     /// Returns the placement with y along @p axis and z as near to @p up as
     /// possible:
     ///   x = axis x up / |axis x up|,   y = axis / |axis|,   z = x x y.
-    /// Throws InputError if they are parallel (sine below 1e-6) or one is zero.
+    /// Throws InputError if axis and up are parallel (sine below 1e-6) or zero.
     static Placement
     from_directions(const dealii::Point<3>     &origin,
                     const dealii::Tensor<1, 3> &axis,
                     const dealii::Tensor<1, 3> &up);
 
-    /// Returns the scene point @p x in body axes.
+    /// Returns the body coordinates of the scene point @p x.
     dealii::Point<3>
     to_body(const dealii::Point<3> &x) const
     {
       return dealii::Point<3>(axes * (x - origin));
     }
 
-    /// Returns the point @p x of body axes in the scene.
+    /// Returns the scene coordinates of the point @p x in body axes.
     dealii::Point<3>
     to_scene(const dealii::Point<3> &x) const
     {
       return origin + vector_to_scene(x);
     }
 
-    /// Returns a direction, displacement or force of body axes in scene axes.
+    /// Returns the scene components of a vector given in body axes.
     dealii::Tensor<1, 3>
     vector_to_scene(const dealii::Tensor<1, 3> &v) const
     {
       return transpose(axes) * v;
     }
 
-    /// Returns a direction, displacement or force of scene axes in body axes.
+    /// Returns the body components of a vector given in scene axes.
     dealii::Tensor<1, 3>
     vector_to_body(const dealii::Tensor<1, 3> &v) const
     {
       return axes * v;
     }
 
-    /// Returns the rotation @p R of body axes in scene axes.
+    /// Returns the rotation matrix @p R, given in body axes, in scene axes.
     Triad
     rotation_in_scene(const Triad &R) const
     {

@@ -21,17 +21,16 @@ namespace lamella
   struct StrainMap;
   class SurfaceNode;
 
-  /// A body of hexahedra, the three-dimensional reference of beam theories: a
-  /// section mesh and axis extruded, Q1 with incompatible modes or Q2, hanging
-  /// nodes where it is locally refined. On one mesh the space of Q2 is that of
-  /// LE-2 with B3. DoF 3 i + c is component c, in body axes, at node i. A
-  /// "cell" of Location is a hexahedron with the unit coordinates of a beam.
-  /// Hexahedra of one ply with the same nodes up to a translation share their
-  /// matrices.
+  /// A body of hexahedra (a section mesh extruded along the axis), the
+  /// three-dimensional reference of beam theories: Q1 with incompatible modes
+  /// or Q2, with hanging nodes where it is locally refined. DoF 3 i + c is
+  /// displacement component c, in body axes, at node i. A "cell" of Location is
+  /// a hexahedron. Hexahedra of equal ply and shape share their matrices.
   class Solid : public Body
   {
   public:
-    /// Constructs a solid of @p degree 1 or 2. Refinement is in body axes.
+    /// Constructs a solid of @p degree 1 or 2; refinement balls are in body
+    /// axes.
     Solid(const std::string                 &name,
           std::shared_ptr<const SectionMesh> section,
           const AxisMesh                    &axis,
@@ -130,7 +129,6 @@ namespace lamella
     std::vector<double>
     line_breaks(const dealii::Point<3> &a,
                 const dealii::Point<3> &b) const override;
-    /// Returns the degree of the hexahedra.
     unsigned int
     degree() const
     {
@@ -149,12 +147,12 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
-    /// Returns the fields at one place, in scene and ply axes.
+    /// Returns displacement, strain and stress at @p place of one element.
     virtual FieldSample
     sample_at_element_point(const Location::Place &place,
                             const Vector          &u) const;
 
-    /// Returns the element shared by all hexahedra.
+    /// Returns the finite element, which all hexahedra share.
     const Hexahedron &
     hexahedron() const
     {
@@ -165,7 +163,8 @@ namespace lamella
     /// Returns the DoFs of @p cell in the order of Hexahedron.
     std::vector<DofIndex>
     dofs_of(const unsigned int cell) const;
-    /// Return the law of @p cell and the ply's axes at @p x, both in body axes.
+    /// Return the elastic law of @p cell and the ply axes at @p x, in body
+    /// axes.
     ElasticLaw
     law(const unsigned int cell, const dealii::Point<3> &x) const
     {
@@ -177,13 +176,13 @@ namespace lamella
       return mesh.section().plies[mesh.cells()[cell].ply].axes({x[0], x[2]});
     }
 
-    /// Returns the displacements of @p cell less those of its first node, which
-    /// makes rigid translations exactly free of strain.
+    /// Returns the nodal displacements of @p cell minus those of its first
+    /// node, so that rigid translations cause exactly zero strain.
     std::vector<double>
     relative_displacements(const unsigned int cell, const Vector &u) const;
 
-    /// Returns law() with the strain of heat at @p unit, the point @p x. Degree
-    /// 1 takes the middle, as a gradient would strain incompatible modes.
+    /// Returns law() with the thermal strain at @p unit, the point @p x. Degree
+    /// 1 uses the temperature at the element center.
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<3> &unit,
@@ -192,7 +191,7 @@ namespace lamella
   private:
     friend class SolidSecondOrder;
 
-    /// Hexahedra with equal matrices: a representative, and this process's.
+    /// Hexahedra with equal matrices: one of them, and those of this process.
     struct Kind
     {
       unsigned int              cell = 0;
@@ -207,11 +206,12 @@ namespace lamella
     void
     make_boxes();
 
-    /// Returns law() as a function of the point, for the matrices of @p cell.
+    /// Returns the elasticity matrix of @p cell as a function of the point.
     StiffnessField
     stiffness_of(const unsigned int cell) const;
 
-    /// Adds @p share of the rows at @p place.
+    /// Adds @p share times the functionals of @p quantity at @p place to @p
+    /// rows.
     void
     add_to_rows(const Location::Place         &place,
                 const Quantity                 quantity,
@@ -219,37 +219,39 @@ namespace lamella
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
-    /// Returns the cells whose boxes are within @p tolerance of @p around.
+    /// Returns the cells whose bounding boxes are within @p tolerance of @p
+    /// around.
     std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>>
     cells_near(dealii::BoundingBox<3> around, const double tolerance) const;
 
-    /// Returns a location of the scene's @p point in each of its plies.
+    /// Returns the locations of the scene point @p point, one per ply.
     std::vector<Location>
     locate(const dealii::Point<3> &point, const double tolerance) const;
 
-    /// Returns the place in @p cell nearest to @p x, and its distance.
+    /// Returns the point in @p cell nearest to @p x (unit coordinates) and its
+    /// distance.
     std::pair<dealii::Point<3>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;
 
-    /// Returns the point of @p cell at @p unit on @p face.
+    /// Returns the surface point of @p cell at @p unit on its face @p face.
     SurfacePoint
     face_point(const unsigned int      cell,
                const unsigned int      face,
                const dealii::Point<3> &unit) const;
 
-    /// Hanging nodes by number.
+    /// Hanging nodes by node number.
     using HangingNodes =
       std::map<unsigned int, const HexahedralMesh::HangingNode *>;
 
-    /// Adds @p face of @p cell to surface nodes; hanging ones pass areas on.
+    /// Adds the area of @p face of @p cell to its surface nodes @p nodes.
     void
     add_face(const unsigned int                   cell,
              const unsigned int                   face,
              const HangingNodes                  &hangs,
              std::map<unsigned int, SurfaceNode> &nodes) const;
 
-    /// Adds the crossings of the line a + t d of the section's plane with the
-    /// edge from corner @p v to @p w, which may be curved.
+    /// Adds the intersections of the line a + t d, in the plane of the section,
+    /// with the edge of @p cell from corner @p v to @p w, which may be curved.
     void
     add_side_crossings(const unsigned int          cell,
                        const unsigned int          v,
@@ -259,11 +261,11 @@ namespace lamella
                        const double                tolerance,
                        std::vector<double>        &crossings) const;
 
-    /// Returns the cells and faces of @p surface.
+    /// Returns the pairs (cell, face) of @p surface.
     std::vector<std::pair<unsigned int, unsigned int>>
     faces_of(const std::string &surface) const;
 
-    /// Returns a place of each node of @p faces that is not hanging.
+    /// Returns a location of each node of @p faces that is not hanging.
     std::vector<Location>
     node_locations(
       const std::vector<std::pair<unsigned int, unsigned int>> &faces) const;

@@ -11,20 +11,20 @@
 
 namespace lamella
 {
-  /// Mesh entries of a solid in `subsection Kinematics`, divisions in eight:
-  ///   Refinements    how often all of them are                       (0)
-  ///   Refine near    then those that reach into a ball,
-  ///                  `x, y, z: radius: times`, between '|'           (none)
-  /// with defaults in parentheses and balls in scene axes. Beams ignore both.
+  /// Entries of `subsection Kinematics` for the mesh of a solid, with defaults:
+  ///   Refinements    divisions of all hexahedra into eight           (0)
+  ///   Refine near    further divisions of hexahedra in balls,
+  ///                  `x, y, z: radius: times`, separated by '|'      (none)
+  /// Balls are in scene axes. Beams ignore both entries.
   struct SolidParameters
   {
     /// Declares the entries in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the refinement of a body at @p placement, balls in body axes.
-    /// Throws InputError for a ball of other spelling or without a positive
-    /// radius, and for more than 8 divisions. HexahedralMesh checks the rest.
+    /// Returns the refinement of a body at @p placement, with balls in body
+    /// axes. Throws InputError for an invalid ball, a radius that is not
+    /// positive, and more than 8 divisions.
     static SolidRefinement
     parse(const Entries &in, const Placement &placement);
   };

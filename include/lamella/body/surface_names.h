@@ -7,11 +7,11 @@
 
 namespace lamella
 {
-  /// Names of surfaces that every body has: `start` (y = 0), `end` (y = L),
-  /// `ends` (both), `all` (ends and sides). They are compared only here.
+  /// Functions on the names of surfaces that every body has: `start` (y = 0),
+  /// `end` (y = L), `ends` (both), `all` (ends and lateral surfaces).
   namespace surface_names
   {
-    /// Returns "start" or "end".
+    /// Returns "start" if @p at_start is true, otherwise "end".
     std::string
     end_name(const bool at_start);
 
@@ -19,11 +19,11 @@ namespace lamella
     bool
     is_whole_surface(const std::string &surface);
 
-    /// Returns true if @p surface consists of others: `ends`, `all`.
+    /// Returns true if @p surface is composed of surfaces (`ends` or `all`).
     bool
     is_compound_surface(const std::string &surface);
 
-    /// Returns true if @p part is @p surface or a part of it.
+    /// Returns true if @p surface is equal to @p part or contains it.
     bool
     covers(const std::string &surface, const std::string &part);
   } // namespace surface_names

@@ -7,16 +7,17 @@
 
 namespace lamella
 {
-  /// A node of a surface during the loop over facets in Body::surface_points():
-  /// the sums A = int N dA, n ~ int N n dA, and the flag of a corner.
+  /// Accumulates tributary area int N dA and mean normal, along int N n dA, of
+  /// a surface node with shape function N over its facets.
   class SurfaceNode
   {
   public:
-    /// Sets the place from @p at, the point of one of the facets.
+    /// Sets the location to that of @p at, a point of a facet at the node, and
+    /// marks a corner if normals differ.
     void
     meet(const SurfacePoint &at);
 
-    /// Adds @p share of an area [length^2] whose normal is @p normal.
+    /// Adds the area @p share [length^2] with the normal @p normal.
     void
     add(const double share, const dealii::Tensor<1, 3> &normal)
     {
@@ -24,18 +25,19 @@ namespace lamella
       weighted += share * normal;
     }
 
-    /// Removes the node, which hangs between two ends, and adds half to each.
+    /// Distributes the area of this hanging node to the two nodes that
+    /// constrain it, half to each, and removes it.
     void
     distribute_to_ends(SurfaceNode &one_end, SurfaceNode &other_end);
 
-    /// Returns true if a facet has been met.
+    /// Returns true if meet() has been called.
     bool
     has_point() const
     {
       return met;
     }
 
-    /// Returns the point with its area and mean normal. Requires has_point().
+    /// Returns the node with area and mean normal. Requires has_point().
     SurfacePoint
     finished() const;
 

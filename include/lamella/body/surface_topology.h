@@ -14,15 +14,14 @@
 namespace lamella
 {
   /**
-   * Connectivity of the facets of a surface: two facets share a node if the
-   * meshes do, not if points coincide (as those of the lips of a slit).
-   * Continuous functions on a surface, such as mortar multipliers, use it.
+   * Facets of a surface and numbers of their nodes, for continuous functions on
+   * the surface such as mortar multipliers. Facets share a node if their
+   * elements do; nodes that merely coincide (lips of a slit) are different.
    *
-   * Each facet has two Gauss-Lobatto grids, the first coordinate running
-   * fastest: that of the expansion, (degree_s + 1) x (degree_t + 1), whose
-   * nodes contact uses, and that of the trace, which determines the
-   * displacement. Each has its own numbers, from 0 without gaps, by facets.
-   * Refers to no body.
+   * Each facet has two Gauss-Lobatto grids, s running fastest: `grid` with
+   * (degree_s + 1) x (degree_t + 1) nodes, used by contact, and `trace` of the
+   * trace degrees, which determines the displacement. Each grid has its own
+   * node numbers, from 0.
    */
   struct SurfaceTopology
   {
@@ -34,8 +33,8 @@ namespace lamella
       std::vector<unsigned int> grid, trace;
     };
 
-    /// A grid node in the middle between two neighbors on another facet's edge,
-    /// as in a refined solid: v(node) = (v(ends[0]) + v(ends[1])) / 2.
+    /// A hanging grid node in a locally refined solid, in the middle of an edge
+    /// of another facet: v(node) = (v(ends[0]) + v(ends[1])) / 2.
     struct HangingNode
     {
       unsigned int                node = 0;
@@ -44,30 +43,30 @@ namespace lamella
 
     /// Facets in the order of Body::surface_facets().
     std::vector<Facet> facets;
-    /// Numbers of different nodes of the grids and of the traces.
+    /// Numbers of nodes of `grid` and of `trace` on the surface.
     unsigned int n_grid = 0, n_trace = 0;
-    /// Hanging nodes, by numbers of grid nodes. Beams have none.
+    /// Hanging nodes; beams have none.
     std::vector<HangingNode> hanging;
 
-    /// Adds the facet @p side; @p grid and @p trace are unique numbers in the
-    /// body, 64 bits for products of numbers in the section and along the axis.
+    /// Adds the facet @p side with the nodes @p grid and @p trace, by node
+    /// numbers of the body (any unique integers).
     void
     add(const SurfaceFacet               &side,
         const std::vector<std::uint64_t> &grid,
         const std::vector<std::uint64_t> &trace);
 
-    /// Returns the grid node of a facet at @p place; none if it is on no facet.
+    /// Returns the grid node at @p place; none if there is none.
     std::optional<unsigned int>
     grid_node(const Location::Place &place) const;
 
-    /// Adds a node that hangs between @p ends, body numbers, after all facets;
-    /// no effect if one is on no facet.
+    /// Adds the hanging node @p node between @p ends, by node numbers of the
+    /// body, if all three are on the surface. Call after all facets are added.
     void
     add_hanging(const std::uint64_t                 node,
                 const std::array<std::uint64_t, 2> &ends);
 
   private:
-    /// Numbers here by numbers in the body.
+    /// Node numbers of the surface by node numbers of the body.
     std::map<std::uint64_t, unsigned int>     grid_numbers, trace_numbers;
     std::multimap<unsigned int, unsigned int> facets_of_cell;
   };

@@ -9,25 +9,23 @@
 namespace lamella
 {
   /**
-   * A beam with finite rotations in the total Lagrangian formulation, on the
-   * fields and the axis of a Beam. Its internal forces follow from Green's
-   * strain and the second Piola-Kirchhoff stress (FiniteStrainSectionOperator),
+   * A beam with finite rotations in the total Lagrangian formulation, with the
+   * kinematics of Beam. Green's strain and the second Piola-Kirchhoff stress
+   * give section forces W_0 and W_1 (FiniteStrainSectionOperator) and nodal
+   * forces
    *   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
-   * over the undeformed body, and the tangent is their derivative, at u = 0 the
-   * stiffness of the Beam. Displacements are additive: rows of displacements,
-   * supports and dead loads are those of the Beam.
+   * over the undeformed axis. Displacements are linear in the DoFs, so supports
+   * and dead loads are those of a Beam.
    *
-   * Samples have Green's strain E, and as stress R^T sigma R, Cauchy's in axes
-   * that rotate with the material (PolarDecomposition), as ply axes do. E_yy
-   * and the transverse shears of samples are least-squares polynomials of
-   * degree 2 through their values at the stations, as other parts oscillate in
-   * between. Limited to B4 and theories whose strains are those of their
-   * displacements (LE, TE-2 and up).
+   * Output has Green's strain E and as stress R^T sigma R, the Cauchy stress in
+   * axes that rotate with the material. For output, E_yy and transverse shear
+   * strains are fitted by quadratic polynomials along each element. Limited to
+   * B4 elements and theories without assumed strains (LE, TE-2 and higher).
    */
   class TotalLagrangianBeam : public Beam
   {
   public:
-    /// Constructs a beam as Beam does. Throws InputError if unsupported.
+    /// Throws InputError for other axis elements or theories.
     TotalLagrangianBeam(const std::string             &name,
                         std::shared_ptr<const Section> section,
                         std::shared_ptr<const Axis>    axis,
@@ -48,7 +46,7 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   protected:
-    /// Returns the forces of Green's strain.
+    /// Returns the section forces for Green's strain.
     SectionForces
     section_forces(const SectionOperator &section_operator,
                    const FieldParts      &q) const override;
@@ -57,7 +55,8 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
 
-    /// Calls @p use with a block per own axis element and section cell.
+    /// Calls @p use with one block per axis element of this process and section
+    /// cell.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -66,13 +65,14 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Returns the coefficients of @p u at @p point and @p on_axis.
+    /// Returns the amplitudes of the functions at @p point, at @p on_axis.
     FieldParts
     parts_at(const SectionPoint &point,
              const AxisPoint    &on_axis,
              const Vector       &u) const;
 
-    /// Returns the smoothed strain at @p point and @p on_axis, gradient @p H.
+    /// Returns Green's strain for output at the section point @p point and axis
+    /// point @p on_axis, with the displacement gradient @p H there.
     Voigt
     strain_at(const SectionPoint &point,
               const AxisPoint    &on_axis,
@@ -83,34 +83,36 @@ namespace lamella
     double
     rotation_along(const unsigned int cell, const Vector &u) const;
 
-    /// Return the blocks of @p cell, one per section cell: no values, or zeros.
+    /// Return a block per section cell for the axis element @p cell, without
+    /// values or with zeros.
     std::vector<StiffnessBlock>
     empty_blocks(const unsigned int cell) const;
     std::vector<StiffnessBlock>
     zero_blocks(const unsigned int cell) const;
 
-    /// Returns the block of @p cell and fields @p on_section without values.
+    /// Returns a block without values of the axis element @p cell and the
+    /// section functions @p on_section.
     StiffnessBlock
     empty_block(const unsigned int               cell,
                 const std::vector<unsigned int> &on_section) const;
 
-    /// Adds the values of the axis element @p cell to its @p blocks.
+    /// Adds the tangent stiffness of the axis element @p cell to its @p blocks.
     void
     add_values(const unsigned int           cell,
                const Vector                &u,
                const Vector                &correction,
                std::vector<StiffnessBlock> &blocks) const;
 
-    /// Adds the section's @p tangent at station @p k of @p cell to @p block.
+    /// Adds the section tangent @p tangent at station @p k of @p cell to @p
+    /// block.
     void
     add_station(const unsigned int                              cell,
                 const unsigned int                              k,
                 const FiniteStrainSectionOperator::CellTangent &tangent,
                 StiffnessBlock                                 &block) const;
 
-    /// Subtracts the assumed-strain terms of the section's @p tangents from
-    /// @p block of the axis element @p cell
-    /// (FiniteStrainSectionOperator::for_each_cell()).
+    /// Subtracts the assumed-strain terms of the section @p tangents from @p
+    /// block of the axis element @p cell (FiniteStrainSectionOperator).
     void
     subtract_assumed_strain(
       const unsigned int                                           cell,

@@ -8,16 +8,16 @@
 
 namespace lamella
 {
-  /// A solid with finite rotations in the total Lagrangian formulation. With H
-  /// the displacement gradient, Green's strain E and S = C E, over the
-  /// undeformed body
+  /// A solid with finite rotations in the total Lagrangian formulation, with
+  /// the displacement gradient H, Green's strain E and the second
+  /// Piola-Kirchhoff stress S = C E. Nodal forces are
   ///   f_i = int grad N_i . (S (1 + H)) dV,
-  /// and the tangent is the derivative. Samples have E, and R^T sigma R as
-  /// stress. Only degree 2: incompatible modes are those of small strains.
+  /// over the undeformed body. Output has E and, as stress, R^T sigma R (Cauchy
+  /// stress in axes that rotate with the material). Degree 2 only.
   class TotalLagrangianSolid : public Solid
   {
   public:
-    /// Constructs a solid as Solid does. Throws InputError for degree 1.
+    /// Throws InputError for degree 1.
     TotalLagrangianSolid(const std::string                 &name,
                          std::shared_ptr<const SectionMesh> section,
                          const AxisMesh                    &axis,
@@ -34,7 +34,6 @@ namespace lamella
     rigid_motions_at(const Vector &u) const override;
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
-    /// Returns Deformation, rotations between the axial ends of hexahedra.
     Deformation
     deformation(const Vector &u) const override;
     void
@@ -46,7 +45,7 @@ namespace lamella
     FieldSample
     sample_at_element_point(const Location::Place &place,
                             const Vector          &u) const override;
-    /// Calls @p use with a block for each own hexahedron.
+    /// Calls @p use with one block per hexahedron of this process.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -55,7 +54,7 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Returns H of @p u at @p point of @p cell.
+    /// Returns the displacement gradient H of @p u at @p point of @p cell.
     Gradient
     gradient_at(const unsigned int     cell,
                 const HexahedronPoint &point,
@@ -65,8 +64,8 @@ namespace lamella
     double
     rotation_along(const unsigned int cell, const Vector &u) const;
 
-    /// Returns int grad N_i . D . grad N_k dV over @p cell, row by row, with
-    /// @p D the derivative of the first stress at integration points.
+    /// Returns the matrix int grad N_i . D . grad N_k dV over @p cell, row by
+    /// row, with @p D the derivative of the first Piola-Kirchhoff stress by H.
     std::vector<double>
     tangent_of(
       const unsigned int                                                  cell,
