@@ -10,33 +10,32 @@
 
 namespace lamella
 {
-  /// Rows of cells of equal length; the first row has the headings.
+  /// Rows of a table, each with the same number of cells; first the headings.
   using TextTable = std::vector<std::vector<std::string>>;
 
-  /// Prints @p table, which must have headings, in columns: the first and the
-  /// last left-aligned, numbers right-aligned.
+  /// Prints @p table with aligned columns. The table must have headings.
   void
   print_table(std::ostream &out, const TextTable &table);
 
-  /// References that a scene gives for its results.
+  /// Reference values that a scene defines for its results.
   struct ReferenceLists
   {
-    /// References of each probe, support, contact, measure, as in Results.
+    /// References of each object, in the order of Results.
     std::vector<std::vector<Reference>> probes, supports, contacts, measures;
   };
 
-  /// Prints a row for each result of the last load step with references: name,
-  /// result, reference, difference 100 (result / reference - 1) in percent,
-  /// source. The row of a probe on a ply interface is that of the lower ply.
-  /// Throws InputError without load steps.
+  /// Prints a table with one row for each reference value: name, result in the
+  /// last load step, reference, difference in percent, source. A probe on a ply
+  /// interface has the result of the lower ply. Throws InputError if @p results
+  /// has no load step.
   void
   print_comparison(std::ostream         &out,
                    const Results        &results,
                    const ReferenceLists &references);
 
-  /// Prints reactions, contact state, checks, seconds, memory, notes and
-  /// warnings (summary.json), of the last load step. Throws InputError without
-  /// load steps.
+  /// Prints the content of summary.json for the last load step: reactions,
+  /// contact state, checks, time, memory, notes and warnings. Throws InputError
+  /// if @p results has no load step.
   void
   print_summary(std::ostream &out, const Results &results);
 } // namespace lamella

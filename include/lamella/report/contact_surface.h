@@ -14,41 +14,42 @@
 
 namespace lamella
 {
-  /// Mesh of the points of a contact, for pictures only: the grid cells of its
-  /// SlaveSurface with points at all four corners, and other points alone.
+  /// Mesh of the contact points of a contact for visualization: quadrilaterals
+  /// between points on the SlaveSurface, and isolated points.
   class ContactSurface
   {
   public:
     using Quadrilateral = std::array<unsigned int, 4>;
 
-    /// Refers to both arguments; @p contact is on bodies of @p structure.
+    /// Keeps references to both arguments, which must outlive this object. @p
+    /// contact is between bodies of @p structure.
     ContactSurface(const ContactInterface &contact, const Structure &structure);
 
-    /// Numbers of the contact's points, with the corners in cyclic order.
+    /// Quadrilaterals: indices of contact points at the corners, in cyclic
+    /// order.
     const std::vector<Quadrilateral> &
     quadrilaterals() const
     {
       return quads;
     }
 
-    /// Numbers of the points in no quadrilateral.
+    /// Indices of the contact points that belong to no quadrilateral.
     const std::vector<unsigned int> &
     isolated_points() const
     {
       return alone;
     }
 
-    /// Returns the surface on the displaced first body. It has the columns of
-    /// contact_NAME.csv at its points (`active` as `status`) and `separation`,
-    /// the vector to the displaced partner (gap times normal for a rigid
-    /// obstacle). @p rows are the contact's in a load step and @p u the
-    /// displacements of the scene.
+    /// Returns the mesh on the deformed slave body with the data @p rows of a
+    /// load step: the columns of contact_NAME.csv at the points (`active` as
+    /// `status`), and `separation`, the vector to the paired point on the
+    /// master surface. @p u are the displacements of all bodies.
     VtuGrid
     grid(const BlockVector &u, const std::vector<ContactRow> &rows) const;
 
-    /// Writes grid() of load step @p step as @p directory/contact_NAME_STEP.vtu
-    /// for ParaView. Returns the file's name without the folder. Throws
-    /// InputError on failure. Called by one process.
+    /// Writes grid() for load step @p step to contact_NAME_STEP.vtu in @p
+    /// directory and returns the name of the file. Throws InputError on
+    /// failure. Must be called by one process only.
     std::string
     write_vtu(const std::string             &directory,
               const unsigned int             step,
@@ -56,16 +57,17 @@ namespace lamella
               const std::vector<ContactRow> &rows) const;
 
   private:
-    /// Returns the location of each point on the slave body.
+    /// Returns the location of each contact point on the slave body.
     std::vector<Location>
     point_locations() const;
 
     const ContactInterface &contact;
     const Structure        &structure;
-    /// quadrilaterals() and isolated_points().
+    /// Results of quadrilaterals() and isolated_points().
     std::vector<Quadrilateral> quads;
     std::vector<unsigned int>  alone;
-    /// Locations of points on the first body, on the second if deformable.
+    /// Locations of contact points on the slave body, and of the paired points
+    /// on the master body, if it is deformable.
     std::vector<Location> first_locations, second_locations;
   };
 } // namespace lamella

@@ -9,11 +9,11 @@
 
 namespace lamella
 {
-  /// Returns the file fields.csv: the number of section fields at each node of
-  /// the beam axes, a line per node in the order of the axis:
-  ///   body, node (from 1), s (distance from the first node, a length), x, y, z
-  ///   (the node in the undeformed scene), fields.
-  /// The fields sum to Body::n_dofs(). Not collective.
+  /// Returns the content of fields.csv: the number of section functions at each
+  /// axis node of each beam. A line per node has the columns
+  ///   body, node (from 1), s (distance from the first node), x, y, z
+  ///   (undeformed position), fields (number of section functions).
+  /// Not collective.
   std::string
   fields_of_nodes(const Bodies &bodies);
 } // namespace lamella

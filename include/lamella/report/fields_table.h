@@ -9,13 +9,13 @@
 
 namespace lamella
 {
-  /// Returns the common columns of probes, lines and cuts, `body,ply,x,y,z` and
-  /// field_names(), without an end of line.
+  /// Returns the names of the CSV columns that probes, lines and cuts have in
+  /// common: `body,ply,x,y,z` and field_names(), without a newline.
   std::string
   fields_header();
 
-  /// Returns a line for the columns fields_header(), without an end of line;
-  /// plies count from 1.
+  /// Returns the values of @p row in the columns of fields_header(), without a
+  /// newline; plies are numbered from 1.
   std::string
   fields_line(const FieldRow &row);
 

@@ -10,34 +10,34 @@
 
 namespace lamella
 {
-  /// Returns the file goals.csv, with the columns goal, value, estimate,
-  /// corrected, bar, trusted, tolerance, met, the shares of axis, fields,
-  /// section and contact, stiffening, buckling_factor, scale, why. Units are
-  /// those of the quantities; trusted and met are 0 or 1; missing numbers are
-  /// empty. Stiffening and buckling factor are those of the last step
-  /// (NonlinearityEstimate).
+  /// Returns the content of goals.csv, a line per goal (quantity of interest)
+  /// with the columns goal, value, estimate (of the error), corrected, bar
+  /// (error bound), trusted, tolerance, met, the contributions of axis, fields,
+  /// section and contact to the error, stiffening, buckling_factor
+  /// (NonlinearityEstimate of the last step), scale, why. Missing numbers are
+  /// empty.
   std::string
   goals_csv(const Results &results);
 
-  /// Returns the file indicators.csv: the error of each element along a beam in
-  /// the axis share of a goal (goal, body, begin and end along its axis,
-  /// error), then the parts of contact and remainder (LocalErrors). If richer
-  /// models give the error bars, the errors of a goal sum to its share `axis`.
+  /// Returns the content of indicators.csv: the contribution of each axis
+  /// element of a beam to the error of a goal (goal, body, begin and end along
+  /// the axis, error), then those of contact and the remainder (LocalErrors).
   std::string
   indicators_csv(const Results &results);
 
-  /// Prints the goals with their error bars, the source and remedy of large
-  /// shares, and nonlinear effects that exceed the error bars.
+  /// Prints the goals with error bars, the source of large errors with a
+  /// remedy, and nonlinear effects that exceed the error bars.
   void
   print_goals(std::ostream &out, const Results &results);
 
-  /// Returns @p value over the scale of @p goal, as "0.12 %"; with the value if
-  /// the goal is near zero, as "0.0011 MPa (0.5 %)"; the value alone without a
-  /// scale.
+  /// Returns the error @p value relative to the scale of @p goal, such as "0.12
+  /// %", or "0.0011 MPa (0.5 %)" if the goal is near zero; if the goal has no
+  /// scale, the error with its unit only.
   std::string
   share_text(const GoalResult &goal, const double value);
 
-  /// Returns the name of the largest share of @p goal; may be empty.
+  /// Returns the name of the largest contribution to the error of @p goal
+  /// (axis, fields, section or contact); may be empty.
   std::string
   largest_share(const GoalResult &goal);
 } // namespace lamella

@@ -7,12 +7,11 @@
 
 namespace lamella
 {
-  /// Implements `lamella report DIR`: makes one self-contained HTML file
-  /// @p target of the results in @p folder. It replaces this process by
-  /// scripts/report.py (doc/guides/report.md), installed or in the source tree.
-  /// The script reads the files of the folder, and receives the version and the
-  /// constants of the built-in materials in Pa and in MPa. Throws InputError if
-  /// the script, or python3 with Jinja2, is not found.
+  /// Implements `lamella report DIR`: writes the results in @p folder to the
+  /// self-contained HTML file @p target. This process is replaced by
+  /// scripts/report.py (doc/guides/report.md), which receives the version and
+  /// the data of the built-in materials. Throws InputError if the script, or
+  /// python3 with Jinja2, is not found.
   [[noreturn]] void
   make_page(const std::string &folder, const std::string &target);
 } // namespace lamella

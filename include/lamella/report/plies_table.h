@@ -10,27 +10,27 @@
 
 namespace lamella
 {
-  /// Returns the first line of `plies.csv`, with its end.
+  /// Returns the header line of plies.csv (reserve factors of plies).
   std::string
   plies_header();
 
-  /// Returns the lines of `plies.csv` for @p step of @p results. Missing
-  /// reserve factors and angles are empty.
+  /// Returns the lines of plies.csv for @p step of @p results. Missing values
+  /// are empty.
   std::string
   plies_lines(const Results &results, const StepResults &step);
 
-  /// Returns the first line of `plies_along.csv`, with its end.
+  /// Returns the header line of plies_along.csv.
   std::string
   plies_along_header();
 
-  /// Returns the lines of `plies_along.csv` for @p step of @p results: the
-  /// largest 1/R at each station of the beam axes, ply by ply.
+  /// Returns the lines of plies_along.csv for @p step of @p results: for each
+  /// ply the largest 1/R (R the reserve factor) at stations along the axis.
   std::string
   plies_along_lines(const Results &results, const StepResults &step);
 
-  /// Prints the governing ply, criterion and mode of each load step, the five
-  /// rows of the last step nearest to failure, and the load at first failure.
-  /// No output without reserve factors.
+  /// Prints the critical ply, criterion and failure mode of each load step, the
+  /// five smallest reserve factors of the last step, and the load at first
+  /// failure. No output if the scene has no strength analysis.
   void
   print_reserves(std::ostream &out, const Results &results);
 } // namespace lamella

@@ -9,9 +9,8 @@
 
 namespace lamella
 {
-  /// Prints displacements and stresses of the probes in the last load step, in
-  /// the scene's axes, with the error bars of goals in per cent. Prints only
-  /// the first of many probes.
+  /// Prints displacements and stresses of the first probes in the last load
+  /// step, in scene axes, with error bars in per cent for those that are goals.
   void
   print_probes(std::ostream &out, const Results &results);
 } // namespace lamella

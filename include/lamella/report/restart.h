@@ -11,39 +11,38 @@
 
 namespace lamella
 {
-  /// VTU files by collection (`solution`, `contact_NAME`), with ascending load
-  /// steps, without the folder.
+  /// Names of VTU files by collection (`solution`, `contact_NAME`), with the
+  /// load step of each file in ascending order.
   using VtuFiles =
     std::map<std::string, std::vector<std::pair<double, std::string>>>;
 
-  /// State of a run after a completed load step, stored in the file `restart`
-  /// of its folder. Doubles are stored as in memory, so that a resumed run
-  /// gives the same results; the file is for the same program on the same kind
-  /// of machine. Table rows beyond the stored sizes belong to incomplete steps.
+  /// State of a run after a completed load step, from which the run can be
+  /// resumed; stored in the file `restart`. Doubles are stored exactly, in the
+  /// format of the machine. Table rows beyond `sizes` belong to incomplete
+  /// steps.
   struct Restart
   {
-    /// Version of the program and resolved scene.
+    /// Version of the program, and text of the scene with all entries.
     std::string version, scene;
-    /// True if all load steps are done; only version and scene are stored then.
+    /// True if the run is complete; then only version and scene are stored.
     bool finished = false;
-    /// Completed steps: numbers, load factors, iterations, changes, reserve
-    /// factors of plies and warnings; for the last one also the whole state and
-    /// the data of the strategy. Checks and table rows are not stored.
+    /// Completed load steps, without checks and table rows; for the last step
+    /// also displacements, contact state and data of the solution strategy.
     std::vector<StepResults> steps;
-    /// Size in bytes of each table, by its name in the folder.
+    /// Size [bytes] of each table by file name.
     std::map<std::string, std::uint64_t> sizes;
-    /// Files of the collections so far.
+    /// VTU files of the completed steps.
     VtuFiles vtu_files;
   };
 
-  /// Stores @p restart in the folder @p directory atomically. Throws InputError
-  /// on failure. Called by one process.
+  /// Writes @p restart atomically to the folder @p directory. Throws InputError
+  /// on failure. Must be called by one process only.
   void
   write_restart(const Restart &restart, const std::string &directory);
 
-  /// Returns the restart data in @p directory. Throws InputError if there is
-  /// none, it is damaged or of another version or @p scene (resolved), or the
-  /// run is finished. Any process may call it.
+  /// Returns the restart data in @p directory. Throws InputError if it is
+  /// missing or damaged, if version or @p scene (text) differ, or if the run is
+  /// finished.
   Restart
   read_restart(const std::string &directory, const std::string &scene);
 } // namespace lamella

@@ -7,11 +7,10 @@
 
 namespace lamella
 {
-  /// Folder of the results of one run. It is locked for the lifetime of the
-  /// object by a system lock. Earlier results are removed before the first new
-  /// one is written. The summary is removed first and written with the first
-  /// completed load step, so that it always belongs to the other files. The
-  /// root process locks and writes, and broadcasts errors.
+  /// Folder of the results of one run, locked by a system lock for the lifetime
+  /// of this object. Results of an earlier run are removed before the first new
+  /// result is written, the summary first, so that it always belongs to the
+  /// other files. The root process locks and writes, and broadcasts errors.
   class ResultsFolder
   {
   public:
@@ -19,45 +18,47 @@ namespace lamella
     /// InputError if it cannot be created or written, or is locked by another
     /// run. Collective.
     explicit ResultsFolder(const std::string &path);
-    /// Unlocks the folder; removes it if it was created here and is empty.
+    /// Unlocks the folder; removes it if this object created it and it is
+    /// empty.
     ~ResultsFolder();
     ResultsFolder(const ResultsFolder &) = delete;
 
-    /// Returns the path as given.
+    /// Returns the path passed to the constructor.
     const std::string &
     path() const
     {
       return folder;
     }
 
-    /// Removes the results of an earlier run at the first call, and folders
-    /// that are then empty; other files stay. Must be called before any output.
-    /// Throws InputError if the folder has disappeared. Collective.
+    /// Removes the results of an earlier run at the first call; other files
+    /// stay. Must be called before any output. Throws InputError if the folder
+    /// has been removed. Collective.
     void
     make_room();
 
-    /// Keeps the results of an earlier run: make_room() has no effect.
+    /// Disables make_room(), so that results of an earlier run are not removed.
     void
     keep()
     {
       is_cleared = true;
     }
 
-    /// Returns whether the summary of an earlier run exists(not after
-    /// make_room(), keep()).
+    /// Returns whether the folder has the summary of an earlier run; false
+    /// after make_room() or keep().
     bool
     has_earlier_results() const;
 
   private:
-    /// Locks the folder; descriptor stays -1 if another process has the lock.
+    /// Locks the folder; `descriptor` is -1 if another process has the lock.
     void
     lock();
-    /// Returns whether the folder of that name is still the locked one.
+    /// Returns whether the locked folder still exists under its name.
     bool
     still_exists() const;
 
     std::string folder;
-    /// True if created here, and true if earlier results are dealt with.
+    /// True if this object created the folder; true after make_room() or
+    /// keep().
     bool is_new = false, is_cleared = false;
     /// Descriptor of the locked folder; -1 except on the root process.
     int descriptor = -1;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `report`: output of results. It writes the folder of a run with all
-// its files (tables, summary, VTU, restart) and the console output, from
-// Results. It computes only the stiffness of sections, and reads only the
-// restart. page.h starts the Python program of `lamella report`.
+// The room `report`: output of results. From Results it writes all files of a
+// run (tables, summary, VTU, restart) and the console output. It computes the
+// stiffness of sections, and reads restart data. page.h runs `lamella report`.
 
 #ifndef lamella_report_results_writer_h
 #define lamella_report_results_writer_h
@@ -23,61 +22,59 @@
 
 namespace lamella
 {
-  /// Writer of the results of a run into its folder. Each load step writes VTU
-  /// files and collections, rows of all tables, the summary, and last the
-  /// restart data with the sizes of the tables. Completed steps survive any
-  /// later failure: files other than growing tables are replaced atomically.
-  /// All functions are collective.
+  /// Writes the results of a run to its folder. After each load step it writes
+  /// VTU files, rows of all tables, the summary, and last the restart data with
+  /// the sizes of tables. A later failure does not damage completed steps:
+  /// files other than tables are replaced atomically. All functions are
+  /// collective.
   class ResultsWriter
   {
   public:
-    /// Objects that pictures are made from, besides results.
+    /// Objects other than Results that are needed for output.
     struct OutputSources
     {
-      /// Bodies to be drawn.
+      /// Bodies of the scene.
       const Structure &structure;
       /// Contacts in the order of Results.
       const std::vector<ContactInterface> &contacts;
-      /// Meshes by name of the section.
+      /// Section meshes by name.
       const std::map<std::string, std::shared_ptr<const SectionMesh>> &sections;
-      /// Scene as it is run.
+      /// Text of the scene with all entries.
       const std::string &resolved;
-      /// True if VTU files and their collections are written.
+      /// True if VTU files are written.
       bool write_vtu = true;
-      /// Source of reserve factors in VTU files; null for none.
+      /// Strength analysis for reserve factors in VTU files; may be null.
       const StrengthSweep *strength = nullptr;
     };
 
-    /// Writes results into the folder @p directory, reserved for this run
-    /// (ResultsFolder). Calls @p output_sources at each step. Throws
-    /// InputError.
+    /// Locks the folder @p directory for this run. @p output_sources is called
+    /// at each load step. Throws InputError as ResultsFolder does.
     ResultsWriter(const std::string                    &directory,
                   const std::function<OutputSources()> &output_sources);
 
-    /// Returns the completed steps of the run in the folder (Restart) and cuts
-    /// the tables to them. Must be called before any step is written. Throws
-    /// InputError as read_restart() does, also if a table is too short.
+    /// Returns the completed load steps of the run in the folder (Restart) and
+    /// removes later rows of tables. Must be called before any step is written.
+    /// Throws InputError as read_restart() does, and if rows of tables are
+    /// missing.
     std::vector<StepResults>
     resume();
 
-    /// Writes the last load step of @p results, which must have its rows. The
-    /// first call removes earlier results and writes scene.prm, the sections,
-    /// the fields of the nodes and the table headers. Throws InputError on
-    /// failure.
+    /// Writes the last load step of @p results, which must have table rows. The
+    /// first call removes earlier results and writes scene.prm, sections,
+    /// fields.csv and table headers. Throws InputError on failure.
     void
     write_step(const Results &results);
 
-    /// Writes the summary of @p results after all steps, with the checks of the
-    /// last one, goals and first failure; no output if no step was solved.
+    /// Writes the summary after the last load step, with checks, goals and
+    /// first failure; no output if no step was solved.
     void
     write_outcome(const Results &results);
 
-    /// Writes the summary at the end of the run; if all steps were solved, the
-    /// restart is marked as finished.
+    /// Writes the summary at the end of the run, and marks the restart data as
+    /// finished if all steps were solved.
     void
     write_end(const Results &results);
 
-    /// Returns the folder, owned by the writer.
     const ResultsFolder &
     folder() const
     {
@@ -85,24 +82,24 @@ namespace lamella
     }
 
   private:
-    /// Appends the rows of the last step to all tables; creates them first.
+    /// Appends the rows of the last step to all tables.
     void
     write_tables(const Results &results);
-    /// Makes the surfaces of all contacts in their present pairing.
+    /// Constructs the surfaces of all contacts for the current pairs of points.
     void
     make_surfaces();
-    /// Writes the bodies, the contact surfaces and the collections.
+    /// Writes VTU files of bodies and contacts, and their collections.
     void
     write_vtu_files(const StepResults &step);
-    /// Writes the summary and the restart.
+    /// Writes the summary and the restart data.
     void
     write_progress(const Results &results);
 
     std::function<OutputSources()> output_sources;
     ResultsFolder                  place;
-    /// Surface of each contact; none without VTU files.
+    /// Surface of each contact; empty if no VTU files are written.
     std::vector<ContactSurface> surfaces;
-    /// Restart data so far.
+    /// Restart data after the last completed step.
     Restart standing;
   };
 } // namespace lamella

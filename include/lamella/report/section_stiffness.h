@@ -17,51 +17,50 @@ namespace lamella
   inline constexpr std::array<const char *, 6> section_force_names{
     {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"}};
 
-  /// Section properties for beam programs: SaintVenant's 6 x 6 stiffness,
-  /// constants derived from it, and the mass. They are independent of theories.
-  /// Couplings m_ij below 1e-10 sqrt(m_ii m_jj) and coordinates below 1e-10 of
-  /// the section's size are 0.
+  /// Properties of a cross-section as input of beam programs: 6 x 6 stiffness
+  /// by Saint-Venant's solutions, constants derived from it, and mass. Matrix
+  /// entries m_ij below 1e-10 sqrt(m_ii m_jj) are set to 0.
   struct SectionStiffness
   {
-    /// Expansion in which the states were computed: `LE-3`.
+    /// Expansion of the finite element solution, such as LE-3.
     std::string expansion;
-    /// Reason if all other members are invalid, whole sentences; else empty.
+    /// Reason (sentences) if the computation failed; otherwise empty.
     std::string fault;
-    /// Center of area, the reference of moments and velocities (x, z) [length].
+    /// Centroid (x, z), the reference point of moments and velocities [length].
     dealii::Point<2> reference_point;
-    /// Section forces per strain [force, force length, force length^2],
-    /// inverse.
+    /// Section forces per section strain [force, force length, force length^2],
+    /// and the inverse.
     SectionTensor stiffness, compliance;
     /// Section constants; angles in (-90, 90] degrees.
     SectionConstants constants;
-    /// Momenta per velocity of the rigid section, per length of beam,
+    /// Mass matrix of the rigid section per length of beam,
     ///   int rho N^T N dA,  N (v, omega) = v + omega x (x - x_c, 0, z - z_c),
-    /// [density length^2, length^3, length^4]. Empty unless all parts of the
-    /// section have a density.
+    /// [density length^2, length^3, length^4]. Empty if a material has no
+    /// density.
     std::optional<SectionTensor> mass;
   };
 
-  /// Returns the degree N of LE-N for section_stiffness() of @p mesh: 3 for up
-  /// to 20,000 DoFs of the section, 2 for up to 60,000, else 1.
+  /// Returns the degree N of LE-N that section_stiffness() uses for @p mesh: 3
+  /// if this has at most 20,000 DoFs, 2 for up to 60,000, otherwise 1.
   unsigned int
   expansion_degree(const SectionMesh &mesh);
 
-  /// Returns stiffness, by SaintVenant in LE-N with N of expansion_degree(),
-  /// and mass of the section @p mesh. Costs one Cholesky factorization of the
-  /// section. Numerical failure (cells too thin, more than 300,000 DoFs in
-  /// LE-1) sets the result's `fault`. Not collective.
+  /// Computes stiffness (SaintVenant with LE-N, N = expansion_degree()) and
+  /// mass of the section @p mesh. If the computation fails (cells too thin,
+  /// more than 300,000 DoFs with LE-1), `fault` of the result is set. Not
+  /// collective.
   SectionStiffness
   section_stiffness(std::shared_ptr<const SectionMesh> mesh);
 
-  /// Returns sections/NAME.json for @p section called @p name, with labels from
-  /// @p units (doc/reference/section-properties.md).
+  /// Returns the content of sections/NAME.json for the section @p name with
+  /// labels of @p units (doc/reference/section-properties.md).
   std::string
   section_json(const std::string      &name,
                const SectionStiffness &section,
                const Units            &units);
 
-  /// Writes section_json() into sections/@p name.json of the existing folder
-  /// @p directory. Throws InputError on failure.
+  /// Writes section_json() to sections/NAME.json in the folder @p directory.
+  /// Throws InputError on failure.
   void
   write_section_stiffness(const std::string      &directory,
                           const std::string      &name,

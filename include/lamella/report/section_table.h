@@ -9,16 +9,16 @@
 
 namespace lamella
 {
-  /// Returns the mesh of a section for pictures, as CSV. Each cell has a line
-  /// with its number, ply (from 1), material and angle of the fibers [degrees].
-  /// Its four sides follow, counter-clockwise, with their boundary names (empty
-  /// inside) and points `x z;x z;...`: both ends, and seven between if a
-  /// boundary side is curved. Lengths are the scene's, in section axes.
+  /// Returns the mesh of a section as CSV for plots. Each cell has a line with
+  /// number, ply (from 1), material and fiber angle [degrees]. Its four sides
+  /// follow, counter-clockwise, with boundary name (empty inside) and points `x
+  /// z;x z;...` in section axes: both ends, and seven between if the side is
+  /// curved.
   std::string
   section_table(const SectionMesh &section);
 
-  /// Writes section_table() into sections/@p name.csv of the existing folder
-  /// @p directory. Throws InputError on failure.
+  /// Writes section_table() to sections/NAME.csv in the folder @p directory.
+  /// Throws InputError on failure.
   void
   write_section(const std::string &directory,
                 const std::string &name,

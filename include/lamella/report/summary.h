@@ -9,10 +9,9 @@
 
 namespace lamella
 {
-  /// Returns summary.json for @p results (doc/reference/output.md): resultants
-  /// and checks of the last load step, which must have checks, changes and
-  /// jumps, and the warnings of all steps. Bytes that are not UTF-8 are
-  /// replaced.
+  /// Returns the content of summary.json (doc/reference/output.md): resultants
+  /// and checks of the last load step of @p results, for which checks must have
+  /// been computed, and the warnings of all steps. Invalid UTF-8 is replaced.
   std::string
   summary_text(const Results &results);
 } // namespace lamella

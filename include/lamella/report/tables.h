@@ -10,12 +10,12 @@
 
 namespace lamella
 {
-  /// Text of each file in the folder of results, by name, as `lines/NAME.csv`.
+  /// Text of result files by name, such as `lines/NAME.csv`.
   using FileTexts = std::map<std::string, std::string>;
 
   /**
-   * Returns the headers of these files, with their ends of line
-   * (doc/reference/output.md), from the names in @p results:
+   * Returns the header lines of all tables (doc/reference/output.md) for the
+   * probes, lines, cuts, contacts and supports named in @p results. Columns:
    *   probes   step, probe, fields_header()
    *   lines    s (arc length), step, line, fields_header()
    *   cuts     step, cut, cell, i, j, fields_header()
@@ -27,15 +27,14 @@ namespace lamella
   FileTexts
   table_headers(const Results &results);
 
-  /// Returns the rows of @p step of @p results for each of these files. A probe
-  /// on a ply interface has a row per ply; its displacement in history.csv is
-  /// that of the first.
+  /// Returns the rows of all tables for the load step @p step of @p results. A
+  /// probe on a ply interface has one row per ply.
   FileTexts
   table_rows(const Results &results, const StepResults &step);
 
-  /// Returns failure.csv: the load factors that the search for first failure of
-  /// @p results tried, ascending, with load_factor, the smallest
-  /// reserve_factor, and the forces and displacements of history.csv.
+  /// Returns the content of failure.csv: for each load factor that the search
+  /// for first failure evaluated, the smallest reserve factor, and forces and
+  /// displacements as in history.csv.
   std::string
   failure_table(const Results &results);
 } // namespace lamella

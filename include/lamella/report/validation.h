@@ -17,19 +17,18 @@
 namespace lamella
 {
   /// Prints the data of the material @p name: elastic constants, strengths,
-  /// density, expansion; stresses with labels of @p units.
+  /// density, thermal expansion; with labels of @p units.
   void
   print_material(std::ostream      &out,
                  const std::string &name,
                  const Material    &material,
                  const Units       &units);
 
-  /// Prints the ply table of the section @p name, the laminate's A, B, D, EA
-  /// and EI (free to contract and twist), GA, k G A from the equilibrium of the
-  /// plies and, by @p section, G J. A, B, D are those of classical lamination
-  /// theory about the mid-plane, in the order yy, xx, xy with y along the beam.
-  /// @p plies are from the bottom, at least one; @p width is the section's;
-  /// labels are from @p units.
+  /// Prints the plies of the laminated section @p name, A, B, D of classical
+  /// lamination theory about the mid-plane (order yy, xx, xy with y along the
+  /// beam), E A and E I with free lateral contraction and twist, G A, k G A
+  /// from equilibrium of the plies, and G J of the mesh @p section. @p plies
+  /// are from the bottom, at least one; @p width is that of the section.
   void
   print_laminate(std::ostream           &out,
                  const std::string      &name,
@@ -39,8 +38,9 @@ namespace lamella
                  const Units            &units);
 
   /// Prints the section @p name of the kind @p shape: cells, extents, area,
-  /// centroid, second moments, boundaries with lengths, parts with materials
-  /// and areas, and G J by Saint-Venant's torsion if known; labels by @p units.
+  /// centroid, second moments of area, lengths of boundaries, areas of
+  /// materials, and G J by Saint-Venant's torsion if available; labels by @p
+  /// units.
   void
   print_section(std::ostream      &out,
                 const std::string &name,
@@ -49,16 +49,16 @@ namespace lamella
                 const Units       &units);
 
   /// Prints the beam properties of the section @p name: E A, principal E I, G
-  /// J, k G A, tension and shear center, the 6 x 6 stiffness and, if known, the
-  /// mass; or the reason for their absence. Labels are from @p units.
+  /// J, k G A, tension center, shear center, the 6 x 6 stiffness and, if known,
+  /// the mass; or the reason why they could not be computed.
   void
   print_stiffness(std::ostream           &out,
                   const std::string      &name,
                   const SectionStiffness &section,
                   const Units            &units);
 
-  /// Prints a line per body (theory, DoFs), load (sum at load factor 1) and
-  /// contact (possible pairs, unpaired nodes).
+  /// Prints one line per body (theory, DoFs), per load (resultant at load
+  /// factor 1) and per contact (possible pairs, unpaired nodes).
   void
   print_bodies(std::ostream                        &out,
                const Structure                     &structure,

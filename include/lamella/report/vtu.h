@@ -13,24 +13,22 @@
 namespace lamella
 {
   /**
-   * Writes the deformed bodies for ParaView into @p directory as
-   * solution_STEP.vtu and returns the file's name without the folder. Each
-   * section cell of each axis element is a higher-order hexahedron at positions
-   * displaced by u. Strains and stresses are discontinuous between elements and
-   * plies. Cells have the number of the ply (from 1 at the bottom), the fiber
-   * direction and the number of the body (from 1). @p strength, which may be
-   * null, adds the largest 1/R of each point
-   * (StrengthSweep::inverse_reserve()). ParaView shows @p factor as the time
-   * and @p step as the cycle.
+   * Writes the deformed bodies to solution_STEP.vtu in @p directory, for
+   * ParaView, and returns the name of the file. Each section cell of each axis
+   * element is a Lagrange hexahedron at positions displaced by @p u. Strains
+   * and stresses are discontinuous between elements. Cell data are the ply
+   * (from 1 at the bottom), the fiber direction and the body (from 1). @p
+   * strength, if not null, adds the largest 1/R (R the reserve factor) at each
+   * point. @p factor is the time in ParaView.
    *
    * Cells have the degrees Body::output_degrees(), at most 4. Values are in
    * single precision: displacements and positions are rounded to 2^-24 of the
-   * largest in the file, strains and stresses to 2^-11 of their largest in the
-   * element, or 2^-24 of the largest in the file if that is more.
+   * largest value in the file; strains and stresses to 2^-11 of the largest in
+   * the element (or 2^-24 of the largest in the file if more).
    *
-   * Several processes write solution_STEP.PROCESS.vtu for their elements each,
-   * and solution_STEP.pvtu for all of them, whose name is returned. Collective.
-   * Throws InputError, on all processes, if one cannot write.
+   * With several processes, each process writes solution_STEP.PROCESS.vtu with
+   * its elements; the name of solution_STEP.pvtu, which combines these files,
+   * is returned. Throws InputError if a file cannot be written. Collective.
    */
   std::string
   write_vtu(const std::string   &directory,
@@ -40,9 +38,9 @@ namespace lamella
             const BlockVector   &u,
             const StrengthSweep *strength = nullptr);
 
-  /// Writes @p name.pvd into @p directory, a collection of (load step, file)
-  /// for ParaView, if there are @p files. Throws InputError on failure. Called
-  /// by one process.
+  /// Writes NAME.pvd, a collection of the @p files (load step, file name) for
+  /// ParaView, to @p directory; no output if @p files is empty. Throws
+  /// InputError on failure. Must be called by one process only.
   void
   write_pvd(const std::string                                 &directory,
             const std::string                                 &name,

@@ -14,7 +14,7 @@
 
 namespace lamella
 {
-  /// Named numbers, @p n_components per point or cell.
+  /// A data array of a VTU file, with n_components numbers per point or cell.
   struct VtuArray
   {
     std::string  name;
@@ -26,25 +26,25 @@ namespace lamella
       values;
   };
 
-  /// An unstructured grid with fields, in the layout of VTK.
+  /// An unstructured grid with point data and cell data, in VTK's layout.
   struct VtuGrid
   {
-    /// VTK's numbers of cell types.
+    /// Cell types by VTK's numbers.
     static constexpr std::uint8_t vertex = 1, quadrilateral = 9,
                                   lagrange_hexahedron = 72;
-    /// Name of the array of `of_cells` with the degrees of Lagrange hexahedra.
+    /// Name of the cell data array with degrees of Lagrange hexahedra.
     static constexpr const char *degrees_name = "HigherOrderDegrees";
 
-    /// Points, with three components.
+    /// Positions of points.
     VtuArray points{"points", 3, {}};
-    /// Points of all cells, ends of the cells therein, and cell types.
+    /// Point indices of all cells, end of each cell in this list, cell types.
     std::vector<std::int32_t> connectivity, offsets;
     std::vector<std::uint8_t> types;
     std::vector<VtuArray>     at_points, of_cells;
-    /// Time and cycle that readers show.
+    /// Time and cycle (load step) that ParaView shows.
     std::optional<std::pair<double, unsigned int>> time;
 
-    /// Adds a cell with the points @p corners.
+    /// Adds a cell of VTK type @p type with the point indices @p corners.
     template <typename Numbers>
     void
     add_cell(const std::uint8_t type, const Numbers &corners)
@@ -55,23 +55,21 @@ namespace lamella
     }
   };
 
-  /// Writes @p grid as a .vtu: raw appended arrays, compressed in blocks by the
-  /// fastest zlib level. The file has version 2.2, in which Lagrange hexahedra
-  /// are numbered as in VTK 9.
+  /// Writes @p grid as a VTU file, version 2.2 (node order of Lagrange
+  /// hexahedra as in VTK 9): raw appended arrays, compressed by zlib.
   void
   write_vtu_file(std::ostream &out, const VtuGrid &grid);
 
-  /// Writes the .pvtu of the files @p parts, which have the arrays of @p grid.
+  /// Writes a PVTU file that combines the files @p parts, which have the same
+  /// arrays as @p grid.
   void
   write_pvtu_file(std::ostream                   &out,
                   const VtuGrid                  &grid,
                   const std::vector<std::string> &parts);
 
-  /// Returns the number, in VTK's order, of the lattice point (@p i, @p j,
-  /// @p k) of a Lagrange hexahedron of degrees @p n: corners first, then edges,
-  /// faces and the inside. Corners and upright edges are in cyclic order, lower
-  /// corners first; edges along, and faces normal to, the first coordinate come
-  /// first.
+  /// Returns the index in VTK's order of the node (@p i, @p j, @p k) of a
+  /// Lagrange hexahedron of degrees @p n, i from 0 to n[0]: corners first, then
+  /// edges, faces and interior.
   unsigned int
   vtk_hexahedron_point(const std::array<unsigned int, 3> &n,
                        const unsigned int                 i,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `trade`: accuracy against cost. It runs the variants of hierarchies
-// of theories and meshes, each in its own process, and stores their results.
-// scripts/trade.py makes a table, sentences on the cheapest variant, and a
-// picture of them. A variant is an ordinary scene.
+// The room `trade`: comparison of accuracy and cost. It runs variants of a
+// scene (theories and meshes), each in its own process, and stores their
+// results. scripts/trade.py creates a table, names the cheapest variants, and
+// plots errors over cost.
 
 #ifndef lamella_trade_trade_h
 #define lamella_trade_trade_h
@@ -26,33 +26,33 @@ namespace lamella
    * Implements `lamella trade SCENE.prm`: runs variants of a scene (a hierarchy
    * of theories and meshes) and compares their costs and errors.
    *
-   * Each variant is a forked process, in which Simulation or ToleranceRun runs
-   * the scene with its overrides, and Estimation makes error bars if requested.
-   * Seconds and memory are those of a whole run, except for the loading of
-   * libraries. A variant that fails is a row with the reason. The results
-   * return through a pipe and are stored in a record in the variant's folder,
-   * atomically. An interrupted trade is resumed with the variants without a
-   * record. A record is valid for the same scene, mesh files, program and
-   * number of threads.
+   * Each variant runs in a forked process: Simulation or ToleranceRun solves
+   * the scene with changed entries (overrides), and Estimation computes error
+   * bars if requested. Time and memory are those of the whole process. A failed
+   * variant is reported with the reason. Results are stored in a file, the
+   * record, in the folder of the variant. An interrupted trade continues with
+   * the variants without a record. A record is valid for the same scene, mesh
+   * files, program and number of threads.
    */
   class Trade
   {
   public:
-    /// Prepares the trade of the file @p scene_file with @p overrides, read
-    /// into @p scene. Refers to @p scene and @p out; variants run on
-    /// @p threads. MPI must not be initialized. Throws InputError for invalid
-    /// overrides of variants, and for a scene without quantities to compare.
+    /// Prepares the trade of @p scene, which was read from @p scene_file with
+    /// @p overrides. Keeps references to @p scene and @p out, which must
+    /// outlive this object; variants use @p threads threads. MPI must not be
+    /// initialized. Throws InputError for invalid overrides of variants, and
+    /// for a scene without quantities to compare.
     Trade(const std::string              &scene_file,
           const std::vector<std::string> &overrides,
           const Scene                    &scene,
           const unsigned int              threads,
           std::ostream                   &out);
 
-    /// Runs the variants without results in @p directory, into
-    /// variants/NN_NAME, and presents all (present_trade()). Throws InputError
-    /// if another trade runs there, a file cannot be written, the scene has
-    /// changed or a variant lacks a quantity; NumericsError if no reference
-    /// succeeded.
+    /// Runs the variants that have no results yet, each in the folder
+    /// variants/NN_NAME of @p directory, and presents all results
+    /// (present_trade()). Throws InputError if another trade runs in @p
+    /// directory, a file cannot be written, the scene has changed or a variant
+    /// lacks a quantity; NumericsError if no reference solution is found.
     void
     run(const std::string &directory);
 
@@ -63,71 +63,69 @@ namespace lamella
       const TradeVariant &entry;
       /// Overrides of the command line and of the variant.
       std::vector<std::string> overrides;
-      /// Fingerprint that its record must have.
+      /// Fingerprint (see below) that a valid record has.
       std::string fingerprint;
-      /// True if it makes error bars that the run itself does not need.
+      /// True if error bars are computed that the run itself does not need.
       bool bars;
-      /// Folder of its results and its record.
+      /// Folder for the results and the record.
       std::string folder;
     };
 
-    /// Returns the fingerprint for a record: the resolved scene with
-    /// @p variant_overrides but without its Trade, size and time of mesh files
-    /// and program, its version, the threads.
+    /// Returns a text that changes if a stored record becomes invalid: the
+    /// scene with @p variant_overrides and without `Trade`, size and time of
+    /// mesh files and program, version, number of threads.
     std::string
     fingerprint(const std::vector<std::string> &variant_overrides) const;
     /// Returns the fingerprint of the variant @p entry with @p all overrides
-    /// and its task (run, error bars, run to a tolerance).
+    /// and its kind of run (plain, with error bars, to a tolerance).
     std::string
     fingerprint(const TradeVariant             &entry,
                 const std::vector<std::string> &all) const;
-    /// Runs the variants with different fingerprints. Invalid variants are
-    /// failed results.
+    /// Runs the variants; those with equal fingerprints once. Invalid variants
+    /// are stored as failed.
     void
     run_variants(const std::string &directory);
-    /// Runs @p job into @p output, in its own process, and returns the data of
-    /// its record: `values` (VariantValues), and `seconds_of_bars` for error
-    /// bars that the run itself does not need.
+    /// Runs @p job in this process, writes results to the folder @p output, and
+    /// returns the data of the record: `values` (VariantValues), and
+    /// `seconds_of_bars`, the time of error bars that the run does not need.
     nlohmann::json
     run_job(const Job &job, const std::string &output) const;
-    /// Runs run_job() in a process of its own; its output goes into the folder.
+    /// Calls run_job() in a new process; console output goes to the folder.
     ProcessEnd
     run_scene(const Job &job, const std::string &output) const;
-    /// Runs @p work in a process of its own with its own
-    /// MPI(ProcessEnd::result).
+    /// Calls @p work in a new process with its own MPI. Its return value is
+    /// ProcessEnd::result.
     ProcessEnd
     run_in_process(const std::function<nlohmann::json()> &work,
                    const std::string                     &output,
                    const std::string                     &errors,
                    const double                           time_limit) const;
-    /// Sets quantities that only References request to the ply of these. Throws
-    /// InputError for one that the scene does not have.
+    /// Sets the ply of quantities that are compared since they have References.
+    /// Throws InputError for quantities that the scene does not have.
     void
     check_quantities(const std::string &directory);
-    /// Runs @p job, three times if that takes less than a second, and returns
-    /// the record with the costs of the fastest run. If the variant makes error
-    /// bars, only the first run makes them and is kept. Throws InputError if
-    /// scene, mesh files or program have changed since the trade began.
+    /// Runs @p job, three times if a run takes less than a second, and returns
+    /// the record with the cost of the fastest run. Error bars are computed by
+    /// the first run only. Throws InputError if scene, mesh files or program
+    /// have changed since the trade began.
     nlohmann::json
     new_record(const Job &job) const;
-    /// Repeats @p job if it took few @p seconds. Keeps the costs of the fastest
-    /// run in @p result and @p seconds, and its results in the folder unless
-    /// the variant makes error bars.
+    /// Repeats @p job if its run took less than a second. Sets @p result and @p
+    /// seconds to the cost of the fastest run.
     void
     repeat_short_run(const Job      &job,
                      nlohmann::json &result,
                      double         &seconds) const;
-    /// Reads or makes the record of the variant; adds the variant to results.
+    /// Reads the record of the variant or runs it; appends to `results`.
     void
     run_variant(const Job &job);
-    /// Adds a variant that cannot be made to results and numbers.
+    /// Appends the variant @p entry, which failed because of @p why.
     void
     fail(const TradeVariant &entry, const std::string &why);
-    /// Adds the largest quantities of probes, from the finest run.
+    /// Adds the quantities that are largest among probes in the finest run.
     void
     complete_quantities();
-    /// Writes the values and error bars of all quantities into the successful
-    /// results.
+    /// Sets values and error bars of all quantities in the successful results.
     void
     store_values();
 
@@ -137,16 +135,16 @@ namespace lamella
     const Scene             &scene;
     unsigned int             threads;
     std::ostream            &out;
-    /// Fingerprint of the scene as read, without overrides of a variant.
+    /// Fingerprint of the scene without overrides of a variant.
     std::string base;
 
-    /// Quantities of the scene; complete_quantities() adds the rest.
+    /// Compared quantities; complete_quantities() adds more.
     std::vector<NamedQuantity> quantities;
-    /// Result of each variant that was not left out, in their order.
+    /// Result of each variant, in the order of variants.
     std::vector<VariantResult> results;
-    /// Reference of the scene, or the variant that replaces it.
+    /// Reference solution (TradeParameters::reference or its replacement).
     std::string reference;
-    /// Numbers of each result; empty if it failed.
+    /// All output values of each variant; empty if the variant failed.
     std::vector<VariantValues> numbers;
   };
 } // namespace lamella

@@ -10,27 +10,27 @@
 
 namespace lamella
 {
-  /// Costs and values of the variants of a trade, and their reference.
+  /// Results of a trade: cost and values of all variants, and the reference.
   struct TradeFindings
   {
-    /// Variants in the order of the hierarchy. Successful variants have a value
-    /// for each quantity.
+    /// Variants from the cheapest to the finest; successful variants have a
+    /// value for each quantity.
     std::vector<VariantResult> variants;
-    /// Compared quantities, with given numbers if the reference is `given`.
+    /// Compared quantities, with reference values if the reference is `given`.
     std::vector<NamedQuantity> quantities;
     /// `finest`, `solid`, `given` or the name of a variant (TradeParameters).
     std::string reference;
-    /// Relative tolerances.
+    /// Relative errors for which the cheapest variants are named.
     std::vector<double> tolerances;
-    /// Title of the pictures, and text that is printed after the sentences.
+    /// Title of the plots, and text that is printed at the end.
     std::string title, remark = {};
   };
 
-  /// Writes @p findings to trade.json in @p directory and runs scripts/trade.py
-  /// there, which prints tables and sentences, and writes trade.csv and the
-  /// pictures (doc/guides/convergence-study.md). Throws NumericsError if the
-  /// variant of the reference, or every variant, failed; InputError if there is
-  /// no python3 or a file cannot be written.
+  /// Writes @p findings to trade.json in @p directory and runs
+  /// scripts/trade.py, which prints tables and the cheapest variants, and
+  /// writes trade.csv and plots (doc/guides/convergence-study.md). Throws
+  /// NumericsError if the reference variant or every variant failed; InputError
+  /// if python3 is not found or a file cannot be written.
   void
   present_trade(const TradeFindings &findings, const std::string &directory);
 } // namespace lamella

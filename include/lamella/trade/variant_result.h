@@ -15,73 +15,76 @@
 
 namespace lamella
 {
-  /// Error bar of a value, in its unit: GoalResult without reasons.
+  /// Error estimate of an output value, in the unit of the value.
   struct RunErrorBar
   {
-    /// Estimated error, to be added to the value, and its bound.
+    /// Estimated error, which added to the value improves it, and error bound.
     double estimate = 0., bar = 0.;
     /// True if the error bar is reliable.
     bool trusted = false;
   };
 
-  /// Cost and values of a variant of a trade.
+  /// Cost and values of a variant of a trade (comparison of variants of a
+  /// scene).
   struct VariantResult
   {
     /// Name and theory of the TradeVariant.
     std::string name, theory;
-    /// Reason why there is no result; empty if there is one.
+    /// Reason of the failure; empty if the variant succeeded.
     std::string failure;
-    /// Wall seconds of the whole process, without error bars that the run does
-    /// not need.
+    /// Wall time of the process [s], without error bars that the run does not
+    /// need.
     double seconds = 0.;
-    /// Wall seconds by phase, and `total`; may be those of a last pass.
+    /// Wall time [s] by phase, and `total`; of a run to a tolerance that of the
+    /// last refinement pass.
     std::map<std::string, double> phases;
-    /// DoFs of all bodies in the last pass; 0 if failed.
+    /// DoFs of all bodies in the last refinement pass; 0 if the variant failed.
     unsigned int dofs = 0;
     /// Peak memory of the process [MB].
     double memory = 0.;
-    /// Values of the trade's quantities, in the scene's units; empty if failed.
+    /// Values of the compared quantities; empty if the variant failed.
     std::vector<double> values;
-    /// Refinement factors on the scene's meshes; true if other entries changed.
+    /// Refinement factors of the meshes; true if other entries are changed.
     double axis = 1., section = 1.;
     bool   overridden = false;
-    /// Tolerance of the TradeVariant.
+    /// TradeVariant::tolerance.
     std::optional<double> tolerance = {};
-    /// Error bar of each quantity; empty if the variant makes none.
+    /// Error bar of each quantity; empty if none are computed.
     std::vector<std::optional<RunErrorBar>> bars = {};
-    /// Worst values of NonlinearityEstimate of all load steps.
+    /// Largest stiffening and smallest buckling factor of all load steps
+    /// (NonlinearityEstimate).
     double                stiffening      = 0.;
     std::optional<double> buckling_factor = {};
   };
 
-  /// Numbers and costs of a variant, as sent by its process and stored in its
-  /// record. Another trade may use them for other quantities.
+  /// All output values and the cost of a variant, stored in its record, from
+  /// which another trade may evaluate other quantities.
   class VariantValues : public ResultNumbers
   {
   public:
-    /// Creates the numbers of a failed variant: none.
+    /// Constructs an object without values, for a failed variant.
     VariantValues() = default;
 
-    /// Takes the numbers and error bars of @p results. Throws InputError if no
+    /// Copies values and error bars of @p results. Throws InputError if no load
     /// step was solved.
     explicit VariantValues(const Results &results);
 
     /// Reads @p json written by to_json(). Throws nlohmann::json::exception.
     explicit VariantValues(const nlohmann::json &json);
 
-    /// Returns an object from which doubles are restored exactly.
+    /// Returns all data as JSON; doubles are restored exactly.
     nlohmann::json
     to_json() const;
 
-    /// Writes DoFs, seconds, memory and nonlinear effects into @p result.
+    /// Sets DoFs, time, memory and nonlinear effects in @p result.
     void
     tell(VariantResult &result) const;
 
-    /// Returns the error bar of @p quantity; none if it was no goal.
+    /// Returns the error bar of @p quantity, if it was a goal of the run.
     std::optional<RunErrorBar>
     bar(const NamedQuantity &quantity) const;
 
-    /// Returns whether the run made any error bars.
+    /// Returns whether the run computed error bars.
     bool
     has_bars() const
     {
@@ -89,13 +92,13 @@ namespace lamella
     }
 
   private:
-    /// Error bars by the label of the goal.
+    /// Error bars by label of the quantity.
     std::map<std::string, RunErrorBar> bars;
     unsigned int                       dofs = 0;
-    /// Peak memory [MB], and wall seconds by phase.
+    /// Peak memory [MB], and wall time [s] by phase.
     double                        memory = 0.;
     std::map<std::string, double> seconds;
-    /// Stiffening and buckling factor(VariantResult).
+    /// As in VariantResult.
     double                stiffening = 0.;
     std::optional<double> buckling_factor;
   };

@@ -10,38 +10,36 @@
 
 namespace lamella
 {
-  /// Variant of a trade: the scene with these overrides, PATH=VALUE each.
+  /// Variant of a trade: a scene with changed entries (overrides).
   struct Variant
   {
-    /// Name in the scene: `LE-2, axis 2`.
+    /// Name in the scene file, such as `LE-2, axis 2`.
     std::string name;
-    /// Theory, as `LE-2`; `tolerance 1` for a run to a tolerance.
+    /// Theory, such as `LE-2`; `tolerance 1` for a run to 1 % error.
     std::string theory;
-    /// Overrides, to be appended to those of the command line (--set).
+    /// Overrides PATH=VALUE, applied after those of the option --set.
     std::vector<std::string> overrides;
   };
 
   /**
-   * Returns the overrides that change @p scene into the variant @p entry:
-   * refinement in h by factors and in p by theories.
+   * Returns the variant of @p scene that @p entry describes, with overrides for
+   * h-refinement (factors) and p-refinement (theories).
    *
-   * The overrides are, for each body of the trade, its theory and its numbers
-   * of axis elements times the factor (rounded, at least 1). Sections of these
-   * bodies have, with the section's factor,
-   *   laminates       Cells per ply, Cells across times the factor,
-   *   half discs      Finest cell over it, Sectors times it (multiples of 4, at
+   * For each body of the trade, the overrides set the theory and the number of
+   * axis elements times the axis factor (rounded, at least 1). For sections of
+   * these bodies they set, with the section factor F,
+   *   laminates       Cells per ply and Cells across times F,
+   *   half discs      Finest cell over F, Sectors times F (multiples of 4, at
    *                   least 8),
-   *   ellipses        Refinements + log2 of it (rounded, 0 to 6),
-   *   thin walls      Cells per wall, Cells along wall times it.
-   * The overrides of the entry follow. A section is refined for all bodies that
-   * share it. Throws InputError for a factor on a mesh file.
+   *   ellipses        Refinements + log2 F (rounded, 0 to 6),
+   *   thin walls      Cells per wall and Cells along wall times F.
+   * TradeVariant::overrides follow. A section is refined for all bodies that
+   * use it. Throws InputError for a factor of a section from a mesh file.
    *
-   * A run to a tolerance has the overrides Tolerance of Goals, and `auto` for
-   * the Theory of the scene and for Theory and Axis elements of the trade's
-   * bodies. Other bodies begin as in the scene but are refined, too. Here, and
-   * if the trade makes error bars, the quantities of the trade are the goals;
-   * none is named if the trade takes whole probes, which are the goals'
-   * default.
+   * For a run to a tolerance, the overrides set `Tolerance` of Goals, and
+   * `auto` for the theory of the scene and for theory and axis elements of the
+   * bodies of the trade; other bodies are refined, too. For these runs, and if
+   * error bars are requested, the compared quantities become the goals.
    */
   Variant
   make_variant(const TradeVariant &entry, const Scene &scene);

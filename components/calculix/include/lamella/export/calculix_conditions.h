@@ -14,55 +14,56 @@
 
 namespace lamella
 {
-  /// Forces by number of the node, in scene components, at load factor 1.
+  /// Nodal forces at load factor 1, scene axes, by node number.
   using NodalForces = std::map<unsigned int, dealii::Tensor<1, 3>>;
 
-  /// Supports and loads of a scene on the nodes of a deck. Loads become
-  /// consistent nodal forces, f_i = int N_i f dA, of opposite sign at the
-  /// corners of faces of 20-node elements. Supports prescribe nodes, in
-  /// components along the scene's axes. A node of two supports belongs to the
-  /// first, so that their reactions add up. Refers to the scene.
+  /// Supports and loads of a scene as conditions on the nodes of a CalculiX
+  /// input deck. Loads become consistent nodal forces f_i = int N_i f dA.
+  /// Supports prescribe nodal displacements along the axes of the scene. A node
+  /// that belongs to two supports is assigned to the first, so that the sum of
+  /// reactions is correct. Keeps a reference to the scene.
   class CalculixConditions
   {
   public:
-    /// Throws InputError for supports that nodes cannot express: lines and
-    /// points off the nodes, normals oblique to the scene's axes, contradictory
-    /// ones. Throws it also for bodies that only contact constrains: the system
-    /// of CalculiX would be singular.
+    /// Throws InputError for supports that cannot be prescribed at nodes: lines
+    /// and points that are not at nodes, normals oblique to the axes of the
+    /// scene, contradictory values. Throws InputError also for bodies with
+    /// rigid motions that only contact constrains, since the system of CalculiX
+    /// is singular then.
     CalculixConditions(const Scene &scene, const CalculixMesh &mesh);
 
-    /// Returns the nodes at which support @p s, from 0, prescribes the
-    /// component @p c (0 to 2). The support's reaction is the sum over them.
+    /// Returns the nodes at which the support of index @p s prescribes the
+    /// component @p c (0 to 2). The sum of their reactions is the support's.
     const std::set<unsigned int> &
     nodes(const unsigned int s, const unsigned int c) const
     {
       return held[s][c];
     }
 
-    /// Returns the sum of the loads on nodes(s, c) in direction @p c at load
-    /// factor 1. CalculiX adds it to the reactions; readers subtract it.
+    /// Returns the sum of applied nodal forces on nodes(s, c) in direction @p c
+    /// at load factor 1, which CalculiX includes in its reactions.
     double
     load_vector_on(const unsigned int s, const unsigned int c) const;
 
-    /// Returns the name of the set of nodes(s, c): SUPPORT1_X, ...
+    /// Returns the name of the node set of nodes(s, c), such as SUPPORT1_X.
     static std::string
     set_name(const unsigned int s, const unsigned int c);
 
-    /// Writes the node sets for the reactions, one per support and component.
+    /// Writes the node sets, one per support and component.
     void
     write_sets(std::ostream &deck) const;
 
-    /// Writes prescribed displacements and nodal forces times @p factor.
+    /// Writes prescribed displacements and nodal forces, times @p factor.
     void
     write_step(std::ostream &deck, const double factor) const;
 
   private:
-    /// Prescribes the nodes of support number @p s: u in the scene's
-    /// components, or a displacement along outward normals.
+    /// Prescribes the displacements of the nodes of the support of index @p s.
     void
     add_support(const unsigned int s, const CalculixMesh &mesh);
-    /// Prescribes @p value (a length) for a component of @p node, as part of
-    /// support @p s. Throws InputError if another one prescribes another value.
+    /// Prescribes the displacement @p value [length] for @p component of @p
+    /// node by support @p s. Throws InputError if another support prescribes a
+    /// different value.
     void
     hold(const unsigned int  node,
          const unsigned int  component,
@@ -73,9 +74,9 @@ namespace lamella
     const Scene &scene;
     /// Prescribed displacement of each node and component.
     std::map<std::pair<unsigned int, unsigned int>, double> values;
-    /// nodes() of each support and component.
+    /// Nodes of each support and component.
     std::vector<std::array<std::set<unsigned int>, 3>> held;
-    /// Sum of all loads.
+    /// Sum of the nodal forces of all loads.
     NodalForces nodal_forces;
   };
 } // namespace lamella

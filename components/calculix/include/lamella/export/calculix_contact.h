@@ -13,46 +13,47 @@
 
 namespace lamella
 {
-  /// A surface-to-surface contact of CalculiX, which integrates the separation
-  /// from the master over the faces of the slave.
+  /// A surface-to-surface contact of CalculiX.
   struct CalculixContact
   {
     /// Name in the scene.
     std::string name;
-    /// Faces of bodies; the master of an obstacle has those of its layer.
+    /// Element faces; the master faces of an obstacle are those of `layer`.
     CalculixFaces slave, master;
-    /// True if the slave is the scene's second side.
+    /// True if the slave surface is the second side of the contact in the
+    /// scene.
     bool slave_is_second = false;
-    /// Pressure over penetration, force / length^3.
+    /// Penalty stiffness: pressure over penetration [force / length^3].
     double stiffness = 0.;
-    /// Layer of an obstacle, with the numbers of its first node and element.
+    /// Elements of an obstacle, and numbers of its first node and element.
     std::optional<ObstacleLayer> layer;
     unsigned int                 first_node = 0, first_element = 0;
   };
 
   /**
-   * Contacts of a scene as surface-to-surface contact with friction and the
-   * pressure p = K times the penetration, for any enforcement of the scene.
+   * Contacts of a scene as surface-to-surface contacts of CalculiX with
+   * friction. The contact pressure is p = K times penetration, whichever
+   * enforcement the scene uses.
    *
-   * K is @p stiffness, or 100 E_n / h of the softer side (normal modulus over
-   * the depth of the shallowest hexahedron at the surface). K of a slender
-   * body, with a smallest extent d below a tenth of its largest one L, is 10 d
-   * / L times that: CalculiX' contact iterations may fail if the contact is
-   * much stiffer than the body (doc/verification/calculix.md). K is a penalty
-   * per area, eps_N of Eq. 20 [force / length^3].
+   * K is the penalty eps_N of Eq. 20 [force / length^3]. By default it is 100
+   * E_n / h of the softer side (normal modulus E_n, smallest depth h of
+   * hexahedra at the surface). For a slender body, with a smallest extent d
+   * below a tenth of its largest extent L, it is reduced by 10 d / L, since
+   * contact iterations of CalculiX may fail otherwise
+   * (doc/verification/calculix.md).
    *
-   * The slave is the side named by `Slave side`, else the one with smaller
-   * faces on average, or the first if equal; against an obstacle it is the
-   * body. Refers to the scene. Nodes and elements of obstacles are numbered
-   * after those of the mesh.
+   * The slave surface is the one named by `Slave side`, otherwise that with
+   * smaller faces on average; in contact with an obstacle it is the body. Nodes
+   * and elements of obstacles are numbered after those of the bodies. Keeps a
+   * reference to the scene.
    */
   class CalculixContacts
   {
   public:
-    /// Replaces the automatic K of all contacts by @p stiffness, if given.
-    /// Throws InputError for Overclosure = adjust, for surfaces that bodies do
-    /// not have, and for surfaces farther than the search radius from an
-    /// obstacle.
+    /// @p stiffness, if set, replaces the default K of all contacts. Throws
+    /// InputError for Overclosure = adjust, for surfaces that a body does not
+    /// have, and for surfaces that are farther from an obstacle than the search
+    /// radius.
     CalculixContacts(const Scene                 &scene,
                      const CalculixMesh          &mesh,
                      const std::optional<double> &stiffness);
@@ -64,38 +65,37 @@ namespace lamella
       return list;
     }
 
-    /// Returns the surface name of contact @p k, from 0: CONTACT1_SLAVE.
+    /// Returns the surface name of the contact of index @p k: CONTACT1_SLAVE.
     static std::string
     surface_name(const unsigned int k, const bool slave);
 
-    /// Writes layers of obstacles, surfaces, laws and pairs.
+    /// Writes elements of obstacles, surfaces, contact laws and contact pairs.
     void
     write_model(std::ostream &deck) const;
 
-    /// Writes the motion of the obstacles in a load step: @p factor times the
-    /// displacement.
+    /// Writes the displacements of obstacles, times @p factor, for a step.
     void
     write_step(std::ostream &deck, const double factor) const;
 
-    /// Writes the request for resultants and pressures of the contacts.
+    /// Writes the output requests for contact resultants and pressures.
     void
     write_output(std::ostream &deck) const;
 
   private:
-    /// Adds the scene's contact @p k with its automatic K.
+    /// Adds the contact of index @p k in the scene with its default K.
     void
     add(const unsigned int k, const CalculixMesh &mesh);
-    /// Makes @p layer the master of @p contact, with the next free numbers.
+    /// Sets @p layer as master surface of @p contact and numbers its nodes.
     void
     add_layer(ObstacleLayer layer, CalculixContact &contact);
-    /// Writes nodes, elements and a materialof the obstacle of contact @p k.
+    /// Writes nodes, elements and material of the obstacle of contact @p k.
     void
     write_layer(std::ostream &deck, const unsigned int k) const;
 
     const Scene &scene;
-    /// contacts().
+    /// Contacts in the order of the scene.
     std::vector<CalculixContact> list;
-    /// Next free numbers.
+    /// Next free node number and element number.
     unsigned int next_node, next_element;
   };
 } // namespace lamella

@@ -3,7 +3,7 @@
 // The room `export`: scenes in the formats of other programs, so far CalculiX.
 // Start with export_calculix(). It combines a CalculixMesh (hexahedra),
 // CalculixConditions (supports and loads on nodes) and CalculixContacts
-// (surfaces and laws), each of which writes its own cards.
+// (surfaces and contact laws).
 
 #ifndef lamella_export_calculix_deck_h
 #define lamella_export_calculix_deck_h
@@ -14,29 +14,29 @@
 
 namespace lamella
 {
-  /// Options of a deck, as typed by the user.
+  /// Options of the export of a scene as an input deck of CalculiX.
   struct DeckRequest
   {
     /// Output file; the name must end in .inp.
     std::string output;
-    /// Name known to CalculixElement; C3D20R if empty.
+    /// Element type (CalculixElement); C3D20R if empty.
     std::string element;
-    /// Pressure over penetration, force / length^3; empty or `auto`: automatic.
+    /// Contact stiffness, pressure over penetration [force / length^3]; empty
+    /// or `auto` for the default of CalculixContacts.
     std::string contact_stiffness;
   };
 
   /**
-   * Writes @p scene as an input deck of CalculiX, as @p request demands. A
-   * .json of the same name lists the sets of supports and contacts and the
-   * positions of the probes (doc/verification/calculix.md). A summary goes to
+   * Writes @p scene as an input deck of CalculiX with the options @p request. A
+   * .json file of the same name lists the sets of supports and contacts and the
+   * positions of probes (doc/verification/calculix.md). A summary is written to
    * @p out.
    *
-   * The model has other approximations than the scene: all bodies become
-   * hexahedra with plies of their own, contact a linear penalty between
-   * surfaces. Each load factor is a step of linear statics.
+   * The model differs from the scene: all bodies are meshed with hexahedra, and
+   * contact has a linear penalty. Each load factor becomes a static step.
    *
-   * Throws InputError for scenes that a deck cannot express, invalid requests,
-   * and files that cannot be written; existing files stay then. Not parallel.
+   * Throws InputError for features of the scene that cannot be exported,
+   * invalid options and files that cannot be written. One process only.
    */
   void
   export_calculix(const Scene       &scene,

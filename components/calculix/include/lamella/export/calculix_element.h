@@ -10,26 +10,27 @@
 
 namespace lamella
 {
-  /// A hexahedron of CalculiX: the 20-node serendipity element with reduced
-  /// integration (C3D20R), or the trilinear one with incompatible modes (C3D8I)
-  /// or reduced integration (C3D8R). Points are those of the unit cube [0,
-  /// 1]^3, faces and nodes in CalculiX' order (manual, "Eight-node brick
-  /// element" and "Twenty-node brick element"): corners around the bottom z =
-  /// 0, then the top, then midpoints of bottom, top and upright edges.
+  /// A hexahedral element type of CalculiX: 20-node serendipity element with
+  /// reduced integration (C3D20R), trilinear element with incompatible modes
+  /// (C3D8I) or trilinear element with reduced integration (C3D8R). Coordinates
+  /// are in the unit cube [0, 1]^3. Nodes are in the order of CalculiX: corners
+  /// around the bottom z = 0, then the top, then midpoints of bottom, top and
+  /// vertical edges.
   class CalculixElement
   {
   public:
-    /// Throws InputError, with the nearest name, if @p name is not known.
+    /// Throws InputError, which suggests the nearest name, if @p name is
+    /// unknown.
     explicit CalculixElement(const std::string &name);
 
-    /// Returns the name in a deck.
+    /// Returns the name in CalculiX, such as C3D20R.
     const std::string &
     name() const
     {
       return element_name;
     }
 
-    /// Returns the degree of the hexahedra with these nodes: 2 for 20, 1 for 8.
+    /// Returns the degree of the shape functions, 2 or 1.
     unsigned int
     degree() const
     {
@@ -50,27 +51,27 @@ namespace lamella
       return unit_nodes[i];
     }
 
-    /// Returns the shape functions N_i at @p unit, with r = 2 x - 1 in [-1, 1]
-    /// and the node at r_i. The trilinear ones are
+    /// Returns the shape functions N_i at @p unit = x, with r = 2 x - 1 and
+    /// node i at r = r_i. Trilinear shape functions are
     ///   N_i = prod_d (1 + r_id r_d) / 2,
-    /// serendipity at corners (prod_d (1 + r_id r_d) / 2) (sum_d r_id r_d - 2),
-    /// and at midpoints of edges with 1 - r_d^2 in the direction of the edge.
+    /// For 20 nodes, those of corners are these times sum_d r_id r_d - 2; those
+    /// of midpoints have the factor 1 - r_d^2 in the direction of the edge.
     std::vector<double>
     shape_values(const dealii::Point<3> &unit) const;
 
-    /// Returns the nodes, from 0, of deal.II's face @p face (x = 0, x = 1,
-    /// y = 0, ...) in ascending order.
+    /// Returns the node indices, ascending, of the face @p face in deal.II's
+    /// order of faces (x = 0, x = 1, y = 0, ...).
     std::vector<unsigned int>
     face_nodes(const unsigned int face) const;
 
   private:
     std::string element_name;
-    /// unit_node() of each node.
+    /// Unit coordinates of the nodes.
     std::vector<dealii::Point<3>> unit_nodes;
   };
 
-  /// Returns CalculiX' number, 1 to 6 as in S1 to S6, of deal.II's face
-  /// @p face, 0 to 5.
+  /// Returns the number in CalculiX (1 to 6 for S1 to S6) of the face that has
+  /// the index @p face (0 to 5) in deal.II.
   unsigned int
   calculix_face(const unsigned int face);
 } // namespace lamella

@@ -12,24 +12,23 @@
 
 namespace lamella
 {
-  /// A layer of 20-node hexahedra along a part of an obstacle's surface, face 2
-  /// (CalculiX') of each: a rigid surface. Nodes are numbered from 0.
+  /// The rigid surface of an obstacle in CalculiX: a layer of 20-node hexahedra
+  /// whose faces S2 are on the surface. Nodes are numbered from 0.
   struct ObstacleLayer
   {
-    /// Positions in the scene's axes.
+    /// Positions of nodes in scene axes.
     std::vector<dealii::Point<3>> nodes;
-    /// Twenty nodes of each element, in CalculiX' order.
+    /// Twenty nodes of each element, in the order of CalculiX.
     std::vector<std::vector<unsigned int>> elements;
-    /// Displacement of the obstacle at load factor 1, of all nodes.
+    /// Displacement of the obstacle (all nodes) at load factor 1.
     dealii::Tensor<1, 3> displacement;
   };
 
-  /// Returns the layer at the positions @p facing, not empty, of the surface of
-  /// @p obstacle, with a margin on all sides: a twentieth of its extent, plus
-  /// the obstacle's motion along itself. A plane has 8 x 8 elements, a tenth of
-  /// the larger extent deep. Elements of a cylinder span at most 2 degrees, are
-  /// about ten times as long as wide and a tenth of the radius deep; their
-  /// parabola deviates from the circle by less than 1e-8 radii.
+  /// Returns the elements for the part of the surface of @p obstacle that
+  /// contains the points @p facing (not empty), extended on all sides by a
+  /// twentieth of its size plus the tangential displacement of the obstacle. A
+  /// plane has 8 x 8 elements. Elements of a cylinder span at most 2 degrees;
+  /// their parabolic edges deviate from the circle by less than 1e-8 radii.
   ObstacleLayer
   make_layer(const Obstacle                      &obstacle,
              const std::vector<dealii::Point<3>> &facing);
