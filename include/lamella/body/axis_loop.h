@@ -15,13 +15,12 @@
 
 namespace lamella
 {
-  /// Integration along the axis of a beam by sum factorization. With the nodal
-  /// DoFs u_(i,alpha) of section functions alpha and the shape functions N_i of
-  /// axis nodes, the amplitudes at an integration point (station) of an
-  /// element,
+  /// Integration along the axis of a beam by sum factorization. With nodal DoFs
+  /// u_(i,alpha) of section functions alpha and shape functions N_i of axis
+  /// nodes, amplitudes at an integration point (station) of an element,
   ///   q_alpha = sum_i N_i u_(i,alpha),   q_alpha' = sum_i N_i' u_(i,alpha),
-  /// determine section forces W_0 (work-conjugate to q) and W_1 (to q'), whose
-  /// nodal forces are
+  /// determine section forces W_0 (conjugate to q) and W_1 (to q') and nodal
+  /// forces
   ///   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy.
   /// The functions of an element are those of any of its nodes; a missing
   /// amplitude is zero. Each process integrates the elements Axis::own_cells().
@@ -44,8 +43,7 @@ namespace lamella
       return axis.integration_points().size() / axis.n_cells();
     }
 
-    /// Returns the first integration point of this process, and one past the
-    /// last.
+    /// Returns this process's first integration point, and one past the last.
     std::pair<unsigned int, unsigned int>
     own_points() const;
 

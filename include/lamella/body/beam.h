@@ -29,8 +29,8 @@ namespace lamella
    *
    * Rows of K are distributed over processes by axis nodes, volume integrals by
    * axis elements. A "cell" of Location is axis element * (number of section
-   * cells) + section cell, with unit coordinates (xi, position along the axis
-   * element, eta).
+   * cells) + section cell, with unit coordinates (xi, along the axis element,
+   * eta).
    */
   class Beam : public Body
   {
@@ -145,8 +145,8 @@ namespace lamella
       return beam_section->plies();
     }
 
-    /// Thermal load per length on the amplitudes of section functions, integral
-    /// D_s^T C epsilon_0 dA, and on their axial derivatives, integral D_y^T C
+    /// Thermal load per length on amplitudes of section functions, integral
+    /// D_s^T C epsilon_0 dA, and on axial derivatives, integral D_y^T C
     /// epsilon_0 dA.
     struct SectionThermalLoad
     {
@@ -154,8 +154,8 @@ namespace lamella
     };
     SectionThermalLoad
     section_thermal_load(const double y) const;
-    /// Returns the weight per length on each section function, integral rho g .
-    /// Phi_alpha dA.
+    /// Returns the weight per length, integral rho g . Phi_alpha dA for each
+    /// alpha.
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
 
@@ -187,8 +187,7 @@ namespace lamella
     /// the section (CrossSectionElement::edge_points()), with the area int N_i
     /// dy times the tributary length of the edge point; for an end the grid of
     /// section points. Nodes with LE-q have the points of LE-q only, so that
-    /// constraints do not outnumber DoFs. `ends` and `all` repeat shared
-    /// points.
+    /// constraints do not outnumber DoFs.
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
     /// Returns for an end the fewest points that determine its displacement,
@@ -269,8 +268,7 @@ namespace lamella
       return {*space, *beam_axis, dof_map};
     }
 
-    /// Returns section forces and energy per length for amplitudes @p q at
-    /// stations.
+    /// Returns section forces and energy per length for amplitudes @p q.
     virtual SectionForces
     section_forces(const SectionOperator &section_operator,
                    const FieldParts      &q) const;
@@ -282,8 +280,7 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const;
 
-    /// Returns sample_at() for all @p points at each of @p places, axis points
-    /// of one element.
+    /// Returns sample_at() for all @p points at each axis point of @p places.
     virtual std::vector<FieldSample>
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
@@ -297,14 +294,12 @@ namespace lamella
            const dealii::Point<3> &x) const;
 
     /// Returns section forces of the thermal stress C epsilon_0, and its energy
-    /// epsilon_0 . C epsilon_0 / 2 per length, for @p stations, lists of axial
-    /// positions y.
+    /// epsilon_0 . C epsilon_0 / 2 per length, for lists of axial positions y.
     std::vector<SectionForces>
     thermal_forces(const std::vector<std::vector<double>> &stations) const;
 
-    /// Calls @p use for integration points of the section with the thermal
-    /// strain for one kelvin, reversed, and its stress times the integration
-    /// weight.
+    /// Calls @p use for integration points of the section with minus the
+    /// thermal strain per kelvin, and its stress times the integration weight.
     void
     for_each_thermal_point(
       const std::function<void(const SectionPoint &point,
@@ -435,8 +430,8 @@ namespace lamella
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
-    /// Returns the location at @p eta in @p axis_cell and @p unit in @p
-    /// section_cell.
+    /// Returns the location at @p eta of the axis and @p unit of the section
+    /// cell.
     Location
     location(const dealii::Point<3> &position,
              const unsigned int      axis_cell,

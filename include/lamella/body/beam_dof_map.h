@@ -67,8 +67,7 @@ namespace lamella
     field_of(const DofIndex dof) const;
 
   private:
-    /// Distinct lists of section functions, and place() of each function in
-    /// each list.
+    /// Distinct lists of section functions, and place() for each list.
     std::vector<std::vector<unsigned int>> lists;
     std::vector<std::vector<int>>          places;
     /// Index of each node's list in `lists`; first(node), followed by n_dofs().

@@ -18,8 +18,7 @@ namespace lamella
    * Stresses and displacement gradients are evaluated at Barlow points, where
    * stresses are most accurate: Gauss points, as many as the degree along each
    * axis element (stations) and one fewer per direction than for the stiffness
-   * in each section cell. With amplitudes q_a of section functions Phi_a the
-   * gradients are
+   * in each section cell. With amplitudes q_a of section functions Phi_a,
    *   u_,x = sum_a q_a Phi_a,x,  u_,y = sum_a q_a' Phi_a,
    *   u_,z = sum_a q_a Phi_a,z,
    * and the forces apply the transpose of this map to s_ij u_,j. Keeps a

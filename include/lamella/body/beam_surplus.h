@@ -10,8 +10,7 @@
 
 namespace lamella
 {
-  /// Range of a beam axis, from begin to end [length], with elements of equal
-  /// degree.
+  /// Range of a beam axis [length] with elements of equal degree.
   struct AxisSpan
   {
     double       begin = 0., end = 0.;

@@ -108,8 +108,7 @@ namespace lamella
     /// Location of the point, in the element adjacent to the surface.
     Location location;
     /// Data of the automatic penalty E_n A / d (contact/enforcement.h): modulus
-    /// E_n = (n n) : C : (n n) [force / length^2], element depth d along the
-    /// normal n.
+    /// E_n = (n n) : C : (n n) [force / length^2], element depth d along n.
     double normal_modulus = 0., depth = 0.;
   };
 
@@ -129,8 +128,7 @@ namespace lamella
     std::array<dealii::Point<3>, 4> corners;
     /// Degrees in s and t of the grid of nodes used by contact.
     unsigned int degree_s = 0, degree_t = 0;
-    /// Degrees in s and t of the displacement on the facet (its trace), higher
-    /// on curved faces.
+    /// Degrees in s and t of the displacement on the facet (its trace).
     unsigned int trace_degree_s = 0, trace_degree_t = 0;
   };
 
@@ -183,8 +181,7 @@ namespace lamella
     /// total strain epsilon, also for heated bodies. For finite rotations,
     /// integral epsilon . C epsilon_0 dV is subtracted.
     double energy = 0.;
-    /// Largest rotation [rad], |curl u| / 2 if rotations are small; limited by
-    /// solve/checks.h.
+    /// Largest rotation [rad], |curl u| / 2 if rotations are small.
     double max_rotation = 0.;
     /// For finite rotations: largest principal Green strain, largest root mean
     /// square of the axial strain over a section, and (total Lagrangian bodies)
@@ -205,8 +202,7 @@ namespace lamella
    * Displacements are arguments; the body stores none. A "row" is a linear
    * functional of the DoFs, such as a displacement component at a point.
    *
-   * In the principle of virtual displacements (Eqs. 8 to 12) the internal work
-   * is
+   * In the principle of virtual work (Eqs. 8 to 12) the internal work is
    *   delta L_int = delta u . K u,   K = int B^T C B dV,
    * where epsilon = B u at a point is rows(.., Quantity::strain). A force P at
    * the point X contributes to the load vector f by the rows r_c of u_c(X),
@@ -240,8 +236,7 @@ namespace lamella
       return placement;
     }
 
-    /// Returns theory and mesh for output, `LE-2, 20 B4` or `solid-2, 720
-    /// hexahedra`.
+    /// Returns theory and mesh for output, such as `LE-2, 20 B4`.
     virtual std::string
     theory() const = 0;
 
@@ -298,8 +293,8 @@ namespace lamella
     kinematic_constraints() const;
 
     /// Returns the six rigid motions, which span the null space of the
-    /// stiffness: unit translations along the scene's axes and unit rotations
-    /// about them,
+    /// stiffness: unit translations along scene axes and unit rotations about
+    /// them,
     ///   u(X) = e_m,   u(X) = e_m x (X - center()),   m = x, y, z;
     /// without the displacements that the theory lacks
     /// (omitted_rigid_motions()).
@@ -324,7 +319,7 @@ namespace lamella
     }
 
     /// Returns true if the body has finite rotations as DoFs: rows of
-    /// displacements then depend on u (rows_at()), and increments are added by
+    /// displacements depend on u (rows_at()), and increments are added by
     /// retract().
     virtual bool
     constraints_rotate() const
@@ -442,11 +437,10 @@ namespace lamella
     virtual std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const = 0;
 
-    /// Returns for each location the components of @p quantity as linear
-    /// functionals of the DoFs: three displacements in scene axes, or six
-    /// strains or stresses (Eq. 4) in the axes @p frame, means over the
-    /// elements of the location. Stresses of heated plies have the constant -C
-    /// epsilon_0.
+    /// Returns for each location the components of @p quantity as functionals
+    /// of the DoFs: three displacements in scene axes, or six strains or
+    /// stresses (Eq. 4) in the axes @p frame, means over the location's
+    /// elements. Stresses of heated plies have the constant -C epsilon_0.
     virtual std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
@@ -560,7 +554,7 @@ namespace lamella
     line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
     /// Returns ordered points from @p a to @p b that determine the
-    /// displacement: line_degree() + 1 Gauss-Lobatto points in each interval of
+    /// displacement: line_degree() + 1 Gauss-Lobatto points per interval of
     /// line_breaks().
     std::vector<dealii::Point<3>>
     line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;

@@ -14,11 +14,10 @@ namespace lamella
 {
   // Conversion of strains in body axes to output, shared by beam and solid.
 
-  /// An affine map of a strain epsilon (order of Eq. 4) to another strain or
-  /// stress q,
+  /// An affine map of a strain epsilon (order of Eq. 4) to a strain or stress
+  /// q,
   ///   q = matrix epsilon + constant.
-  /// The constant comes from initial strains: stress is C (epsilon -
-  /// epsilon_0).
+  /// The constant is due to initial strains: stress is C (epsilon - epsilon_0).
   struct StrainMap
   {
     ElasticTensor matrix;
@@ -37,16 +36,14 @@ namespace lamella
                   const Triad      &ply,
                   const ElasticLaw &law);
 
-  /// Rotates strains and stresses of a ply from body axes to scene and ply
-  /// axes.
+  /// Rotates strains and stresses from body axes to scene and ply axes.
   class SampleRotations
   {
   public:
     SampleRotations(const Placement &placement, const Triad &ply);
 
     /// Returns the FieldSample of @p displacement, @p strain (order of Eq. 4,
-    /// engineering shear strains) and @p stress, all in body axes; its jump is
-    /// 0.
+    /// engineering shear strains) and @p stress, all in body axes.
     FieldSample
     sample(const dealii::Tensor<1, 3> &displacement,
            const Voigt                &strain,

@@ -30,8 +30,7 @@ namespace lamella
   Quaternion
   compose_rotations(const Quaternion &a, const Quaternion &b);
 
-  /// Returns dq / d theta for a spin theta that follows the rotation @p q: dq =
-  /// (0, theta) q / 2.
+  /// Returns dq / d theta for a spin theta after @p q: dq = (0, theta) q / 2.
   std::array<dealii::Tensor<1, 3>, 4>
   spin_derivative(const Quaternion &q);
 

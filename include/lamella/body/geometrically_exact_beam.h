@@ -201,8 +201,7 @@ namespace lamella
     void
     add_twist_stretch(Law &law) const;
 
-    /// Returns the number of section functions that are rigid motions (the
-    /// first).
+    /// Returns the number of section functions that are rigid motions.
     unsigned int
     n_rigid() const
     {
@@ -307,8 +306,8 @@ namespace lamella
     {
       return -(by_q * q) / 4.;
     }
-    /// Returns the material part of the second derivative of the energy by (Q,
-    /// Q', r').
+    /// Returns the material part of the energy's second derivative by (Q, Q',
+    /// r').
     static dealii::Tensor<2, 11>
     square_of_strains(const Law &law, const FrameStrains &of);
     static void
@@ -328,8 +327,7 @@ namespace lamella
     add_warping_tangent(const unsigned int                cell,
                         dealii::LAPACKFullMatrix<double> &K) const;
 
-    /// Generalized strains and amplitudes of a section, for evaluation of
-    /// fields.
+    /// Generalized strains and amplitudes of a section, for output.
     struct SectionState
     {
       Frame frame;
@@ -344,8 +342,7 @@ namespace lamella
     section_state(const unsigned int cell, const Frame &frame) const;
     SectionState
     section_state(const AxisPoint &on_axis, const Vector &u) const;
-    /// Returns the state with strains interpolated between stations, for
-    /// output.
+    /// Returns the state with strains interpolated between stations.
     SectionState
     output_state(const AxisPoint &on_axis, const Vector &u) const;
 
@@ -360,8 +357,7 @@ namespace lamella
     /// Returns the displacement of @p point, in body axes.
     dealii::Tensor<1, 3>
     displacement(const SectionPoint &point, const SectionState &state) const;
-    /// Returns displacement, strain and stress at @p point of a section at @p
-    /// y.
+    /// Returns displacement, strain and stress at @p point of a section.
     FieldSample
     sample_of_section(const SectionPoint &point,
                       const double        y,

@@ -120,8 +120,7 @@ namespace lamella
       return hanging;
     }
 
-    /// Returns the names of the sides: boundaries of the section, start and
-    /// end.
+    /// Returns the names of the sides: section boundaries, start and end.
     const std::vector<std::string> &
     sides() const
     {

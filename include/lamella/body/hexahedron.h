@@ -24,8 +24,7 @@ namespace lamella
   /// Elasticity matrix C as a function of the point in a hexahedron.
   using StiffnessField = std::function<ElasticTensor(const dealii::Point<3> &)>;
 
-  /// Values N_i and gradients of the shape functions at a point of a
-  /// hexahedron.
+  /// Values N_i and gradients of shape functions at a point of a hexahedron.
   struct HexahedronPoint
   {
     dealii::Point<3> unit, position;

@@ -52,8 +52,7 @@ namespace lamella
     virtual void
     add_geometric_forces(const Vector &w, Vector &f) const = 0;
 
-    /// Returns the largest short_wave_ratio() of s. Must be called after
-    /// solve().
+    /// Returns the largest short_wave_ratio() of s. Call after solve().
     virtual double
     largest_short_wave_ratio() const = 0;
   };

@@ -29,8 +29,7 @@ namespace lamella
   class Solid : public Body
   {
   public:
-    /// Constructs a solid of @p degree 1 or 2; refinement balls are in body
-    /// axes.
+    /// Constructs a solid of @p degree 1 or 2 with refinement in body axes.
     Solid(const std::string                 &name,
           std::shared_ptr<const SectionMesh> section,
           const AxisMesh                    &axis,
@@ -163,8 +162,7 @@ namespace lamella
     /// Returns the DoFs of @p cell in the order of Hexahedron.
     std::vector<DofIndex>
     dofs_of(const unsigned int cell) const;
-    /// Return the elastic law of @p cell and the ply axes at @p x, in body
-    /// axes.
+    /// Return elastic law of @p cell and ply axes at @p x, in body axes.
     ElasticLaw
     law(const unsigned int cell, const dealii::Point<3> &x) const
     {
@@ -210,8 +208,7 @@ namespace lamella
     StiffnessField
     stiffness_of(const unsigned int cell) const;
 
-    /// Adds @p share times the functionals of @p quantity at @p place to @p
-    /// rows.
+    /// Adds @p share times functionals of @p quantity at @p place to @p rows.
     void
     add_to_rows(const Location::Place         &place,
                 const Quantity                 quantity,
@@ -219,8 +216,7 @@ namespace lamella
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
-    /// Returns the cells whose bounding boxes are within @p tolerance of @p
-    /// around.
+    /// Returns the cells with bounding boxes within @p tolerance of @p around.
     std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>>
     cells_near(dealii::BoundingBox<3> around, const double tolerance) const;
 
@@ -228,8 +224,8 @@ namespace lamella
     std::vector<Location>
     locate(const dealii::Point<3> &point, const double tolerance) const;
 
-    /// Returns the point in @p cell nearest to @p x (unit coordinates) and its
-    /// distance.
+    /// Returns unit coordinates and distance of the point in @p cell nearest to
+    /// x.
     std::pair<dealii::Point<3>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;
 

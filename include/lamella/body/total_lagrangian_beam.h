@@ -11,8 +11,7 @@ namespace lamella
   /**
    * A beam with finite rotations in the total Lagrangian formulation, with the
    * kinematics of Beam. Green's strain and the second Piola-Kirchhoff stress
-   * give section forces W_0 and W_1 (FiniteStrainSectionOperator) and nodal
-   * forces
+   * give section forces W (FiniteStrainSectionOperator) and nodal forces
    *   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
    * over the undeformed axis. Displacements are linear in the DoFs, so supports
    * and dead loads are those of a Beam.
@@ -55,8 +54,7 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
 
-    /// Calls @p use with one block per axis element of this process and section
-    /// cell.
+    /// Calls @p use with one block per own axis element and section cell.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -103,8 +101,7 @@ namespace lamella
                const Vector                &correction,
                std::vector<StiffnessBlock> &blocks) const;
 
-    /// Adds the section tangent @p tangent at station @p k of @p cell to @p
-    /// block.
+    /// Adds the section @p tangent at station @p k of @p cell to @p block.
     void
     add_station(const unsigned int                              cell,
                 const unsigned int                              k,

@@ -30,8 +30,7 @@ namespace lamella
       return all;
     }
 
-    /// Returns the forces t dA at points() displaced to @p x, with undeformed
-    /// areas [force].
+    /// Returns the forces t dA at points() displaced to @p x [force].
     std::vector<dealii::Tensor<1, 3>>
     forces(const std::vector<dealii::Point<3>> &x) const;
 

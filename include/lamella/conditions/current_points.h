@@ -46,8 +46,7 @@ namespace lamella
                        const Vector                            &w,
                        Vector                                  &f) const;
 
-    /// Calls @p use for the blocks of the matrix that add_rotated_forces()
-    /// applies to w.
+    /// Calls @p use for the blocks of the matrix of add_rotated_forces().
     void
     for_each_rotation_block(
       const std::vector<dealii::Tensor<1, 3>>           &forces,

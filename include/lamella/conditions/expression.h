@@ -58,8 +58,7 @@ namespace lamella
   };
 
   /// A real function of the scene's x, y, z in the language of muParser
-  /// (deal.II's FunctionParser), with pi. Error messages name its parameter
-  /// file entry.
+  /// (deal.II's FunctionParser), with pi. Error messages name its entry.
   class Expression
   {
   public:

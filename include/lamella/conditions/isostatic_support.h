@@ -42,9 +42,8 @@ namespace lamella
   std::string
   name_of_isostatic_support(const std::string &name);
 
-  /// Sets the rigid motions that the isostatic supports among @p supports
-  /// remove: those that neither other supports nor contacts at @p places
-  /// resist.
+  /// Sets the rigid motions that the isostatic supports in @p supports remove:
+  /// those that neither other supports nor contacts at @p places resist.
   void
   find_isostatic_motions(std::vector<Support>                &supports,
                          const Bodies                        &bodies,

@@ -73,8 +73,8 @@ namespace lamella
 
   /// Returns the point forces of @p load at load factor 1 on @p region of @p
   /// body, by adaptive integration on lines and surfaces (adaptive_moments()).
-  /// Throws InputError as add_load() does, and for a pressure on a point or a
-  /// line.
+  /// Throws InputError as add_load() does, and for pressures on points or
+  /// lines.
   PointForces
   point_forces(const Load &load, const Region &region, const Body &body);
 

@@ -15,8 +15,8 @@ namespace lamella
   /// (`Load factors`). Each load, support or obstacle with its own history
   /// (`Factors`) has a factor t_k. The load vector is
   ///   f(t) = t_0 f_0 + sum_k t_k f_k.
-  /// Temperatures have a separate factor: 1, or less in the increments of the
-  /// first load step.
+  /// Temperatures have a separate factor: 1, or less in increments of the first
+  /// step.
   class LoadFactor
   {
   public:
@@ -56,8 +56,7 @@ namespace lamella
       return own.size();
     }
 
-    /// Returns the factors interpolated linearly from @p from (way = 0) to this
-    /// (way = 1).
+    /// Returns the factors between @p from (@p way = 0) and this (@p way = 1).
     LoadFactor
     after(const LoadFactor &from, const double way) const
     {

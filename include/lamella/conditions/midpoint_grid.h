@@ -32,8 +32,7 @@ namespace lamella
       return kept;
     }
 
-    /// Returns the largest ForceRange::beyond() of @p range for the values of f
-    /// in @p box.
+    /// Returns the largest ForceRange::beyond() of values of f in @p box.
     double
     beyond(const ParameterBox<dim> &box, const ForceRange &range) const;
 

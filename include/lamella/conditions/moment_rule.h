@@ -30,8 +30,7 @@ namespace lamella
     halves(const unsigned int d) const;
   };
 
-  /// Smallest and largest values of each component of f among the values passed
-  /// to add().
+  /// Smallest and largest values of the components of loads passed to add().
   struct ForceRange
   {
     dealii::Tensor<1, 3> low, high;
@@ -81,8 +80,7 @@ namespace lamella
 
     Node
     node(const unsigned int q) const;
-    /// Returns the weight of the Gauss point @p node times the polynomial
-    /// phi_k.
+    /// Returns the Gauss weight of @p node times the polynomial phi_k there.
     double
     weighted(const Node &node, const unsigned int k) const;
 

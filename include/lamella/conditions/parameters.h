@@ -30,8 +30,7 @@ namespace lamella
                 const Entry                    &at,
                 const std::vector<std::string> &bodies);
 
-  /// The entry `Factors`, the load factors of a single load, support or
-  /// obstacle.
+  /// The entry `Factors`: load factors of one load, support or obstacle.
   struct HistoryParameters
   {
     /// Declares the entry in the subsection that @p prm is in.

@@ -17,8 +17,7 @@
 namespace lamella
 {
   /// The points, line or surface of a body, or the whole body, on which a
-  /// support or a load acts: `On = BODY: point | line | body | SURFACE` with
-  /// `At` in a scene.
+  /// support or a load acts: entry `On = BODY: point | line | body | SURFACE`.
   struct Region
   {
     /// Kind of region; `undefined` must not be used.
@@ -105,8 +104,7 @@ namespace lamella
              const std::vector<dealii::Point<3>> &points,
              const std::string                   &path);
 
-  /// Throws InputError, which names the entry @p path, if @p body has no @p
-  /// surface.
+  /// Throws InputError with the entry @p path if @p body has no @p surface.
   void
   check_surface(const Body        &body,
                 const std::string &surface,

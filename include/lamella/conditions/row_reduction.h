@@ -49,8 +49,7 @@ namespace lamella
       return homogeneous;
     }
 
-    /// Returns the particular solution u_p of R u = d, zero in unconstrained
-    /// DoFs.
+    /// Returns the particular solution u_p, zero in unconstrained DoFs.
     const Vector &
     particular() const
     {

@@ -60,8 +60,7 @@ namespace lamella
       return result;
     }
 
-    /// Returns the coefficients of sum_k weights[k] . u_k in the DoFs of
-    /// pattern().
+    /// Returns the coefficients of sum_k weights[k] . u_k in pattern() DoFs.
     std::vector<double>
     form(const std::vector<dealii::Tensor<1, 3>> &weights) const
     {

@@ -49,8 +49,7 @@ namespace lamella
    * with the n corners X_p of both ends (farthest_points()) and rigid motions q
    * that are orthonormal in this product. The stiffness is @p
    * stabilization.share times E A / L (normal modulus and area of the start
-   * section, distance of the ends). No springs are returned if the share is
-   * zero.
+   * section, distance of the ends).
    */
   std::vector<Spring>
   stabilizing_springs(const Body                              &body,

@@ -17,7 +17,7 @@ namespace lamella
   /// Stabilization, otherwise the scene is rejected.
   struct FreeMotion
   {
-    /// Translations t, and rotations about Body::center() times Body::size()
+    /// Translations, and rotations about the center times Body::size()
     /// [length].
     RigidMotion motion;
     /// Description, such as "translation along x with rotation about y";
@@ -68,8 +68,7 @@ namespace lamella
     std::string name;
     /// Regions, possibly of several bodies.
     std::vector<Region> on;
-    /// Components of d in scene axes [length]; a component without value is
-    /// free.
+    /// Components of d in scene axes [length]; free if without value.
     std::array<std::optional<double>, 3> u;
     /// Displacement d along the outward normal n [length]; 0 for symmetry.
     std::optional<double> normal = std::nullopt;
@@ -86,8 +85,7 @@ namespace lamella
 
   /// A linear constraint row(u) = value on the DoFs u of a body. row(u) is the
   /// displacement of a point along a direction or, for an isostatic support, a
-  /// mean over several points. Its multiplier is the reaction along the
-  /// direction.
+  /// mean over points. Its multiplier is the reaction along the direction.
   struct PrescribedFunctional
   {
     /// Linear functional of the DoFs, without constant part.
@@ -110,8 +108,7 @@ namespace lamella
     /// Prescribed rigid motion of the point, if its support has a rotation.
     std::optional<RigidRotation> rotation = {};
 
-    /// Returns the value at load factor @p s, also for finite rotations
-    /// [length].
+    /// Returns the value at load factor @p s with finite rotations [length].
     double
     value_at(const double s) const
     {
@@ -126,8 +123,7 @@ namespace lamella
     }
   };
 
-  /// Returns the rigid motion that @p support, which has a rotation,
-  /// prescribes.
+  /// Returns the rigid motion that @p support with a rotation prescribes.
   RigidRotation
   rigid_rotation(const Support &support, const Bodies &bodies);
 
@@ -139,8 +135,8 @@ namespace lamella
   /// point: up to three per point for displacement components, one per point
   /// for a normal displacement, one per rigid motion of an isostatic support.
   /// They may be linearly dependent (RowReduction). Throws InputError for
-  /// regions outside of their body, and for a normal displacement on a surface
-  /// with corners.
+  /// regions outside of their body, and normal displacements on surfaces with
+  /// corners.
   std::vector<PrescribedFunctional>
   prescribed_functionals(const std::vector<Support> &supports,
                          const Bodies               &bodies);

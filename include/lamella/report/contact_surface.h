@@ -25,8 +25,7 @@ namespace lamella
     /// contact is between bodies of @p structure.
     ContactSurface(const ContactInterface &contact, const Structure &structure);
 
-    /// Quadrilaterals: indices of contact points at the corners, in cyclic
-    /// order.
+    /// Returns the contact points (indices) of quadrilaterals in cyclic order.
     const std::vector<Quadrilateral> &
     quadrilaterals() const
     {

@@ -14,8 +14,7 @@ namespace lamella
   /// with the columns goal, value, estimate (of the error), corrected, bar
   /// (error bound), trusted, tolerance, met, the contributions of axis, fields,
   /// section and contact to the error, stiffening, buckling_factor
-  /// (NonlinearityEstimate of the last step), scale, why. Missing numbers are
-  /// empty.
+  /// (NonlinearityEstimate), scale, why. Missing numbers are empty.
   std::string
   goals_csv(const Results &results);
 

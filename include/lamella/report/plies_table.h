@@ -14,8 +14,7 @@ namespace lamella
   std::string
   plies_header();
 
-  /// Returns the lines of plies.csv for @p step of @p results. Missing values
-  /// are empty.
+  /// Returns the lines of plies.csv for @p step of @p results.
   std::string
   plies_lines(const Results &results, const StepResults &step);
 

@@ -16,10 +16,9 @@ namespace lamella
   using VtuFiles =
     std::map<std::string, std::vector<std::pair<double, std::string>>>;
 
-  /// State of a run after a completed load step, from which the run can be
-  /// resumed; stored in the file `restart`. Doubles are stored exactly, in the
-  /// format of the machine. Table rows beyond `sizes` belong to incomplete
-  /// steps.
+  /// State of a run after a completed load step, from which the run is resumed,
+  /// stored in the file `restart`. Doubles are stored exactly, in the format of
+  /// the machine. Table rows beyond `sizes` belong to incomplete steps.
   struct Restart
   {
     /// Version of the program, and text of the scene with all entries.
@@ -41,8 +40,7 @@ namespace lamella
   write_restart(const Restart &restart, const std::string &directory);
 
   /// Returns the restart data in @p directory. Throws InputError if it is
-  /// missing or damaged, if version or @p scene (text) differ, or if the run is
-  /// finished.
+  /// missing or damaged, if version or @p scene differ, or the run is finished.
   Restart
   read_restart(const std::string &directory, const std::string &scene);
 } // namespace lamella

@@ -15,11 +15,10 @@ namespace lamella
   {
   public:
     /// Creates the folder @p path with its parents and locks it. Throws
-    /// InputError if it cannot be created or written, or is locked by another
-    /// run. Collective.
+    /// InputError if it cannot be written or is locked by another run.
+    /// Collective.
     explicit ResultsFolder(const std::string &path);
-    /// Unlocks the folder; removes it if this object created it and it is
-    /// empty.
+    /// Unlocks the folder; removes a folder created by this if it is empty.
     ~ResultsFolder();
     ResultsFolder(const ResultsFolder &) = delete;
 
@@ -57,8 +56,7 @@ namespace lamella
     still_exists() const;
 
     std::string folder;
-    /// True if this object created the folder; true after make_room() or
-    /// keep().
+    /// True if created by this object; true after make_room() or keep().
     bool is_new = false, is_cleared = false;
     /// Descriptor of the locked folder; -1 except on the root process.
     int descriptor = -1;

@@ -25,8 +25,7 @@ namespace lamella
   /// Writes the results of a run to its folder. After each load step it writes
   /// VTU files, rows of all tables, the summary, and last the restart data with
   /// the sizes of tables. A later failure does not damage completed steps:
-  /// files other than tables are replaced atomically. All functions are
-  /// collective.
+  /// other files are replaced atomically. All functions are collective.
   class ResultsWriter
   {
   public:
@@ -54,8 +53,7 @@ namespace lamella
 
     /// Returns the completed load steps of the run in the folder (Restart) and
     /// removes later rows of tables. Must be called before any step is written.
-    /// Throws InputError as read_restart() does, and if rows of tables are
-    /// missing.
+    /// Throws InputError as read_restart() does, and if table rows are missing.
     std::vector<StepResults>
     resume();
 

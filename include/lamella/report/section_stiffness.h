@@ -28,15 +28,14 @@ namespace lamella
     std::string fault;
     /// Centroid (x, z), the reference point of moments and velocities [length].
     dealii::Point<2> reference_point;
-    /// Section forces per section strain [force, force length, force length^2],
-    /// and the inverse.
+    /// Section forces per strain [force, force length, force length^2];
+    /// inverse.
     SectionTensor stiffness, compliance;
     /// Section constants; angles in (-90, 90] degrees.
     SectionConstants constants;
     /// Mass matrix of the rigid section per length of beam,
     ///   int rho N^T N dA,  N (v, omega) = v + omega x (x - x_c, 0, z - z_c),
-    /// [density length^2, length^3, length^4]. Empty if a material has no
-    /// density.
+    /// [density length^2, length^3, length^4]. Empty without all densities.
     std::optional<SectionTensor> mass;
   };
 
@@ -46,9 +45,8 @@ namespace lamella
   expansion_degree(const SectionMesh &mesh);
 
   /// Computes stiffness (SaintVenant with LE-N, N = expansion_degree()) and
-  /// mass of the section @p mesh. If the computation fails (cells too thin,
-  /// more than 300,000 DoFs with LE-1), `fault` of the result is set. Not
-  /// collective.
+  /// mass of the section @p mesh. If this fails (cells too thin, more than
+  /// 300,000 DoFs with LE-1), `fault` of the result is set. Not collective.
   SectionStiffness
   section_stiffness(std::shared_ptr<const SectionMesh> mesh);
 

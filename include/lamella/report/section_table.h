@@ -12,8 +12,7 @@ namespace lamella
   /// Returns the mesh of a section as CSV for plots. Each cell has a line with
   /// number, ply (from 1), material and fiber angle [degrees]. Its four sides
   /// follow, counter-clockwise, with boundary name (empty inside) and points `x
-  /// z;x z;...` in section axes: both ends, and seven between if the side is
-  /// curved.
+  /// z;x z;...` in section axes: two ends, and seven between if curved.
   std::string
   section_table(const SectionMesh &section);
 

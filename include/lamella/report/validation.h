@@ -39,8 +39,7 @@ namespace lamella
 
   /// Prints the section @p name of the kind @p shape: cells, extents, area,
   /// centroid, second moments of area, lengths of boundaries, areas of
-  /// materials, and G J by Saint-Venant's torsion if available; labels by @p
-  /// units.
+  /// materials, and G J (Saint-Venant) if available; labels by @p units.
   void
   print_section(std::ostream      &out,
                 const std::string &name,

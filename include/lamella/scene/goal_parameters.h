@@ -62,10 +62,10 @@ namespace lamella
 
     /// Returns the entries of `subsection Goals`. @p of_trade are the
     /// quantities named in `subsection Trade`. Throws InputError for a quantity
-    /// that is not in @p names, a tolerance outside of 1e-6 to 100 per cent, a
+    /// not in @p names, a tolerance outside of 1e-6 to 100 per cent, a
     /// tolerance in another unit than its quantity has by @p units, one
     /// absolute tolerance for quantities of different units, and a wrong number
-    /// of tolerances.
+    /// of values.
     static GoalParameters
     parse(const Entries                    &in,
           const QuantityNames              &names,

@@ -8,9 +8,8 @@
 namespace lamella
 {
   /**
-   * Returns @p scene with finite rotations of its bodies and with
-   * finite-sliding contacts. Error bars are disabled unless the scene requests
-   * them.
+   * Returns @p scene with finite rotations of its bodies and finite-sliding
+   * contacts. Error bars are disabled unless the scene requests them.
    *
    * Throws InputError for entries that large rotations do not allow: theories
    * without finite-rotation kinematics, axis elements that lock, solid-1,

@@ -83,8 +83,7 @@ namespace lamella
     std::vector<Measure> measures;
     /// Plies and strength criteria of the failure analysis.
     StrengthParameters strength;
-    /// True if the load factor of first failure is computed after the load
-    /// steps.
+    /// True if the load factor of first failure is computed.
     bool find_first_failure = false;
     /// Reference values of resultant forces.
     ReferencesByName support_references, contact_references;

@@ -23,8 +23,8 @@ namespace lamella
    * '#' begins a comment ('\\#' is a '#' of the value); a backslash at the end
    * joins the next line. The path of an entry is the names of its subsections
    * and its own, joined by '/'; white space in names collapses to single
-   * blanks. The text is UTF-8. Permitted entries are those declared in a
-   * ParameterHandler.
+   * blanks. The text is UTF-8. A ParameterHandler declares the permitted
+   * entries.
    */
   class SceneText
   {
@@ -54,14 +54,12 @@ namespace lamella
 
     /// Sets the entries of @p prm to the values in the text; only entries
     /// outside of subsections if @p top_level_only is true. @p prm must declare
-    /// all these entries. Throws InputError if a value does not match its
-    /// pattern.
+    /// all of them. Throws InputError if a value does not match its pattern.
     void
     fill(dealii::ParameterHandler &prm,
          const bool                top_level_only = false) const;
 
-    /// Returns all entries of @p prm as the text of a scene file, in the order
-    /// of declaration.
+    /// Returns all entries of @p prm as the text of a scene file.
     static std::string
     printed(const dealii::ParameterHandler &prm);
 
@@ -92,13 +90,12 @@ namespace lamella
     std::string
     folder() const;
 
-    /// Returns the value of the entry @p path, if the text or an override sets
-    /// it.
+    /// Returns the value that the text or an override sets for the entry @p
+    /// path.
     std::optional<std::string>
     says(const std::string &path) const;
 
-    /// Sets the entry @p path to @p value unless the text or an override sets
-    /// it.
+    /// Sets the entry @p path to @p value if it has no value yet.
     void
     set_default(const std::string &path, const std::string &value);
 
@@ -149,8 +146,7 @@ namespace lamella
     std::string
     place_of(std::string path) const;
 
-    /// Throws InputError for the subsection @p item, which is not in @p
-    /// declared.
+    /// Throws InputError for the subsection @p item that is not in @p declared.
     [[noreturn]] void
     throw_unknown_subsection(const Item              &item,
                              const std::vector<Item> &declared) const;

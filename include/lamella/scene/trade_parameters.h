@@ -50,8 +50,8 @@ namespace lamella
     /// Compared quantities; by default those of Goals or with References.
     std::vector<NamedQuantity> quantities;
     /// Probes. If `quantities` is empty, the largest displacement and the
-    /// largest stress among these probes are compared. Empty if the reference
-    /// is `given`.
+    /// largest stress among these are compared. Empty if the reference is
+    /// `given`.
     std::vector<std::string> probes_as_goals;
     /// Names of the bodies whose theory and mesh the variants change; by
     /// default all bodies.

@@ -24,16 +24,14 @@ namespace lamella
     bool trusted = false;
   };
 
-  /// Cost and values of a variant of a trade (comparison of variants of a
-  /// scene).
+  /// Cost and values of a variant of a scene in a trade (comparison).
   struct VariantResult
   {
     /// Name and theory of the TradeVariant.
     std::string name, theory;
     /// Reason of the failure; empty if the variant succeeded.
     std::string failure;
-    /// Wall time of the process [s], without error bars that the run does not
-    /// need.
+    /// Wall time of the process [s], without error bars that it does not need.
     double seconds = 0.;
     /// Wall time [s] by phase, and `total`; of a run to a tolerance that of the
     /// last refinement pass.
@@ -65,8 +63,8 @@ namespace lamella
     /// Constructs an object without values, for a failed variant.
     VariantValues() = default;
 
-    /// Copies values and error bars of @p results. Throws InputError if no load
-    /// step was solved.
+    /// Copies values and error bars of @p results. Throws InputError if it has
+    /// no load step.
     explicit VariantValues(const Results &results);
 
     /// Reads @p json written by to_json(). Throws nlohmann::json::exception.

@@ -27,9 +27,9 @@ namespace lamella
   public:
     /// Throws InputError for supports that cannot be prescribed at nodes: lines
     /// and points that are not at nodes, normals oblique to the axes of the
-    /// scene, contradictory values. Throws InputError also for bodies with
-    /// rigid motions that only contact constrains, since the system of CalculiX
-    /// is singular then.
+    /// scene, contradictory values. Throws InputError also if only contact
+    /// constrains a rigid motion, since the system of CalculiX is singular
+    /// then.
     CalculixConditions(const Scene &scene, const CalculixMesh &mesh);
 
     /// Returns the nodes at which the support of index @p s prescribes the
@@ -62,8 +62,8 @@ namespace lamella
     void
     add_support(const unsigned int s, const CalculixMesh &mesh);
     /// Prescribes the displacement @p value [length] for @p component of @p
-    /// node by support @p s. Throws InputError if another support prescribes a
-    /// different value.
+    /// node by support @p s. Throws InputError if another support prescribes
+    /// another value.
     void
     hold(const unsigned int  node,
          const unsigned int  component,

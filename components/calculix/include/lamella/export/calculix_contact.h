@@ -20,8 +20,7 @@ namespace lamella
     std::string name;
     /// Element faces; the master faces of an obstacle are those of `layer`.
     CalculixFaces slave, master;
-    /// True if the slave surface is the second side of the contact in the
-    /// scene.
+    /// True if the slave surface is the second side of the scene's contact.
     bool slave_is_second = false;
     /// Penalty stiffness: pressure over penetration [force / length^3].
     double stiffness = 0.;
@@ -52,8 +51,7 @@ namespace lamella
   public:
     /// @p stiffness, if set, replaces the default K of all contacts. Throws
     /// InputError for Overclosure = adjust, for surfaces that a body does not
-    /// have, and for surfaces that are farther from an obstacle than the search
-    /// radius.
+    /// have, and for surfaces farther from an obstacle than the search radius.
     CalculixContacts(const Scene                 &scene,
                      const CalculixMesh          &mesh,
                      const std::optional<double> &stiffness);

@@ -12,15 +12,14 @@ namespace lamella
 {
   /// A hexahedral element type of CalculiX: 20-node serendipity element with
   /// reduced integration (C3D20R), trilinear element with incompatible modes
-  /// (C3D8I) or trilinear element with reduced integration (C3D8R). Coordinates
-  /// are in the unit cube [0, 1]^3. Nodes are in the order of CalculiX: corners
-  /// around the bottom z = 0, then the top, then midpoints of bottom, top and
-  /// vertical edges.
+  /// (C3D8I) or with reduced integration (C3D8R). Coordinates are in the unit
+  /// cube [0, 1]^3. Nodes are in the order of CalculiX: corners around the
+  /// bottom z = 0, then the top, then midpoints of bottom, top and vertical
+  /// edges.
   class CalculixElement
   {
   public:
-    /// Throws InputError, which suggests the nearest name, if @p name is
-    /// unknown.
+    /// Throws InputError with the nearest name if @p name is unknown.
     explicit CalculixElement(const std::string &name);
 
     /// Returns the name in CalculiX, such as C3D20R.

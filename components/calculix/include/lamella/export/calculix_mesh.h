@@ -32,8 +32,7 @@ namespace lamella
     /// one element wide in two directions.
     CalculixMesh(const Scene &scene, const CalculixElement &element);
 
-    /// Returns the meshed bodies, instances of Solid, in the order of the
-    /// scene.
+    /// Returns the meshed bodies (instances of Solid) in the scene's order.
     const Bodies &
     bodies() const
     {
