@@ -27,10 +27,9 @@ namespace lamella
    * and S_pq over the section (of D_p Phi_alpha . C D_q Phi_beta). The 3 x 3
    * blocks of K are the nuclei k^(ij tau s) of the paper.
    *
-   * Rows of K are distributed over processes by axis nodes, volume integrals by
-   * axis elements. A "cell" of Location is axis element * (number of section
-   * cells) + section cell, with unit coordinates (xi, along the axis element,
-   * eta).
+   * Processes share rows of K by axis nodes, volume integrals by axis elements.
+   * A "cell" of Location is axis element * (number of section cells) + section
+   * cell, with unit coordinates (xi, along the axis element, eta).
    */
   class Beam : public Body
   {
@@ -154,8 +153,7 @@ namespace lamella
     };
     SectionThermalLoad
     section_thermal_load(const double y) const;
-    /// Returns the weight per length, integral rho g . Phi_alpha dA for each
-    /// alpha.
+    /// Returns the weight per length, integral rho g . Phi_alpha dA, by alpha.
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
 
@@ -366,7 +364,8 @@ namespace lamella
       Voigt                strain;
     };
 
-    /// Returns the state at the section point @p point, axis point @p on_axis.
+    /// Returns displacement and strain at section point @p point, axis point @p
+    /// on_axis.
     PointState
     point_state(const SectionPoint &point,
                 const AxisPoint    &on_axis,
@@ -376,7 +375,7 @@ namespace lamella
     Voigt
     expansion_at(const SectionPoint &point) const;
 
-    /// Returns the fields of @p state with stress, in scene and ply axes.
+    /// Returns displacement, strain and stress of @p state, scene and ply axes.
     FieldSample
     field_sample(PointState              state,
                  const SectionPoint     &point,
@@ -395,7 +394,7 @@ namespace lamella
                 const unsigned int n_xi,
                 const unsigned int n_eta) const;
 
-    /// Returns the fields at @p point for given displacement and strain.
+    /// Returns a FieldSample at @p point with @p displacement and @p strain.
     FieldSample
     grid_sample(const GridPoint            &point,
                 const dealii::Tensor<1, 3> &displacement,
@@ -430,8 +429,8 @@ namespace lamella
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
-    /// Returns the location at @p eta of the axis and @p unit of the section
-    /// cell.
+    /// Returns the location at @p eta in the axis element, @p unit in the
+    /// section.
     Location
     location(const dealii::Point<3> &position,
              const unsigned int      axis_cell,

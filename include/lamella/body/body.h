@@ -293,8 +293,7 @@ namespace lamella
     kinematic_constraints() const;
 
     /// Returns the six rigid motions, which span the null space of the
-    /// stiffness: unit translations along scene axes and unit rotations about
-    /// them,
+    /// stiffness: unit translations and rotations along and about scene axes,
     ///   u(X) = e_m,   u(X) = e_m x (X - center()),   m = x, y, z;
     /// without the displacements that the theory lacks
     /// (omitted_rigid_motions()).
@@ -319,8 +318,7 @@ namespace lamella
     }
 
     /// Returns true if the body has finite rotations as DoFs: rows of
-    /// displacements depend on u (rows_at()), and increments are added by
-    /// retract().
+    /// displacements depend on u (rows_at()); retract() adds increments.
     virtual bool
     constraints_rotate() const
     {
@@ -472,11 +470,11 @@ namespace lamella
     virtual FieldSample
     sample(const Location &location, const Vector &u) const;
 
-    /// Returns the undeformed position of @p place, scene axes.
+    /// Returns the undeformed position of a point of an element, scene axes.
     virtual dealii::Point<3>
     position(const Location::Place &place) const = 0;
 
-    /// Returns the ply of the element at @p place.
+    /// Returns the ply and the ply axes at a point of an element.
     virtual PlyAndAxes
     ply_at(const Location::Place &place) const = 0;
 

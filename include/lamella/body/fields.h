@@ -14,8 +14,7 @@ namespace lamella
 {
   // Conversion of strains in body axes to output, shared by beam and solid.
 
-  /// An affine map of a strain epsilon (order of Eq. 4) to a strain or stress
-  /// q,
+  /// An affine map of a strain epsilon (as in Eq. 4) to a strain or stress q,
   ///   q = matrix epsilon + constant.
   /// The constant is due to initial strains: stress is C (epsilon - epsilon_0).
   struct StrainMap

@@ -337,12 +337,12 @@ namespace lamella
       /// Amplitudes of the warping displacements.
       std::vector<double> warping;
     };
-    /// Return the state of a section of the axis element @p cell.
+    /// Return strains and amplitudes of a section of the axis element @p cell.
     SectionState
     section_state(const unsigned int cell, const Frame &frame) const;
     SectionState
     section_state(const AxisPoint &on_axis, const Vector &u) const;
-    /// Returns the state with strains interpolated between stations.
+    /// Returns section_state() with strains interpolated between stations.
     SectionState
     output_state(const AxisPoint &on_axis, const Vector &u) const;
 

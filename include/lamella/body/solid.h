@@ -224,7 +224,7 @@ namespace lamella
     std::vector<Location>
     locate(const dealii::Point<3> &point, const double tolerance) const;
 
-    /// Returns unit coordinates and distance of the point in @p cell nearest to
+    /// Returns unit coordinates and distance of the point of @p cell closest to
     /// x.
     std::pair<dealii::Point<3>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;

@@ -55,7 +55,7 @@ namespace lamella
         const std::vector<std::uint64_t> &grid,
         const std::vector<std::uint64_t> &trace);
 
-    /// Returns the grid node at @p place; none if there is none.
+    /// Returns the number of the grid node at @p place, if a node is there.
     std::optional<unsigned int>
     grid_node(const Location::Place &place) const;
 

@@ -54,7 +54,8 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
 
-    /// Calls @p use with one block per own axis element and section cell.
+    /// Calls @p use with a block per axis element (of this process) and section
+    /// cell.
     void
     for_each_tangent_block(
       const Vector                                      &u,

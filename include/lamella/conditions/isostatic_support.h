@@ -33,8 +33,8 @@ namespace lamella
     dealii::Tensor<1, 3> normal;
   };
 
-  /// Returns the functional n . u at @p place; none if the body does not
-  /// contain the point.
+  /// Returns the normal displacement n . u at @p place as a functional of the
+  /// DoFs; none if the body does not contain the point.
   std::optional<BodyFunctional>
   row_of(const PotentialContact &place, const Bodies &bodies);
 

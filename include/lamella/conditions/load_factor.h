@@ -15,8 +15,8 @@ namespace lamella
   /// (`Load factors`). Each load, support or obstacle with its own history
   /// (`Factors`) has a factor t_k. The load vector is
   ///   f(t) = t_0 f_0 + sum_k t_k f_k.
-  /// Temperatures have a separate factor: 1, or less in increments of the first
-  /// step.
+  /// Temperatures have their own factor: 1, or less while the first step is
+  /// incremented.
   class LoadFactor
   {
   public:

@@ -18,7 +18,7 @@ namespace lamella
     LinearFunctional row;
     /// Stiffness k [force / length].
     double stiffness = 0.;
-    /// Stabilization::share from which k was computed.
+    /// Stiffness k relative to E A / L of the body (Stabilization::share).
     double share = 0.;
     /// Description of the rigid motion that the spring resists.
     std::string motion;

@@ -17,8 +17,7 @@ namespace lamella
   /// Stabilization, otherwise the scene is rejected.
   struct FreeMotion
   {
-    /// Translations, and rotations about the center times Body::size()
-    /// [length].
+    /// Translations, and rotations about the center times the size [length].
     RigidMotion motion;
     /// Description, such as "translation along x with rotation about y";
     /// components below 1 % are omitted.

@@ -24,10 +24,10 @@ namespace lamella
     std::vector<std::vector<Reference>> probes, supports, contacts, measures;
   };
 
-  /// Prints a table with one row for each reference value: name, result in the
-  /// last load step, reference, difference in percent, source. A probe on a ply
-  /// interface has the result of the lower ply. Throws InputError if @p results
-  /// has no load step.
+  /// Prints a table with one row per reference value: name, result in the last
+  /// load step, reference, difference in percent, source. A probe on a ply
+  /// interface has the lower ply's result. Throws InputError if @p results has
+  /// no load step.
   void
   print_comparison(std::ostream         &out,
                    const Results        &results,

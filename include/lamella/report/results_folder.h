@@ -14,9 +14,8 @@ namespace lamella
   class ResultsFolder
   {
   public:
-    /// Creates the folder @p path with its parents and locks it. Throws
-    /// InputError if it cannot be written or is locked by another run.
-    /// Collective.
+    /// Creates the folder @p path with parents and locks it. Throws InputError
+    /// if it cannot be written or is locked by another run. Collective.
     explicit ResultsFolder(const std::string &path);
     /// Unlocks the folder; removes a folder created by this if it is empty.
     ~ResultsFolder();

@@ -90,8 +90,7 @@ namespace lamella
     std::string
     folder() const;
 
-    /// Returns the value that the text or an override sets for the entry @p
-    /// path.
+    /// Returns the value of the entry @p path; none if it is not set.
     std::optional<std::string>
     says(const std::string &path) const;
 

@@ -49,9 +49,8 @@ namespace lamella
     std::vector<TradeVariant> variants;
     /// Compared quantities; by default those of Goals or with References.
     std::vector<NamedQuantity> quantities;
-    /// Probes. If `quantities` is empty, the largest displacement and the
-    /// largest stress among these are compared. Empty if the reference is
-    /// `given`.
+    /// Probes. If `quantities` is empty, the largest displacement and stress
+    /// among these are compared. Empty if the reference is `given`.
     std::vector<std::string> probes_as_goals;
     /// Names of the bodies whose theory and mesh the variants change; by
     /// default all bodies.

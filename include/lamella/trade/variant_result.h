@@ -63,8 +63,8 @@ namespace lamella
     /// Constructs an object without values, for a failed variant.
     VariantValues() = default;
 
-    /// Copies values and error bars of @p results. Throws InputError if it has
-    /// no load step.
+    /// Copies values and error bars of @p results. Throws InputError if no load
+    /// step was solved.
     explicit VariantValues(const Results &results);
 
     /// Reads @p json written by to_json(). Throws nlohmann::json::exception.

@@ -28,8 +28,7 @@ namespace lamella
     /// Throws InputError for supports that cannot be prescribed at nodes: lines
     /// and points that are not at nodes, normals oblique to the axes of the
     /// scene, contradictory values. Throws InputError also if only contact
-    /// constrains a rigid motion, since the system of CalculiX is singular
-    /// then.
+    /// constrains a rigid motion (singular in CalculiX).
     CalculixConditions(const Scene &scene, const CalculixMesh &mesh);
 
     /// Returns the nodes at which the support of index @p s prescribes the

@@ -28,9 +28,8 @@ namespace lamella
 
   /**
    * Writes @p scene as an input deck of CalculiX with the options @p request. A
-   * .json file of the same name lists sets of supports and contacts and
-   * positions of probes (doc/verification/calculix.md). Prints a summary to @p
-   * out.
+   * .json file of the same name lists node sets, contacts and probes
+   * (doc/verification/calculix.md). Prints a summary to @p out.
    *
    * The model differs from the scene: all bodies are meshed with hexahedra, and
    * contact has a linear penalty. Each load factor becomes a static step.
