@@ -19,15 +19,15 @@ namespace lamella
     for (const LocalInteraction &interaction : interactions)
       if (interaction.is_contact_side)
         add("adapt.fields-missing: body " + beam.name() +
-            ": SV has no fields for the local deformation at " +
+            ": theory SV does not represent the local deformation of sections "
+            "near " +
             interaction.name +
-            ": do not use pressures and stresses there. Use SV-N, for example "
+            ", so pressures and stresses there are not accurate. Use Theory = "
             "SV-6");
       else if (interaction.is_heat_source)
-        add(
-          "adapt.fields-missing: body " + beam.name() +
-          ": SV has no fields for heat that varies along the axis: do not use "
-          "stresses there. Use SV-N, for example SV-6");
+        add("adapt.fields-missing: body " + beam.name() +
+            ": theory SV does not represent temperatures that vary along the "
+            "axis, so thermal stresses are not accurate. Use Theory = SV-6");
   }
 
 
@@ -47,11 +47,11 @@ namespace lamella
           if (constrained[0].rows.size() < beam.section().n_fields() &&
               constrained[0].by[0] == interactions[t].name)
             notes.push_back(
-              "adapt.fields-missing: body " + beam.name() + " is heated, and " +
-              interactions[t].name +
-              " constrains its section in part: SV-N has no fields for that. "
-              "Do not use stresses within two section heights of it, or use "
-              "LE-N, or Theories with LE-N there");
+              "adapt.fields-missing: body " + beam.name() +
+              " has a Temperature, and " + interactions[t].name +
+              " constrains some displacements of a section only: SV-N is not "
+              "accurate there. Do not use stresses within two section heights "
+              "of this support, or use LE-N there (Theory or Theories)");
         }
   }
 } // namespace lamella

@@ -320,12 +320,13 @@ namespace lamella
     {
       const Theory &theory = description.theory;
       if (!why.empty())
-        notes.push_back("adapt.all-fields: body " + beam.name() + ": with " +
-                        theory.name() + " " + why +
+        notes.push_back("adapt.all-fields: body " + beam.name() + ", theory " +
+                        theory.name() + ": " + why +
                         (body.facts.is_unsolved ?
-                           "; its nodes" :
-                           "; a reduction saves nothing there, and its nodes") +
-                        " carry all fields of the section (" +
+                           "." :
+                           ", so reducing its DoFs saves nothing.") +
+                        " Each node of the axis has all section functions as "
+                        "DoFs (those of " +
                         beam.section().theory().name() + ")");
       if (theory.order == 0 && description.pieces.empty())
         add_missing_field_notes(beam, body.interactions, notes);
@@ -362,10 +363,10 @@ namespace lamella
         throw InputError(
           "Body " + beam.name() + "/Kinematics/Axis element",
           "B" + std::to_string(beam.axis().degree() + 1),
-          "adapt.axis-element-locks: with " + description.theory.name() +
-            " and Rotations = large the nodes carry all fields of the section, "
-            "and elements of lower degree lock",
-          "Use B4.");
+          "adapt.axis-element-locks: Rotations = large with Theory = " +
+            description.theory.name() +
+            " needs cubic axis elements; B2 and B3 have membrane locking",
+          "Write Axis element = B4.");
       return std::make_unique<TotalLagrangianBeam>(
         beam.name(),
         beam.fields().shared_section(),

@@ -103,21 +103,21 @@ namespace lamella
     std::string
     reason_for_all_fields(const PlanInput &facts, const PlanRules &rules)
     {
-      const BodySize   &size = facts.size;
-      const std::string of_all =
-        " of " + std::to_string(size.fields) + " fields";
+      const BodySize   &size   = facts.size;
+      const std::string of_all = " of " + std::to_string(size.fields);
       if (facts.is_unsolved)
         return "the scene could not be solved in double precision";
       if (size.constrained_along_axis)
-        return "supports hold its sections all along";
+        return "supports constrain its sections along the whole axis";
       if (size.nodes <= rules.min_nodes)
         return "its axis has " + std::to_string(size.nodes) + " nodes only";
       if (facts.held && *facts.held > rules.max_held_share * size.fields)
-        return "supports would hold " +
+        return "supports would constrain " +
                std::to_string(static_cast<unsigned int>(*facts.held)) + of_all +
-               " of a node";
+               " section functions of a node";
       if (facts.wanted && *facts.wanted > rules.max_fields_share * size.fields)
-        return "a node would carry " + std::to_string(*facts.wanted) + of_all;
+        return "a node would need " + std::to_string(*facts.wanted) + of_all +
+               " section functions";
       return "";
     }
   } // namespace

@@ -83,9 +83,11 @@ namespace lamella
         notes.push_back(
           "adapt.too-many-constraints: body " + beam.name() + ": contact " +
           contact.name +
-          " has more constraints than DoFs of LE with a lower degree, so only "
-          "its resultant force is accurate there. Extend the piece of the "
-          "highest degree, or use Discretization = node to surface");
+          " has more contact constraints than the body has DoFs where Theories "
+          "has LE-N of a lower degree. Only the resultant contact force is "
+          "accurate there, not the pressure. Extend the LE-N of the highest "
+          "degree over the contact (Theory breaks), or use Discretization = "
+          "node to surface");
   }
 
 

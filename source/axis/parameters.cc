@@ -65,8 +65,10 @@ namespace lamella
         return 0.;
       const double refinement_factor = entry.number(text.substr(5));
       if (!(refinement_factor >= least && refinement_factor <= most))
-        entry.refuse("axis.factor-out-of-range: the factor must lie between " +
-                     to_text(least) + " and " + to_text(most));
+        entry.refuse("axis.factor-out-of-range: the factor after auto must lie "
+                     "between " +
+                       to_text(least) + " and " + to_text(most),
+                     "Write, for example, auto 2 for twice as many elements.");
       return refinement_factor;
     }
 
@@ -79,12 +81,11 @@ namespace lamella
       const std::vector<unsigned int> elements =
         entry.whole_numbers(1, most_elements);
       if (elements.size() != n_pieces)
-        entry.refuse("axis.count-of-elements: there are " +
-                       std::to_string(n_pieces) +
-                       " pieces (Axis breaks and one) and " +
-                       std::to_string(elements.size()) +
-                       (elements.size() == 1 ? " number" : " numbers"),
-                     "Give a number for each piece.");
+        entry.refuse(
+          "axis.count-of-elements: Axis breaks divide the axis into " +
+            std::to_string(n_pieces) + " parts, but there are " +
+            std::to_string(elements.size()) + " number(s) here",
+          "Give the number of elements of each part, as in 4, 8, 4.");
       return elements;
     }
   } // namespace
@@ -112,8 +113,9 @@ namespace lamella
     else if (!mesh.breaks.empty())
       in["Axis breaks"].refuse(
         "axis.breaks-with-auto: Axis elements = " + elements.text() +
-          " chooses the ends of elements itself",
-        "Leave out Axis breaks, or give numbers of elements.");
+          " chooses the lengths of all elements, so Axis breaks has no effect",
+        "Remove Axis breaks, or write numbers in Axis elements, as in 4, 8, "
+        "4.");
     return mesh;
   }
 } // namespace lamella

@@ -178,11 +178,13 @@ namespace lamella
     std::signal(SIGCHLD, SIG_DFL);
     if (pipe(ends.data()) != 0)
       throw InputError("base.too-many-files: cannot start a process: too many "
-                       "files are open.");
+                       "files are open. Close other programs, or raise the "
+                       "limit (ulimit -n).");
     const pid_t child = fork();
     if (child < 0)
-      throw InputError("base.no-process: cannot start a process: the system "
-                       "allows no more. Close other programs.");
+      throw InputError("base.no-process: cannot start another process: the "
+                       "limit of the operating system is reached. Close other "
+                       "programs, or raise the limit (ulimit -u).");
     if (child == 0)
       {
         close(ends[0]);
@@ -244,8 +246,9 @@ namespace lamella
     pointers.push_back(nullptr);
     std::cout.flush();
     execv(program.c_str(), pointers.data());
-    throw InputError("base.program-not-run: cannot run " + program + ": " +
-                     std::strerror(errno));
+    throw InputError(
+      "base.program-not-run: the operating system could not run " + program +
+      " (" + std::strerror(errno) + ").");
   }
 
 
@@ -285,8 +288,8 @@ namespace lamella
     for (const fs::path &folder : {installed, fs::path(LAMELLA_SCRIPTS)})
       if (fs::is_regular_file(folder / name, error))
         return (folder / name).string();
-    throw InputError("base.program-missing: the program " + name +
-                     " is neither in " + installed.string() +
+    throw InputError("base.program-missing: the file " + name +
+                     " of Lamella is neither in " + installed.string() +
                      " nor in " LAMELLA_SCRIPTS ". Install Lamella again.");
   }
 } // namespace lamella

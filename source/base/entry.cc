@@ -54,10 +54,11 @@ namespace lamella
   Entry::positive() const
   {
     if (is_empty())
-      refuse_missing("entry.is-missing: give a positive number.");
+      refuse_missing("entry.is-missing: give a positive number, for example "
+                     "0.5.");
     const double value = number();
     if (!(value > 0.))
-      refuse("entry.not-positive: must be positive");
+      refuse("entry.not-positive: the value must be positive");
     return value;
   }
 
@@ -82,8 +83,9 @@ namespace lamella
     for (const double value : values)
       {
         if (!(value > previous && value < end))
-          refuse("entry.not-ascending: must ascend between 0 and " + name +
-                 " " + to_text(end));
+          refuse("entry.not-ascending: the values must ascend, each more than "
+                 "0 and less than " +
+                 name + " (" + to_text(end) + "), as in 0.2, 0.5");
         previous = value;
       }
     return values;
@@ -98,8 +100,9 @@ namespace lamella
     for (const double value : numbers())
       {
         if (!(value >= least && value <= most && value == std::floor(value)))
-          refuse("entry.not-whole: must be a whole number from " +
-                 std::to_string(least) + " to " + std::to_string(most));
+          refuse("entry.not-whole: write whole numbers only, from " +
+                 std::to_string(least) + " to " + std::to_string(most) +
+                 ", as in 4");
         values.push_back(static_cast<unsigned int>(value));
       }
     return values;
@@ -112,7 +115,7 @@ namespace lamella
   {
     const std::vector<unsigned int> values = whole_numbers(least, most);
     if (values.size() != 1)
-      refuse("entry.not-one-number: must be one whole number");
+      refuse("entry.not-one-number: write one whole number, as in 4");
     return values[0];
   }
 
@@ -126,7 +129,8 @@ namespace lamella
     if (x.size() != 3)
       refuse("entry.not-a-point: " +
              std::string(part.text() == what ? "" : "'" + part.text() + "' ") +
-             "must be three numbers between commas, as in 0.05, 1, 0.106");
+             "must be three numbers x, y, z with commas between, as in 0.05, "
+             "1, 0.106");
     return {x[0], x[1], x[2]};
   }
 
@@ -144,7 +148,7 @@ namespace lamella
   Entry::boolean() const
   {
     if (what != "true" && what != "false")
-      refuse("entry.not-boolean: must be true or false");
+      refuse("entry.not-boolean: write true or false");
     return what == "true";
   }
 
@@ -157,8 +161,8 @@ namespace lamella
   {
     if (std::find(names.begin(), names.end(), what) == names.end())
       refuse("entry.unknown-name: there is no " + kind + " '" + what + "'",
-             "The nearest of " + list + " is '" + nearest_name(what, names) +
-               "'.");
+             "The most similar name in " + list + " is '" +
+               nearest_name(what, names) + "'.");
     return what;
   }
 

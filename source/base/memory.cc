@@ -169,7 +169,7 @@ namespace lamella
     words >> number >> unit >> more;
     const double factor = unit == "GB" ? 1e9 : unit == "MB" ? 1e6 : 0.;
     if (factor == 0. || !more.empty() || !(entry.number(number) > 0.))
-      entry.refuse("base.invalid-memory: must be auto or a positive number of "
+      entry.refuse("base.invalid-memory: write auto, or a positive number with "
                    "GB or MB, as in 2 GB");
     return factor * entry.number(number);
   }
@@ -204,8 +204,9 @@ namespace lamella
       "base.address-space-limited: the address space of this process is "
       "limited to " +
       gigabytes(limit.rlim_cur) +
-      " (ulimit -v), of which the program's libraries leave less than " +
+      " (ulimit -v); the program needs, beside its libraries, at least " +
       gigabytes(least) +
-      ". Raise it, or bound memory by the entry Memory limit.");
+      ". Raise this limit; to limit memory, use the entry Memory limit of the "
+      "scene.");
   }
 } // namespace lamella

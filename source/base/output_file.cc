@@ -77,7 +77,7 @@ namespace lamella
   throw_cannot_write(const std::string &path)
   {
     throw InputError("base.cannot-write: cannot write " + path +
-                     ". Is the disk full, or was the folder removed? Files "
-                     "written before are complete.");
+                     ". Check that the disk is not full and that the folder "
+                     "still exists. Files written before are complete.");
   }
 } // namespace lamella

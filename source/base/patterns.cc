@@ -141,10 +141,11 @@ namespace lamella
       {
         const double least = std::stod(low);
         if (std::abs(std::stod(high)) < largest_number)
-          return "entry.out-of-range: must lie between " + to_text(least) +
-                 " and " + to_text(std::stod(high));
-        return least > 0. ? "entry.not-positive: must be positive" :
-                            "entry.is-negative: must not be negative";
+          return "entry.out-of-range: the value must lie between " +
+                 to_text(least) + " and " + to_text(std::stod(high)) +
+                 " (inclusive)";
+        return least > 0. ? "entry.not-positive: the value must be positive" :
+                            "entry.is-negative: the value must not be negative";
       }
 
 
@@ -158,11 +159,12 @@ namespace lamella
           "\\[Integer range (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]"),
           range("\\[Double (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]");
         if (std::regex_match(pattern, part, whole))
-          entry.refuse("entry.not-whole: must be a whole number from " +
-                       part[1].str() + " to " + part[2].str());
+          entry.refuse("entry.not-whole: write a whole number from " +
+                       part[1].str() + " to " + part[2].str() + ", as in 4");
         if (std::regex_match(pattern, part, range))
           entry.refuse(rule_of_range(part[1], part[2]));
-        entry.refuse("entry.pattern-mismatch: does not match " + pattern);
+        entry.refuse("entry.pattern-mismatch: the value has not the form " +
+                     pattern + ", in the notation of deal.II's Patterns");
       }
 
 
@@ -177,8 +179,9 @@ namespace lamella
             if (least == 3)
               entry.point();
             entry.refuse("entry.wrong-count: there are " + std::to_string(n) +
-                           " values instead of " + std::to_string(least),
-                         "Write them between commas.");
+                           " values, but there must be " +
+                           std::to_string(least),
+                         "Write the values with commas between.");
           }
         entry.numbers();
         refuse_range(entry, list[1]);
@@ -213,7 +216,8 @@ namespace lamella
       if (std::regex_match(pattern, part, list))
         refuse_list(entry, part);
       if (std::regex_match(pattern, part, choice))
-        entry.refuse("entry.unknown-choice: must be " + alternatives(part[1]));
+        entry.refuse("entry.unknown-choice: the value must be " +
+                     alternatives(part[1]) + " (spelled as here)");
       if (pattern == "[Bool]")
         entry.boolean();
       // Errors of spelling, empty texts and several numbers precede bounds.

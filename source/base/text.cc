@@ -79,7 +79,8 @@ namespace lamella
     if (word.empty() || *end != '\0' || !std::isfinite(value) ||
         word.find_first_of("xX") != std::string::npos)
       return {"entry.not-a-number: '" + word + "' is not a number",
-              "Write it plainly, without a unit, as in 0.05 or 5e-2."};
+              "Write the number alone, without a unit or a formula, as in 0.05 "
+              "or 5e-2."};
     // strtod returns 0 for numbers below the range of doubles.
     const bool is_zero =
       word.substr(0, word.find_first_of("eE")).find_first_of("123456789") ==
@@ -89,7 +90,7 @@ namespace lamella
       return {"entry.number-out-of-range: '" + word +
                 "' is out of range: numbers other than 0 must lie between "
                 "1e-30 and 1e30",
-              "Choose other units."};
+              "Correct the exponent, or choose other Units."};
     return {};
   }
 

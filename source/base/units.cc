@@ -16,7 +16,7 @@ namespace lamella
     if (words == "none")
       return {"", "", "", 1.};
     entry.refuse(
-      "base.unknown-units: must be 'm, N' (stress in Pa), 'mm, N' (stress in "
-      "MPa) or 'none' (no labels, built-in materials in Pa)");
+      "base.unknown-units: write 'm, N' (stresses in Pa), 'mm, N' (stresses in "
+      "MPa) or 'none' (results without units, built-in materials in Pa)");
   }
 } // namespace lamella

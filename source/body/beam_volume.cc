@@ -38,9 +38,10 @@ namespace lamella
     if (beam_section->completes_by_modes())
       throw InputError("Body " + name() + "/Kinematics/Theory",
                        beam_section->theory().name(),
-                       "body.temperature-of-theory: this theory omits the "
-                       "thermal strains of its contraction modes",
-                       "Take TE-2, LE-N or SV-N for a body with a Temperature, "
+                       "body.temperature-of-theory: with Poisson correction "
+                       "this theory omits the thermal expansion of the section "
+                       "in its plane",
+                       "For a body with a Temperature use TE-2, LE-N or SV-N, "
                        "or Poisson correction = false.");
     Body::heat(change);
   }

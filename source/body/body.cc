@@ -75,9 +75,10 @@ namespace lamella
     {
       throw InputError("Material " + ply.material,
                        "",
-                       "body.material-property-missing: has no " + property +
-                         ", and body '" + body.name() +
-                         "', which is made of it, " + what_asks_for_it,
+                       "body.material-property-missing: the material has no " +
+                         property + ", and body '" + body.name() +
+                         "', which consists of this material, " +
+                         what_asks_for_it,
                        remedy);
     }
   } // namespace
@@ -160,16 +161,19 @@ namespace lamella
       throw InputError(
         "Linear solver",
         name_of(requested),
-        "body.solver-in-parallel: works on one process, and there are " +
+        "body.solver-in-parallel: this solver works on one process only, "
+        "but the program was started on " +
           std::to_string(n_processes()),
-        "Choose auto or mumps, or start one process.");
+        "Choose auto or mumps, or start the program without mpirun.");
     if (requested == SolverKind::cg && !is_nodal())
       throw InputError("Linear solver",
                        name_of(requested),
-                       "body.multigrid-of-beam: is not for body '" + name() +
-                         "' (" + theory() +
-                         "): multigrid needs nodal displacements as DoFs, and "
-                         "those of a beam are amplitudes of section functions",
+                       "body.multigrid-of-beam: this solver cannot be used for "
+                       "body '" +
+                         name() + "' (" + theory() +
+                         "): algebraic multigrid needs nodal displacements as "
+                         "DoFs, but the DoFs of a beam are amplitudes of "
+                         "section functions",
                        "Choose auto or mumps.");
     return requested;
   }

@@ -102,8 +102,9 @@ namespace lamella
   {
     for (const auto &list : fields_of_node)
       if (section().n_fields() > n_node_unknowns && !fields().is_dense(list))
-        throw InputError("body.theory-without-rotating-sections: rotating "
-                         "sections need Theory = EBBT, TBT, SV or SV-N.");
+        throw InputError("body.theory-without-rotating-sections: a beam with "
+                         "finite rotations of its sections needs Theory = "
+                         "EBBT, TBT, SV or SV-N.");
     make_stations();
     const SaintVenant states(*deformable_section);
     twist_stretch = std::make_unique<TwistStretch>(states);
@@ -336,7 +337,7 @@ namespace lamella
               "body.twist-needed: body " + name() + " (" + theory() +
               ") bends in two planes and needs to twist by " +
               to_text(theta[c], 2) +
-              " rad, which its theory excludes. Take Theory = SV.");
+              " rad, but its theory excludes twist. Use Theory = SV.");
       }
     return result;
   }

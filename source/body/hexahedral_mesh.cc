@@ -109,9 +109,9 @@ namespace lamella
       throw InputError(
         what,
         "",
-        "body.hanging-nodes: the section's mesh has hanging nodes, so it does "
-        "not extrude into a conforming mesh of hexahedra",
-        "Give the section a mesh without hanging nodes.");
+        "body.hanging-nodes: the mesh of the section has hanging nodes, so its "
+        "extrusion along the axis is no conforming mesh of hexahedra",
+        "Use a mesh of the section without hanging nodes.");
     std::vector<double> y{0.};
     for (const double length : element_lengths(axis))
       y.push_back(y.back() + length);
@@ -204,11 +204,11 @@ namespace lamella
         throw InputError(
           what,
           "",
-          "body.too-large: refined to " + to_text(n_cells, 3) +
-            " hexahedra it has some " + to_text(dofs, 2) +
-            " DoFs and needs more than " + gigabytes(matrix + cells) +
+          "body.too-large: the body has " + to_text(n_cells, 3) +
+            " hexahedra after its refinement, about " + to_text(dofs, 2) +
+            " DoFs, and needs more memory than " + gigabytes(matrix + cells) +
             ", and " + gigabytes(allowed) + " are available on each machine",
-          "Refine less often, or near a point only (Refine near).");
+          "Reduce Refinements, or refine near a point only (Refine near).");
     }
 
 
@@ -258,9 +258,10 @@ namespace lamella
               what + "/Kinematics/Refine near",
               "",
               "body.ball-outside: no hexahedron of the body intersects the "
-              "ball of radius " +
+              "ball with the radius " +
                 to_text(ball.radius),
-              "Its center is in the scene's axes; is it near the body?");
+              "Give its center in coordinates of the scene, inside or near the "
+              "body.");
           require(mesh.n_global_active_cells() + 7. * flagged);
           mesh.execute_coarsening_and_refinement();
         }

@@ -121,9 +121,10 @@ namespace lamella
       const double share = entry.number();
       if (!(share >= 0. && share <= largest_stabilization))
         entry.refuse(
-          "body.stabilization-out-of-range: must lie between 0 (none) and " +
+          "body.stabilization-out-of-range: Stabilization must lie between 0 "
+          "(no springs) and " +
           to_text(largest_stabilization) +
-          "; 1e-6 supports a body without changing the result");
+          "; springs of 1e-6 constrain a body and do not change the result");
       return share;
     }
 
@@ -143,9 +144,9 @@ namespace lamella
       body.axis   = AxisParameters::parse(in, length);
       if (body.theory.keeps_sections_normal() && body.axis.degree != 3)
         in["Axis element"].refuse(
-          "body.ebbt-needs-b4: EBBT needs cubic deflections, whose slopes are "
-          "continuous between elements",
-          "Use B4, or TBT.");
+          "body.ebbt-needs-b4: Theory = EBBT needs deflections with continuous "
+          "slopes between elements, that is cubic elements",
+          "Use Axis element = B4, or Theory = TBT.");
       body.refinement = SolidParameters::parse(in, body.placement);
     }
   } // namespace
@@ -194,12 +195,13 @@ namespace lamella
       if (body.axis.length > most * extent)
         throw InputError("Body " + body.name + "/Length",
                          to_text(body.axis.length),
-                         "body.too-slender: is " +
+                         "body.too-slender: the length is " +
                            to_text(body.axis.length / extent, 2) +
-                           " times the extent of its section, " +
-                           to_text(extent, 3) + "; double precision allows " +
+                           " times the size of the section, " +
+                           to_text(extent, 3) +
+                           "; double precision allows at most " +
                            to_text(sensible) + " times",
-                         "Are the units right?");
+                         "Check the units of Length and of the section.");
     }
   } // namespace
 
@@ -223,9 +225,10 @@ namespace lamella
         all,
         "body.column-functions: the section '" + body.section +
           "' is more than " + to_text(LagrangeElement::default_column_aspect) +
-          " times as wide as thick; LE uses functions of whole columns there, "
-          "which differ between orders",
-        "Give all pieces of LE-N the same N, and Section order = auto.");
+          " times as wide as thick. LE-N then uses functions that extend over "
+          "all plies of a column of cells, and these cannot be joined for "
+          "different N",
+        "Use the same N for each LE-N in Theories, and Section order = auto.");
     }
 
 

@@ -18,8 +18,10 @@ namespace lamella
       throw InputError("Placement",
                        "",
                        "body.placement-degenerate: Axis and Up must be neither "
-                       "zero nor parallel; they define the section's x and z",
-                       "Make Up a direction across the axis.");
+                       "zero nor parallel, since they define the directions x "
+                       "and z of the section",
+                       "Choose Up perpendicular to Axis, as in 0, 0, 1 for "
+                       "Axis = 0, 1, 0.");
     Placement placement;
     placement.origin  = origin;
     placement.axes[0] = across / across.norm();

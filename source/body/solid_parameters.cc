@@ -23,10 +23,10 @@ namespace lamella
     {
       const double n = entry.number(piece);
       if (!(n >= 0. && n <= max_ellipse_refinements && n == std::floor(n)))
-        entry.refuse("body.times-out-of-range: the number of times must be "
-                     "whole, from 0 to " +
+        entry.refuse("body.times-out-of-range: the number of refinements "
+                     "(times) must be a whole number from 0 to " +
                      std::to_string(max_ellipse_refinements) +
-                     "; each divides cells into eight");
+                     "; each refinement divides hexahedra into eight");
       return static_cast<unsigned int>(n);
     }
 
@@ -38,13 +38,16 @@ namespace lamella
     {
       const std::vector<std::string> parts = entry.items(':');
       if (parts.size() != 3)
-        entry.refuse("body.invalid-ball: must be x, y, z: radius: times");
+        entry.refuse("body.invalid-ball: write the center, the radius and the "
+                     "number of refinements of a ball as x, y, z: radius: "
+                     "times, for example 0, 1, 0: 0.2: 2");
       SolidRefinement::Ball ball;
       ball.center = placement.to_body(entry.point(parts[0]));
       ball.radius = entry.number(parts[1]);
       ball.times  = times(entry, parts[2]);
       if (!(ball.radius > 0.))
-        entry.refuse("entry.not-positive: the radius must be positive");
+        entry.refuse("entry.not-positive: the radius of the ball must be "
+                     "positive");
       return ball;
     }
   } // namespace

@@ -22,8 +22,8 @@ namespace lamella
       if (section->completes_strains() || axis.degree() != 3)
         throw InputError(
           "body.theory-cannot-rotate: large rotations of a beam need Theory = "
-          "LE-N, or TE-N from TE-2 on, and Axis element = B4: other sections "
-          "cannot represent a rotation, and B2 and B3 have membrane locking.");
+          "LE-N or TE-N with N >= 2, whose sections can rotate, and Axis "
+          "element = B4, since B2 and B3 have membrane locking.");
       return section;
     }
   } // namespace

@@ -23,8 +23,9 @@ namespace lamella
   {
     if (degree < 2)
       throw InputError(
-        "body.solid-1-cannot-rotate: large rotations of a solid need solid-2: "
-        "the incompatible modes of solid-1 are valid for small strains.");
+        "body.solid-1-cannot-rotate: large rotations of a solid need Theory = "
+        "solid-2, since the incompatible modes of solid-1 are formulated with "
+        "infinitesimal strains.");
   }
 
 

@@ -292,7 +292,7 @@ namespace lamella
       {
         material.density = density.number();
         if (*material.density < 0.)
-          density.refuse("entry.is-negative: must not be negative");
+          density.refuse("entry.is-negative: the density must not be negative");
       }
     if (const auto expansion = parse_expansion(in["Thermal expansion"]))
       material.expansion = expansion;

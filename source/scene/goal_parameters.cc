@@ -142,7 +142,7 @@ namespace lamella
       if (unit.empty() || unit == "%")
         return {share_of_one(entry, number), false};
       if (!(number > 0.))
-        entry.refuse("entry.not-positive: must be more than 0");
+        entry.refuse("entry.not-positive: the tolerance must be more than 0");
       if (!goals.probes_as_goals.empty())
         entry.refuse("scene.mixed-units: displacements and stresses of probes "
                      "have no unit in common",

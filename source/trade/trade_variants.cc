@@ -109,7 +109,7 @@ namespace lamella
       fs::rename(path + ".new", path, error);
       if (!file || error)
         throw InputError("base.cannot-write: cannot write " + path +
-                         ". Is the disk full?");
+                         ". Check that the disk is not full.");
     }
 
 

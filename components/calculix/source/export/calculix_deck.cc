@@ -316,8 +316,9 @@ namespace lamella
         throw InputError(fault.rule + ". " + fault.remedy).at(place);
       const double value = to_number(text);
       if (!(value > 0.))
-        throw InputError("entry.not-positive: it must be positive, a pressure "
-                         "over a penetration, or auto.")
+        throw InputError("entry.not-positive: the contact stiffness must be "
+                         "auto or a positive number, in units of pressure per "
+                         "penetration.")
           .at(place);
       return value;
     }
@@ -342,8 +343,8 @@ namespace lamella
                            (second.stream() << meaning_text << std::flush) &&
                            first.commit() && second.commit();
       if (!written)
-        throw InputError("base.cannot-write: it cannot be written. Name a file "
-                         "in a writable folder.")
+        throw InputError("base.cannot-write: the file cannot be written. Name "
+                         "a file in a folder that you may write to.")
           .at(place);
     }
   } // namespace
