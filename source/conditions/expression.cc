@@ -65,7 +65,8 @@ namespace lamella
     const auto fail = [&](const std::string &why) {
       entry.refuse("conditions.invalid-expression: '" + expression +
                      "' is not an expression of x, y, z" + why,
-                   "Write it for muParser, as in -1000*sin(pi*y/2).");
+                   "Write a formula in the syntax of muParser, as in "
+                   "-1000*sin(pi*y/2).");
     };
     const std::string fault = fault_of(expression);
     if (!fault.empty())
@@ -97,13 +98,14 @@ namespace lamella
     const double value = parser.value(x);
     if (!std::isfinite(value))
       entry.refuse("conditions.expression-not-finite: '" + text +
-                     "' is not a finite number at " + to_text(x),
-                   "Change the expression or where it applies.");
+                     "' has no finite value at " + to_text(x) + " (x, y, z)",
+                   "Change the expression, or On and At of the load.");
     if (std::abs(value) > largest_number)
       entry.refuse("conditions.expression-too-large: '" + text + "' is " +
                      to_text(value) + " at " + to_text(x) +
-                     ", and numbers must lie below " + to_text(largest_number),
-                   "Change the expression, or choose other units.");
+                     ", but its size must be less than " +
+                     to_text(largest_number),
+                   "Change the expression, or choose other Units.");
     return value;
   }
 } // namespace lamella

@@ -257,9 +257,9 @@ namespace lamella
         throw InputError("Load " + load.name + "/Pressure",
                          load.pressure.text() + ", follows",
                          "conditions.follower-not-smooth: a follower pressure "
-                         "must be smooth within elements",
-                         "Put shorter elements where it varies (Axis breaks), "
-                         "or leave out 'follows'.");
+                         "must be smooth within each axis element",
+                         "Use shorter elements where the pressure varies (Axis "
+                         "breaks), or remove 'follows'.");
     }
   } // namespace
 

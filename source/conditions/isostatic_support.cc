@@ -182,10 +182,12 @@ namespace lamella
               "Body " + body.name() + "/Isostatic support",
               "true",
               "conditions.loads-not-balanced: the loads on the body are not in "
-              "equilibrium, and no support or contact resists its " +
-                motion.words + ": their resultant is " + to_text(force) +
-                ", their moment about its center " + to_text(moment),
-              "Add a load that balances them, or a support or contact.");
+              "equilibrium, and no support or contact prevents its " +
+                motion.words + ": the resultant force of the loads is " +
+                to_text(force) +
+                ", their moment about the center of the body is " +
+                to_text(moment),
+              "Add a load that balances the others, a support, or a contact.");
           }
       }
   }

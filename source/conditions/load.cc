@@ -254,30 +254,32 @@ namespace lamella
     {
       if (at.error > arithmetic::quadrature_tolerance * at.size)
         notes.push_back("conditions.integral-uncertain: load " + name +
-                        ": the relative error of its integral is " +
+                        ": its numerical integral has a relative error of " +
                         to_text(at.error / at.size, 2) +
-                        ". Let its edges run along the elements, or give it a "
-                        "smoother expression");
+                        ". Put element boundaries where the load begins and "
+                        "ends (Axis breaks), or write a smoother expression");
       if (at.size > 0. && (at.force - at.independent).norm() >
                             agreement * at.size + 2. * at.independent_error)
         notes.push_back(
           "conditions.integral-inconsistent: load " + name +
-          ": a finer quadrature has the resultant " + to_text(at.independent) +
-          " instead of " + to_text(at.force) +
-          ". The expression varies over shorter lengths than quadrature "
-          "points; give it a smoother one, or put more elements where it acts");
+          ": the resultant by a finer quadrature is " +
+          to_text(at.independent) + " instead of " + to_text(at.force) +
+          ". The expression varies within the distance of quadrature points. "
+          "Write a smoother expression, or use more elements where the load "
+          "acts");
       if (at.checked && at.size == 0.)
         notes.push_back(
           "conditions.load-zero: load " + name +
-          " is zero at all of thousands of points of its region. If it should "
-          "not be, its place or extent is wrong, or it is too narrow");
+          " is zero at all sampled points of its region (On). If it should not "
+          "be zero, correct the position or the width of the load in its "
+          "expression");
       if (at.bisections > followed)
         notes.push_back(
           "conditions.load-within-element: load " + name +
-          " varies within an element, around " + to_text(at.place) +
-          ", more than displacements can represent: resultant and work are "
-          "correct, but results near it are those of a load spread over the "
-          "element. Put shorter elements there (Axis breaks)");
+          " varies within an axis element, near " + to_text(at.place) +
+          ", faster than the displacements of this element. Its resultant and "
+          "work are correct, but stresses near it are those of a load spread "
+          "over the element. Use shorter elements there (Axis breaks)");
     }
 
 
@@ -305,9 +307,10 @@ namespace lamella
             notes.push_back("conditions.torque-omitted: load " + name +
                             " twists body " + body.name() + " by a torque of " +
                             to_text(torque) +
-                            " (force times length) about its axis; sections of "
-                            "its theory cannot rotate, and the torque is "
-                            "omitted. Use TE-N or LE-N to include it");
+                            " (force times length) about its axis. The theory "
+                            "of the body has no torsion, so this torque is "
+                            "omitted. Use Theory = TE-N or LE-N to include the "
+                            "torque");
         }
     }
   } // namespace

@@ -17,14 +17,14 @@ namespace lamella
     const std::string &text  = entry.text();
     const auto         colon = text.find(':');
     if (colon == std::string::npos)
-      entry.refuse("conditions.invalid-region: write the body, a colon and the "
-                   "place on it, as in upper: ends");
+      entry.refuse("conditions.invalid-region: write the name of a body, a "
+                   "colon, and a part of the body, as in upper: ends");
     const std::string name  = trimmed(text.substr(0, colon));
     const auto        found = std::find(bodies.begin(), bodies.end(), name);
     if (found == bodies.end())
       entry.refuse("conditions.unknown-body: there is no body '" + name + "'",
-                   "The nearest of Bodies is '" + nearest_name(name, bodies) +
-                     "'.");
+                   "The most similar name in Bodies is '" +
+                     nearest_name(name, bodies) + "'.");
     return {found - bodies.begin(), trimmed(text.substr(colon + 1))};
   }
 
@@ -41,13 +41,14 @@ namespace lamella
       const bool is_point = kind == Region::Kind::point;
       if (is_point ? points.empty() : points.size() != 2)
         at.refuse(
-          "conditions.count-of-points: a " + name_of(kind) +
-          (is_point ? " needs at least one point" : " needs its two ends") +
-          ", three numbers each, with ';' between points");
+          "conditions.count-of-points: a " + name_of(kind) + " in On needs " +
+            (is_point ? "at least one point" : "its two end points") + " here",
+          "Write three numbers x, y, z for each point and ';' between points, "
+          "as in 0, 1, 0; 0, 2, 0.");
       if (!is_point && points[0].distance(points[1]) == 0.)
-        at.refuse("conditions.line-without-length: the two ends of the line "
-                  "are the same point",
-                  "Use On = BODY: point.");
+        at.refuse("conditions.line-without-length: the two end points of the "
+                  "line are the same point",
+                  "Write two different points, or On = BODY: point.");
     }
 
 
@@ -85,16 +86,16 @@ namespace lamella
       for (const Region &other : others)
         if (other.body == region.body && other.kind == region.kind &&
             other.surface == region.surface)
-          on.refuse("conditions.repeated-region: names '" +
+          on.refuse("conditions.repeated-region: the region '" +
                       bodies[region.body] + ": " +
                       (region.kind == Region::Kind::surface ?
                          region.surface :
                          name_of(region.kind)) +
-                      "' twice",
+                      "' is given twice",
                     region.kind == Region::Kind::line ?
-                      "At has the two ends of one line; write a second "
-                      "subsection for a second line." :
-                      "Keep one of the two.");
+                      "At holds the two ends of one line; for a second line "
+                      "write a second subsection." :
+                      "Remove one of the two.");
     }
   } // namespace
 
@@ -121,15 +122,17 @@ namespace lamella
         regions.push_back(region);
       }
     if (regions.empty())
-      on.refuse_missing("conditions.no-region: write BODY: point, line, body "
-                        "or the name of a surface such as ends or top.");
+      on.refuse_missing("conditions.no-region: write where it acts as BODY: "
+                        "point, BODY: line, BODY: body or BODY: SURFACE, as in "
+                        "upper: top.");
     const bool uses_points =
       std::any_of(regions.begin(), regions.end(), [](const Region &r) {
         return !r.at.empty();
       });
     if (!points.empty() && !uses_points)
-      at.refuse("conditions.positions-unused: nothing in On has positions",
-                "Only points and lines have them; remove At or change On.");
+      at.refuse("conditions.positions-unused: At gives positions, but no "
+                "region in On uses them",
+                "Remove At, or write BODY: point or BODY: line in On.");
     return regions;
   }
 
@@ -156,9 +159,10 @@ namespace lamella
     const std::vector<double> factors = entry.numbers();
     if (factors.size() != steps.size())
       entry.refuse("conditions.count-of-factors: there are " +
-                     std::to_string(factors.size()) + " numbers, but " +
+                     std::to_string(factors.size()) +
+                     " factors, but the scene has " +
                      std::to_string(steps.size()) + " Load factors",
-                   "Give one number per load step.");
+                   "Write one factor for each load step.");
     unsigned int number = 0;
     for (unsigned int k = 0; k < steps.size(); ++k)
       number = steps[k].add(factors[k]);
@@ -221,16 +225,18 @@ namespace lamella
         return u;
       const std::vector<std::string> components = entry.items();
       if (components.size() != 3)
-        entry.refuse("conditions.count-of-components: must be three values "
-                     "between commas, each a number or 'free'");
+        entry.refuse("conditions.count-of-components: write three values with "
+                     "commas between, each a number or 'free', as in 0, free, "
+                     "0");
       for (unsigned int c = 0; c < 3; ++c)
         u[c] = components[c] == "free" ?
                  std::optional<double>() :
                  std::optional<double>(entry.number(components[c]));
       if (!u[0] && !u[1] && !u[2])
-        entry.refuse("conditions.all-components-free: all components are free, "
-                     "so this is no support",
-                     "Remove it, or prescribe one.");
+        entry.refuse("conditions.all-components-free: all three components are "
+                     "free, so this support constrains nothing",
+                     "Remove the support, or prescribe a component, as in 0, "
+                     "free, free.");
       return u;
     }
 
@@ -242,13 +248,15 @@ namespace lamella
                  const std::vector<Region> &regions)
     {
       if (!components.is_empty())
-        entry.refuse("conditions.normal-and-u: u is given, too",
-                     "Keep one of the two.");
+        entry.refuse("conditions.normal-and-u: Normal displacement and u "
+                     "cannot both be prescribed",
+                     "Remove one of the two.");
       for (const Region &region : regions)
         if (region.kind != Region::Kind::surface)
           entry.refuse(
-            "conditions.normal-without-surface: only surfaces have a normal",
-            "Name surfaces in On, or prescribe u.");
+            "conditions.normal-without-surface: On names a point, a line or a "
+            "body, and only surfaces have a normal",
+            "Name surfaces in On, as in upper: start, or prescribe u instead.");
       return entry.number();
     }
 
@@ -263,18 +271,21 @@ namespace lamella
         {
           if (!about.is_empty())
             about.refuse(
-              "conditions.about-without-rotation: there is no Rotation",
-              "Leave it out.");
+              "conditions.about-without-rotation: About is the center of a "
+              "Rotation, but the support has no Rotation",
+              "Remove About, or write Rotation.");
           return;
         }
       if (support.normal)
         entry.refuse(
-          "conditions.normal-and-rotation: Normal displacement is given, too",
-          "Keep one of the two.");
+          "conditions.normal-and-rotation: Rotation and Normal displacement "
+          "cannot both be prescribed",
+          "Remove one of the two.");
       if (!support.u[0] || !support.u[1] || !support.u[2])
         entry.refuse("conditions.rotation-with-free-u: a Rotation prescribes "
-                     "all components, and u leaves some free",
-                     "Give u three numbers, or leave it out.");
+                     "all displacement components, but u leaves some of them "
+                     "free",
+                     "Write three numbers in u, or remove u.");
       support.rotation = entry.point();
       if (!about.is_empty())
         support.about = about.point();
@@ -318,7 +329,7 @@ namespace lamella
             on.refuse("conditions.overlapping-surfaces: '" + b.surface +
                         "' of body '" + bodies[b.body] + "' is part of '" +
                         a.surface + "', so the load would act twice there",
-                      "Keep one of the two.");
+                      "Remove one of the two surfaces from On.");
     }
 
 
@@ -407,21 +418,24 @@ namespace lamella
         {
           const bool is_body = region.kind == Region::Kind::body;
           if (heats && !is_body)
-            on.refuse("conditions.temperature-of-part: a Temperature applies "
-                      "to whole bodies",
-                      "Write On = BODY: body, and an expression if it varies.");
+            on.refuse("conditions.temperature-of-part: a Temperature acts on "
+                      "whole bodies only",
+                      "Write On = BODY: body, and for a temperature that "
+                      "varies an expression, as in 50*z.");
           if (!heats && is_body)
-            on.refuse("conditions.load-on-body: a load acts on a point, a line "
-                      "or a surface",
-                      "Only a Temperature acts on a whole body; for weight use "
-                      "Gravity.");
+            on.refuse("conditions.load-on-body: a load other than a "
+                      "Temperature acts on a point, a line or a surface",
+                      "Name one of these in On, as in upper: top; for weight "
+                      "use Gravity.");
           if (needs_surface && region.kind != Region::Kind::surface)
-            what.refuse("conditions.needs-surface: acts on a surface only",
-                        "Use Force at a point or along a line.");
+            what.refuse("conditions.needs-surface: a Pressure or Couple acts "
+                        "on surfaces only",
+                        "Name a surface in On, or use Force at a point or "
+                        "along a line.");
           if (load.couple && region.is_several_surfaces())
             on.refuse("conditions.couple-on-surfaces: '" + region.surface +
-                        "' is several surfaces, and a couple has one center",
-                      "Name one: start, end, or a side.");
+                        "' names several surfaces, but a Couple acts on one",
+                      "Name one surface: start, end, or a side such as top.");
         }
     }
 
@@ -452,8 +466,9 @@ namespace lamella
     {
       const std::vector<double> n = entry.numbers();
       if (n.size() != 3)
-        entry.refuse("conditions.count-of-components: must be three numbers, " +
-                     names + "; there are " + std::to_string(n.size()));
+        entry.refuse(
+          "conditions.count-of-components: there must be three numbers, " +
+          names + ", but there are " + std::to_string(n.size()) + " here");
       return dealii::Point<3>(n[0], n[1], n[2]);
     }
 
@@ -466,13 +481,13 @@ namespace lamella
     {
       for (const Region &region : load.on)
         if (region.kind == Region::Kind::point)
-          what.refuse("conditions.total-force-at-point: is spread over a "
-                      "surface or along a line, and a point has no extent",
-                      "Use Force at a point.");
+          what.refuse("conditions.total-force-at-point: a Total force is "
+                      "spread over surfaces or lines, but On names a point",
+                      "Use Force for a point.");
         else if (region.kind != load.on.front().kind)
-          what.refuse("conditions.mixed-regions: cannot be spread over a "
-                      "surface and along a line at once",
-                      "Write a load for each.");
+          what.refuse("conditions.mixed-regions: a Total force cannot be "
+                      "spread over both surfaces and lines",
+                      "Write one load for the surfaces and one for the lines.");
     }
   } // namespace
 
@@ -490,10 +505,10 @@ namespace lamella
       if (!in[kind].is_empty())
         given.push_back(kind);
     if (given.size() != 1)
-      in.refuse("conditions.not-one-load: give one of Force, Total force, "
-                "Pressure, Couple and Temperature; " +
+      in.refuse("conditions.not-one-load: a load has exactly one of Force, "
+                "Total force, Pressure, Couple and Temperature, but " +
                 (given.empty() ? "none is" : joined(given, " and ") + " are") +
-                " set");
+                " given");
     const Entry on = in["On"], what = in[given.front()];
     Load        load;
     load.name        = name;
@@ -502,8 +517,9 @@ namespace lamella
     load.is_follower = parse_follower(load.pressure);
     if (load.is_follower && load.pressure.empty())
       what.refuse(
-        "conditions.follows-without-pressure: `follows` needs a pressure",
-        "Write a number or an expression before it, `12, follows`.");
+        "conditions.follows-without-pressure: `follows` needs a pressure "
+        "before it",
+        "Write a number or an expression first, as in `12, follows`.");
     load.temperature = in["Temperature"].text();
     if (given.front() == "Couple")
       load.couple = parse_vector(what, "mx, my, mz");
@@ -513,11 +529,12 @@ namespace lamella
       {
         const std::vector<std::string> components = what.items();
         if (components.back() == is_follower)
-          what.refuse("conditions.follows-not-pressure: has a fixed direction",
-                      "Only a Pressure can follow.");
+          what.refuse("conditions.follows-not-pressure: a Force keeps its "
+                      "direction and cannot follow rotations",
+                      "Remove 'follows', or use a Pressure.");
         if (components.size() != 3)
-          what.refuse("conditions.count-of-components: must be three "
-                      "expressions between commas");
+          what.refuse("conditions.count-of-components: write three expressions "
+                      "with commas between, as in 0, 0, -100*y");
         std::copy(components.begin(), components.end(), load.force.begin());
       }
     check_no_overlap(on, load.on, bodies);

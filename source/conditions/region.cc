@@ -115,7 +115,8 @@ namespace lamella
                              body.name() + "', which extends from " +
                              in_words(box.first, digits) + " to " +
                              in_words(box.second, digits),
-                           "Move the point into it.");
+                           "Move the point into the body; coordinates are "
+                           "those of the scene.");
         }
     return found;
   }
@@ -147,8 +148,9 @@ namespace lamella
                        "",
                        "conditions.unknown-surface: body '" + body.name() +
                          "' has no surface '" + surface + "'",
-                       "The nearest is '" + nearest_name(surface, names) +
-                         "'; all of them: " + joined(names) + ".");
+                       "The most similar name is '" +
+                         nearest_name(surface, names) + "'; the surfaces are " +
+                         joined(names) + ".");
   }
 
 

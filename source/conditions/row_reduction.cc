@@ -35,13 +35,13 @@ namespace lamella
             throw InputError(
               "Support " + support_names[rows[equation.number].support],
               "",
-              "conditions.contradicting-supports: contradicts the other "
-              "supports of body '" +
+              "conditions.contradicting-supports: this support contradicts "
+              "other supports of body '" +
                 body.name() + "' at " +
                 to_text(rows[equation.number].position) +
-                ": they prescribe different displacements of the same points",
-              "Remove one, make them and their Factors agree, or put more "
-              "elements between them.");
+                ", where they prescribe other displacements of the same points",
+              "Remove one of these supports, make their displacements and "
+              "Factors equal, or use more elements between them.");
         }
       else
         {

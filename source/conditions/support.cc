@@ -77,7 +77,8 @@ namespace lamella
                                region.surface + "' of body '" + body.name() +
                                "' has a corner at " + to_text(point.position) +
                                ", where it has no normal",
-                             "Name surfaces without corners, or prescribe u.");
+                             "Name surfaces without corners in On, or "
+                             "prescribe u instead.");
           places.push_back(point.location);
           normals.push_back(point.normal);
         }
@@ -180,9 +181,10 @@ namespace lamella
     if (corners.first.distance(corners.second) == 0.)
       throw InputError("Support " + support.name + "/Rotation",
                        to_text(rotation.rotation),
-                       "conditions.rotation-of-point: a rotation of one point "
-                       "about itself has no effect",
-                       "Give About, or support a surface.");
+                       "conditions.rotation-of-point: a rotation of a single "
+                       "point about itself has no effect",
+                       "Give the center of rotation in About, or name a "
+                       "surface in On.");
     return rotation;
   }
 

@@ -35,9 +35,10 @@ namespace lamella
               if (!is_new)
                 entry.refuse("conditions.two-temperatures: body '" +
                                bodies[region.body]->name() +
-                               "' has the Temperature of load " +
-                               other->second + " already",
-                             "Add both in one load.");
+                               "' already has the Temperature of load " +
+                               other->second,
+                             "Write one load with the sum of both "
+                             "temperatures.");
               bodies[region.body]->heat(field);
             }
         }
