@@ -121,11 +121,11 @@ namespace lamella
           throw InputError(
             "Contact " + a.name,
             "",
-            "contact.shared-points: constrains the same " +
+            "contact.shared-points: this contact constrains the same " +
               std::to_string(shared.size()) + " points as Contact " + b.name +
-              ", the first on body '" + bodies[a.first_body]->name() + "' at " +
-              to_text(shared.front()),
-            "Name surfaces without common nodes, or remove one of the "
+              ", one of them on body '" + bodies[a.first_body]->name() +
+              "' at " + to_text(shared.front()),
+            "Name surfaces without common nodes, or remove one of the two "
             "contacts.");
         }
   }
@@ -149,10 +149,10 @@ namespace lamella
             " nodes of First and Second face each other; " +
             std::to_string(contact.nonmatching_nodes) + " nodes of First and " +
             std::to_string(contact.nonmatching_nodes_second) +
-            " of Second face no node of the other surface and could pass "
-            "through it",
-          "Use auto or surface to surface, or give both surfaces the same "
-          "nodes (cells across, axis elements, axis nodes).");
+            " nodes of Second face no node of the other surface and could "
+            "penetrate it",
+          "Write auto or surface to surface, or give both surfaces the same "
+          "nodes (Cells across, Axis elements, Axis nodes).");
       }
   }
 
@@ -240,8 +240,8 @@ namespace lamella
         "contact.large-sliding: contact " + interface.name + ": slip at " +
         to_text(sliding.position) + " is " + to_text(sliding.distance, 3) +
         ", " + to_text(sliding.distance / sliding.spacing, 2) +
-        " times the spacing of points there: small-sliding contact is not "
-        "valid. Use Rotations = large");
+        " times the distance between neighboring contact points, so "
+        "small-sliding contact is not valid. Use Rotations = large");
     unsigned int worst = active.front();
     for (const unsigned int k : active)
       if (interface.points[k].angle > interface.points[worst].angle)
@@ -250,12 +250,12 @@ namespace lamella
     if (angle > large_angle)
       notes.push_back(
         "contact.normals-differ: contact " + interface.name +
-        ": normals of the two sides differ by " +
+        ": the normals of the two surfaces differ by " +
         to_text(180. / numbers::PI * angle, 2) +
         " degrees at the contact point " +
         to_text(interface.points[worst].first) +
-        ": the mesh is too coarse, or the curvature too large for linear "
-        "kinematics. Refine the mesh, or use Rotations = large");
+        ". The mesh is too coarse there, or the curvature is too large for "
+        "linear kinematics. Refine the mesh, or use Rotations = large");
     return notes;
   }
 } // namespace lamella

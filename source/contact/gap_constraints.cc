@@ -240,7 +240,9 @@ namespace lamella
           name_of(contact.overclosure),
           "contact.initial-overlap: the bodies overlap at the start by up to " +
             to_text(-gap) + ", at " + to_text(interface.points[deepest].first),
-          "Move them apart, or use resolve or adjust.");
+          "Move the bodies apart (Origin), or write Overclosure = resolve "
+          "(contact forces push the bodies apart) or adjust (the overlap is "
+          "subtracted from the gaps).");
       for (GapConstraint &row : interface.rows)
         row.initial_gap = std::max(0., row.initial_gap);
     }

@@ -117,9 +117,9 @@ namespace lamella
           "contact.nonmatching-nodes: contact " + interface.name + ": " +
           std::to_string(nodes.beside) + " nodes of First and " +
           std::to_string(nodes.beside_second) +
-          " of Second face no node of the other surface and can pass through "
-          "it. Use Discretization = auto or surface to surface, or give both "
-          "surfaces the same nodes");
+          " nodes of Second face no node of the other surface and can "
+          "penetrate it. Use Discretization = auto or surface to surface, or "
+          "give both surfaces the same nodes");
     }
   } // namespace
 

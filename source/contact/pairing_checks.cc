@@ -64,9 +64,9 @@ namespace lamella
         path,
         "",
         "contact.no-pairs: no point of First faces the obstacle '" +
-          contact.obstacle->name + "' within Search distance " +
-          to_text(search_radius),
-        "Check the name of the surface and the position of the obstacle.");
+          contact.obstacle->name + "' within the search distance " +
+          to_text(search_radius) + " along its normal",
+        "Check the surface in First and the position of the obstacle.");
     const bool to_node = contact.discretization == Discretization::node_to_node;
     const Pairing pairing = pair_node_to_node(points(contact.first),
                                               points(contact.second),
@@ -76,22 +76,22 @@ namespace lamella
     if (to_node && pairing.smallest_offset < std::numeric_limits<double>::max())
       nearest += ", the smallest tangential offset of opposed surfaces is " +
                  to_text(pairing.smallest_offset);
-    const std::string check = ". Choose two surfaces that face each other";
+    const std::string check = ". Name two surfaces that face each other";
     if (to_node)
       throw InputError(
         path,
         "",
-        "contact.no-pairs: no nodes of First and Second face each other (node "
-        "to node)",
+        "contact.no-pairs: node to node contact finds no nodes of First and "
+        "Second that face each other",
         nearest + check +
-          ", and give both the same nodes (cells across, axis elements, axis "
-          "nodes), or use surface to surface.");
+          " and have the same nodes (Cells across, Axis elements, Axis nodes), "
+          "or write Discretization = surface to surface.");
     throw InputError(
       path,
       "",
       "contact.no-pairs: no points of First and Second face each other within "
-      "Search distance " +
-        to_text(search_radius),
+      "the search distance " +
+        to_text(search_radius) + " along their normals",
       nearest + check + ".");
   }
 
@@ -110,10 +110,10 @@ namespace lamella
         "Contact " + contact.name,
         "",
         "contact.surface-behind: the surface '" + contact.first.surface +
-          "' of First lies " + to_text(place.behind) + " behind '" +
+          "' in First lies " + to_text(place.behind) + " behind '" +
           (contact.obstacle != nullptr ? contact.obstacle->name :
                                          contact.second.surface) +
-          "' of Second, at " +
+          "' in Second, at " +
           to_text(on_second ? place.opposite : place.position) + how,
         remedy);
     };

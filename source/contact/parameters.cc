@@ -66,15 +66,14 @@ namespace lamella
       "auto: node to node where every node that faces the other surface faces "
       "one of its nodes, line to roller on rollers that are small beside the "
       "elements (doc/theory/contact.md), else surface to surface, with edge to "
-      "surface beside it where an end of a body presses; "
-      "node to node: rows between nodes that face each other; node to surface: "
-      "between the nodes of one side and the places of the other that they "
-      "face; surface to surface: gaps averaged around the nodes of one side, "
-      "as in mortar methods, whatever the nodes of the other; edge to surface: "
-      "between the nodes of one side where its body starts or ends and the "
-      "other side, wherever they slide; line to roller: "
-      "the line of a beam that is nearest to a cylinder across it, followed as "
-      "it moves over the surface.");
+      "surface beside it where an end of a body presses; node to node: rows "
+      "between nodes that face each other; node to surface: between the nodes "
+      "of one side and the places of the other that they face; surface to "
+      "surface: gaps averaged around the nodes of one side, as in mortar "
+      "methods, whatever the nodes of the other; edge to surface: between the "
+      "nodes of one side where its body starts or ends and the other side, "
+      "wherever they slide; line to roller: the line of a beam that is nearest "
+      "to a cylinder across it, followed as it moves over the surface.");
     prm.declare_entry("Slave side",
                       name_of(SlaveSide::automatic),
                       selection<SlaveSide>(),
@@ -105,9 +104,8 @@ namespace lamella
       "Friction",
       "none",
       patterns::WordOrPattern("none", patterns::optional(patterns::number())),
-      "Coulomb's coefficient mu: shear tractions are at most mu "
-      "times the pressure, and that where it slips; none: no "
-      "friction.");
+      "Coulomb's coefficient mu: shear tractions are at most mu times the "
+      "pressure, and that where it slips; none: no friction.");
   }
 
 
@@ -119,7 +117,8 @@ namespace lamella
     {
       if (entry.is_empty())
         entry.refuse_missing(
-          "contact.side-missing: write BODY: SURFACE, as in upper: bottom.");
+          "contact.side-missing: write a body and one of its surfaces as BODY: "
+          "SURFACE, as in upper: bottom.");
       const auto [body, surface] = parse_on_body(entry, bodies);
       Region region;
       region.body    = body;
@@ -162,8 +161,10 @@ namespace lamella
       const Entry first = in["First"], second = in["Second"];
       if (find_obstacle(first.text(), obstacles) != nullptr)
         first.refuse(
-          "contact.first-is-obstacle: is an obstacle",
-          "Name a surface of a body in First, the obstacle in Second.");
+          "contact.first-is-obstacle: this is an obstacle, but First must be a "
+          "surface of a body",
+          "Write the surface in First, as in upper: bottom, and the obstacle "
+          "in Second.");
       contact.first    = parse_surface(first, bodies);
       contact.obstacle = find_obstacle(second.text(), obstacles);
       if (contact.obstacle != nullptr)
@@ -173,20 +174,22 @@ namespace lamella
       if (find_obstacle(name, obstacles) != nullptr)
         second.refuse("contact.obstacle-with-surface: '" + name +
                         "' is an obstacle, which has no named surfaces",
-                      "Write its name alone.");
+                      "Write the name of the obstacle alone.");
       std::vector<std::string> known = bodies;
       for (const auto &obstacle : obstacles)
         known.push_back(obstacle->name);
       if (!second.is_empty() && colon == std::string::npos)
         second.refuse(
-          "contact.unknown-second: is no obstacle; for a body write BODY: "
-          "SURFACE, as in upper: bottom",
-          "The nearest name is '" + nearest_name(second.text(), known) + "'.");
+          "contact.unknown-second: this is not the name of an obstacle; for a "
+          "body write BODY: SURFACE, as in upper: bottom",
+          "The most similar name is '" + nearest_name(second.text(), known) +
+            "'.");
       contact.second = parse_surface(second, bodies);
       if (contact.first.body == contact.second.body)
         in.refuse("contact.same-body: First and Second are on the same body '" +
                     bodies[contact.first.body] + "'",
-                  "Name surfaces of two bodies; self-contact is not modeled.");
+                  "Name surfaces of two different bodies; contact of a body "
+                  "with itself is not supported.");
     }
 
 
@@ -204,8 +207,7 @@ namespace lamella
         friction.refuse(
           "contact.friction-out-of-range: the friction coefficient must lie "
           "between 0 and 10",
-          "Give the ratio of shear to pressure at which the contact slips, as "
-          "0.3, or none.");
+          "Write the coefficient of friction, as in 0.3, or none.");
       return mu;
     }
 
@@ -228,7 +230,8 @@ namespace lamella
       const double value = tolerance.positive();
       if (!(value < 0.5))
         tolerance.refuse(
-          "contact.tolerance-out-of-range: must lie between 0 and 0.5");
+          "contact.tolerance-out-of-range: the tolerance must be more than 0 "
+          "and less than 0.5, for example 1e-6");
       return value;
     }
 
@@ -244,9 +247,10 @@ namespace lamella
       for (const char *const end : {"start", "end", "ends"})
         if (surface == end)
           in[on_second ? "Second" : "First"].refuse(
-            "contact.edges-of-end-face: edge to surface needs a side of the "
-            "body, whose edges are at the body's ends",
-            "Name a side, as in upper: bottom.");
+            "contact.edges-of-end-face: edge to surface contact needs a "
+            "lateral surface, which has edges at the ends of the body",
+            "Name a lateral surface such as top or bottom, as in upper: "
+            "bottom.");
     }
 
 
@@ -257,21 +261,23 @@ namespace lamella
     {
       const std::string rule =
         "contact.obstacle-without-nodes: the obstacle '" +
-        contact.obstacle->name + "' has no nodes";
+        contact.obstacle->name + "' is rigid and has no nodes";
       if (contact.discretization == Discretization::node_to_node)
         in["Discretization"].refuse(
           rule, "Use auto, surface to surface, or node to surface.");
       if (contact.discretization == Discretization::edge_to_surface)
         in["Discretization"].refuse(
           "contact.edges-on-obstacle: the obstacle '" + contact.obstacle->name +
-            "' is in contact with all nodes of First, also those at its ends",
-          "Use node to surface.");
+            "' needs no edge to surface contact: it is in contact with all "
+            "nodes of First, also those at the ends",
+          "Write Discretization = node to surface.");
       if (contact.discretization == Discretization::line_to_roller &&
           contact.obstacle->shape != Obstacle::Shape::cylinder)
         in["Discretization"].refuse("contact.not-a-cylinder: the obstacle '" +
                                       contact.obstacle->name +
-                                      "' is no cylinder",
-                                    "Use auto.");
+                                      "' is no cylinder, which line to roller "
+                                      "contact needs",
+                                    "Write Discretization = auto.");
       if (contact.slave_side == SlaveSide::second)
         in["Slave side"].refuse(rule, "Use first, or auto.");
     }
@@ -297,7 +303,10 @@ namespace lamella
       check_obstacle(contact, in);
     else if (contact.discretization == Discretization::line_to_roller)
       in["Discretization"].refuse(
-        "contact.second-not-obstacle: Second is no obstacle", "Use auto.");
+        "contact.second-not-obstacle: line to roller contact needs an obstacle "
+        "in Second",
+        "Write Discretization = auto, or name a cylinder of "
+        "Obstacles in Second.");
     else if (contact.discretization == Discretization::edge_to_surface)
       check_edges(contact, in);
     contact.search_distance = parse_search_distance(in["Search distance"]);
@@ -353,7 +362,8 @@ namespace lamella
     {
       const Tensor<1, 3> direction = entry.point();
       if (!(direction.norm() > 0.))
-        entry.refuse("contact.zero-direction: the direction must not be zero");
+        entry.refuse("contact.zero-direction: the direction must not be the "
+                     "zero vector; write, for example, 0, 0, 1");
       return direction / direction.norm();
     }
   } // namespace
@@ -366,7 +376,8 @@ namespace lamella
     auto        obstacle = std::make_shared<Obstacle>();
     const Entry shape = in["Shape"], radius = in["Radius"];
     if (shape.is_empty())
-      shape.refuse_missing("contact.shape-missing: write plane or cylinder.");
+      shape.refuse_missing("contact.shape-missing: write plane or cylinder, "
+                           "the shape of the obstacle.");
     obstacle->name         = name;
     obstacle->shape        = shape.choice<Obstacle::Shape>();
     obstacle->point        = in["Through"].point();
@@ -375,14 +386,15 @@ namespace lamella
       {
         if (!radius.is_empty())
           radius.refuse("contact.radius-of-plane: a plane has no radius",
-                        "Leave the entry out, or set Shape = cylinder.");
+                        "Remove Radius, or write Shape = cylinder.");
         obstacle->direction = parse_direction(in["Normal"]);
         return obstacle;
       }
     obstacle->direction = parse_direction(in["Axis"]);
     if (radius.is_empty())
       radius.refuse_missing(
-        "contact.radius-missing: give the cylinder a positive radius.");
+        "contact.radius-missing: write the radius of the cylinder, a positive "
+        "number such as 0.5.");
     obstacle->radius = radius.positive();
     return obstacle;
   }

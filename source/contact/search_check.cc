@@ -130,10 +130,12 @@ namespace lamella
     throw NumericsError(
       "contact.search-distance-too-small: Contact " + contact.name +
       "/Search distance = " + to_text(*contact.search_distance) + ": " +
-      std::to_string(count) + (count == 1 ? " point" : " points") +
-      " without a full partner within this distance touch '" +
-      interface.second_name + "', at " + to_text(worst->position) +
-      (deepest < 0. ? ", " + to_text(-deepest, 3) + " inside of it" : "") +
-      ". Use auto, or at least " + to_text(enough * widest, 2) + ".");
+      std::to_string(count) +
+      " point(s) that were further apart at the start, and so have no contact "
+      "constraint, now touch '" +
+      interface.second_name + "', the deepest at " + to_text(worst->position) +
+      (deepest < 0. ? " (penetration " + to_text(-deepest, 3) + ")" : "") +
+      ". Increase Search distance to at least " + to_text(enough * widest, 2) +
+      ", or write auto.");
   }
 } // namespace lamella

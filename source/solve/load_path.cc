@@ -62,9 +62,9 @@ namespace lamella
               "contact.large-sliding: Contact " + contact.name + ": slip at " +
               to_text(point.first) + " is " + to_text(slips[k].norm(), 3) +
               ", " + to_text(slips[k].norm() / point.spacing, 2) +
-              " times the spacing of points there: small-sliding contact is "
-              "not valid. Use Rotations = large, longer elements or smaller "
-              "loads.");
+              " times the distance between neighboring contact points, so "
+              "small-sliding contact is not valid. Use Rotations = large, "
+              "longer elements or smaller loads.");
         }
     }
 

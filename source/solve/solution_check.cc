@@ -213,7 +213,9 @@ namespace lamella
       if (smallest < 0.)
         warnings.push_back("contact.initial-overlap: " + what +
                            "the bodies overlap at the start by up to " +
-                           to_text(-smallest, 3) + " and are pushed apart");
+                           to_text(-smallest, 3) +
+                           " and are pushed apart by contact forces "
+                           "(Overclosure = resolve)");
     }
 
 

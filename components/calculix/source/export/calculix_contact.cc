@@ -84,9 +84,9 @@ namespace lamella
           "Contact " + contact.name,
           "",
           "contact.no-pairs: no point of First faces the obstacle '" +
-            contact.obstacle->name + "' within Search distance " +
-            to_text(search_radius),
-          "Check the surface's name and where the obstacle is.");
+            contact.obstacle->name + "' within the search distance " +
+            to_text(search_radius) + " along its normal",
+          "Check the surface in First and the position of the obstacle.");
       return places;
     }
 
