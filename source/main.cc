@@ -60,9 +60,10 @@ namespace
         "a Tolerance (subsection Goals) cannot. Leave --resume out.");
     if (!ToleranceRun(scene, out).run(command.output))
       throw ToleranceNotMet(
-        "estimate.tolerance-not-met: the tolerance of a goal is not met. The "
-        "results in " +
-        command.output + " are those of the last pass, with their error bars.");
+        "estimate.tolerance-not-met: the Tolerance of a quantity in subsection "
+        "Goals is not met. The results in " +
+        command.output +
+        " are those of the last refinement pass, with error estimates.");
   }
 
 

@@ -172,7 +172,7 @@ namespace lamella
     if (changed > rules.max_change_share * scale)
       {
         bar.trusted = false;
-        bar.why     = "models that are a little other change it by " +
+        bar.why     = "slightly different models change the quantity by " +
                   to_text(100. * changed / scale, 2) + " %" +
                   describe_growth() + ", or refine theory and mesh";
       }

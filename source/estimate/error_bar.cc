@@ -18,11 +18,12 @@ namespace lamella
                     const BarRules &rules)
     {
       if (first * second > rules.growth * first * first)
-        return "it grows from one refinement to the next, by " +
+        return "the quantity changes more from one refinement to the next, "
+               "by " +
                to_text(100. * std::abs(first) / scale, 2) + " and then by " +
                to_text(100. * std::abs(second) / scale, 2) + " %" +
                describe_growth();
-      return "two refinements do not agree: one changes it by " +
+      return "two refinements do not agree: one changes the quantity by " +
              to_text(100. * first / scale, 2) + " %, the next by " +
              to_text(100. * second / scale, 2) + " %. Refine theory or mesh";
     }
@@ -33,8 +34,8 @@ namespace lamella
   std::string
   describe_growth()
   {
-    return ", as at a point load, at the edge of a clamp or at the corner of a "
-           "punch. Ask for it at some distance from there";
+    return ", as at a singularity (a point load, the edge of a clamp, the "
+           "corner of a punch). Move the probe away from such points";
   }
 
 

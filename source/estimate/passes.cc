@@ -220,8 +220,9 @@ namespace lamella
       if (const GoalResult &goal = last().goals[g];
           dropped_in_pass[g] == made.size())
         sentences.push_back(
-          "no further pass is made for " + goal.name + ": " +
-          (goal.trusted ? "passes do not make its bar any shorter" : goal.why));
+          "no further refinement pass is made for " + goal.name + ": " +
+          (goal.trusted ? "refinement does not reduce its error estimate" :
+                          goal.why));
     return sentences;
   }
 
@@ -317,14 +318,15 @@ namespace lamella
       return "all goals are within their tolerances";
     const std::vector<GoalResult> goals = open_goals();
     if (goals.empty())
-      return "no pass would help the others";
+      return "refinement does not improve the quantities whose tolerance is "
+             "not met";
     for (const GoalResult &goal : goals)
       if (goal.shares.empty())
         return goal.why;
     if (made.size() == rules.max_passes)
-      return std::to_string(rules.max_passes) + " passes are the most";
+      return std::to_string(rules.max_passes) + " refinement passes are done";
     if (wanted().empty())
-      return "nothing is left to be enriched";
+      return "theory and mesh cannot be refined any further";
     return "";
   }
 } // namespace lamella

@@ -103,7 +103,7 @@ namespace lamella
     if (result.value == 0. && has_no_active_contact(run))
       {
         result.trusted = false;
-        result.why     = "no contact touches in the last load step";
+        result.why     = "no contact is active in the last load step";
       }
     return result;
   }

@@ -38,7 +38,8 @@ namespace lamella
           }))
         throw NumericsError(
           "estimate.no-contact: No contact is active in the last load step, "
-          "and all goals are 0. Move or load the bodies towards each other.");
+          "and all quantities of subsection Goals are 0. Move or load the "
+          "bodies towards each other.");
     }
   } // namespace
 
@@ -82,10 +83,10 @@ namespace lamella
       next = built();
     const double most = scene.goals.budget_dofs;
     if (most > 0 && next->results().n_dofs() > most)
-      throw NumericsError("estimate.budget-exceeded: the next model has " +
-                          std::to_string(next->results().n_dofs()) +
-                          " DoFs, more than the budget of " +
-                          std::to_string(scene.goals.budget_dofs));
+      throw NumericsError(
+        "estimate.budget-exceeded: the next refined model has " +
+        std::to_string(next->results().n_dofs()) + " DoFs, but the limit is " +
+        std::to_string(scene.goals.budget_dofs) + " (Budget DoFs)");
     return next;
   }
 
@@ -135,7 +136,10 @@ namespace lamella
     };
     if (!passes.all().empty() && !goals.empty() &&
         std::all_of(goals.begin(), goals.end(), has_none))
-      throw NumericsError("estimate.no-error-bars: " + goals.front().why);
+      throw NumericsError("estimate.no-error-bars: The error of no quantity in "
+                          "subsection Goals could be estimated, so the run "
+                          "stops. Reason for the first: " +
+                          goals.front().why);
   }
 
 
@@ -156,10 +160,10 @@ namespace lamella
           pass_rules.loads_agree * size)
         throw NumericsError(
           "estimate.load-not-integrated: load " + loads[k].name + " is " +
-          to_text(loads[k].force) + " on the next model and was " +
+          to_text(loads[k].force) + " on the next refined mesh, but it was " +
           to_text(before[k].force) +
-          ": it varies too fast for its integration. Divide it into several "
-          "loads");
+          " before: its expression varies too fast for numerical integration. "
+          "Divide the load into several smoother loads");
   }
 
 
@@ -318,8 +322,7 @@ namespace lamella
     std::string reason;
     if (is_root_process())
       set_interruption_message(
-        "interrupted in the first pass: nothing of this run "
-        "is in " +
+        "interrupted in the first pass: nothing of this run is in " +
         directory + ".");
     while (reason.empty())
       {

@@ -37,15 +37,16 @@ namespace lamella
           throw InputError(
             "Body " + body.name + "/Isostatic support",
             "true",
-            "export.isostatic-support: its constraints are not exported",
-            "Constrain the body by a Support and leave Isostatic support "
-            "false.");
+            "export.isostatic-support: the isostatic support of a body is not "
+            "exported to CalculiX",
+            "Constrain the body by a Support, and remove Isostatic support.");
         else if (body.stabilization != 0.)
           throw InputError(
             "Body " + body.name + "/Stabilization",
             to_text(body.stabilization),
-            "export.stabilization-not-exported: its springs are not exported",
-            "Constrain the body by a Support and set it to 0.");
+            "export.stabilization-not-exported: the stabilizing springs of a "
+            "body are not exported to CalculiX",
+            "Constrain the body by a Support and write Stabilization = 0.");
       const std::vector<PrescribedFunctional> rows =
         prescribed_functionals(scene.supports, mesh.bodies());
       for (unsigned int body = 0; body < scene.bodies.size(); ++body)
@@ -54,9 +55,11 @@ namespace lamella
           throw InputError(
             "Body " + scene.bodies[body].name,
             "",
-            "export.unconstrained-motion: only contact prevents its " +
-              motion.words + ", so the system of CalculiX is singular",
-            "Constrain it by a Support.");
+            "export.unconstrained-motion: only contact prevents the " +
+              motion.words +
+              " of this body, so the stiffness matrix of "
+              "CalculiX would be singular",
+            "Constrain this motion by a Support.");
     }
   } // namespace
 
@@ -73,13 +76,15 @@ namespace lamella
           throw InputError(
             "Load " + load.name + "/Temperature",
             load.temperature.text(),
-            "export.temperature-not-exported: temperatures are not exported",
-            "Leave the load out of Loads.");
+            "export.temperature-not-exported: loads by Temperature are not "
+            "exported to CalculiX",
+            "Remove this load from Loads.");
       if (scene.gravity.norm() > 0.)
         throw InputError("Gravity",
                          to_text(scene.gravity),
-                         "export.gravity-not-exported: weight is not exported",
-                         "Set it to 0, 0, 0.");
+                         "export.gravity-not-exported: the weight of bodies is "
+                         "not exported to CalculiX",
+                         "Write Gravity = 0, 0, 0.");
     }
 
 
@@ -91,9 +96,9 @@ namespace lamella
       if (scene.solve.rotations == Rotations::automatic)
         throw InputError("Rotations",
                          name_of(scene.solve.rotations),
-                         "export.automatic-rotations: only a run chooses "
-                         "rotations automatically",
-                         "Take linear or large.");
+                         "export.automatic-rotations: an export cannot choose "
+                         "between linear and large by itself",
+                         "Write Rotations = linear or large.");
       if (scene.solve.rotations == Rotations::linear)
         return;
       for (const Load &load : scene.loads)
@@ -102,9 +107,11 @@ namespace lamella
                              (load.couple ? "Couple" : "Pressure"),
                            load.couple ? to_text(*load.couple) :
                                          load.pressure.text() + ", follows",
-                           "export.follower-load: loads that rotate with "
-                           "bodies are not exported",
-                           "Take a Force, or leave out 'follows'.");
+                           "export.follower-load: loads that rotate with the "
+                           "bodies (follower loads) are not exported to "
+                           "CalculiX",
+                           "Use a Force, or remove 'follows' from the "
+                           "Pressure.");
     }
 
 
@@ -121,9 +128,10 @@ namespace lamella
         throw InputError(
           "Support " + support.name + "/Rotation",
           to_text(*support.rotation),
-          "export.large-rotation: a deck multiplies displacements by the load "
-          "factor, and those of a rotation are not proportional to it",
-          "Take Rotations = linear, or a Load with a Couple.");
+          "export.large-rotation: a CalculiX input file multiplies prescribed "
+          "displacements by the load factor, but the displacements of a finite "
+          "rotation are not proportional to the load factor",
+          "Use Rotations = linear, or a Load with a Couple.");
       return rigid_rotation(support, mesh.bodies());
     }
   } // namespace
@@ -185,9 +193,10 @@ namespace lamella
                 path + "/Normal displacement",
                 "",
                 "export.oblique-normal: at " + to_text(mesh.node(node)) +
-                  " the normal is oblique to the scene's axes, and a deck "
-                  "prescribes components along these only",
-                "Rotate the bodies so that it is along one of them, or "
+                  " the surface normal is not along an axis of the scene, but "
+                  "a CalculiX input file prescribes displacements along these "
+                  "axes only",
+                "Rotate the bodies so that the normal is along an axis, or "
                 "prescribe u.");
             hold(
               node, c, std::copysign(1., normal[c]) * *support.normal, s, mesh);
@@ -222,10 +231,12 @@ namespace lamella
       throw InputError("Support " + scene.supports[s].name,
                        "",
                        "export.contradicting-supports: at " +
-                         to_text(mesh.node(node)) + " it prescribes " +
-                         to_text(value) + ", and another support " +
-                         to_text(place->second),
-                       "Make them agree, or leave one of them free.");
+                         to_text(mesh.node(node)) +
+                         " this support prescribes " + to_text(value) +
+                         ", but another support " + to_text(place->second) +
+                         " there",
+                       "Write equal values, or leave this component free in "
+                       "one of the supports.");
   }
 
 

@@ -140,15 +140,18 @@ namespace lamella
       if (pair.overclosure == Overclosure::adjust)
         throw InputError(path + "/Overclosure",
                          name_of(pair.overclosure),
-                         "export.overclosure-adjust: gaps without overlap have "
-                         "no counterpart in a CalculiX deck",
-                         "Move the bodies apart, or use resolve.");
+                         "export.overclosure-adjust: Overclosure = adjust, "
+                         "which subtracts the overlap from the gaps, has no "
+                         "counterpart in CalculiX",
+                         "Move the bodies apart, or write Overclosure = "
+                         "resolve.");
       if (pair.discretization == Discretization::edge_to_surface)
         throw InputError(
           path + "/Discretization",
           name_of(pair.discretization),
-          "export.edge-contact: a CalculiX deck pairs faces with their edges",
-          "Leave this contact out of Contacts.");
+          "export.edge-contact: edge to surface contact is not exported, since "
+          "contact between faces in CalculiX includes their edges",
+          "Remove this contact from Contacts.");
     }
   } // namespace
 

@@ -84,8 +84,10 @@ namespace lamella
         throw InputError(
           path + "/Factors",
           "",
-          "export.load-factors: a CalculiX deck has one load factor per step",
-          "Leave Factors out, or write *AMPLITUDE into the deck.");
+          "export.load-factors: the exported file has one load factor per step "
+          "for all loads and supports",
+          "Remove Factors, or write *AMPLITUDE into the file after the "
+          "export.");
     }
 
 
@@ -336,7 +338,8 @@ namespace lamella
       if (std::filesystem::is_directory(meaning) ||
           std::filesystem::is_directory(deck))
         throw InputError("export.output-is-folder: " + deck.string() + " or " +
-                         meaning.string() + " is a folder. Name another file.")
+                         meaning.string() +
+                         " is a folder. Name another output file.")
           .at(place);
       OutputFile first(deck.string()), second(meaning.string());
       const bool written = (first.stream() << deck_text << std::flush) &&
@@ -359,7 +362,8 @@ namespace lamella
     const std::filesystem::path name = request.output;
     if (name.extension() != ".inp")
       throw InputError(
-        "export.not-inp: the name of a CalculiX deck ends in .inp.")
+        "export.not-inp: the name of a CalculiX input file must end in .inp, "
+        "as in beam.inp.")
         .at("--output " + request.output + ": ");
     const Deck         deck(scene,
                     request.element.empty() ? "C3D20R" : request.element,

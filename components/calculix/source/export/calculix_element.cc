@@ -17,8 +17,10 @@ namespace lamella
     const std::vector<std::string> names{"C3D20R", "C3D8I", "C3D8R"};
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw InputError(
-        "export.unknown-element: the deck's elements are one of " +
-        joined(names) + "; the nearest is " + nearest_name(name, names) + ".")
+        "export.unknown-element: there is no such element for the export. "
+        "Choose one of " +
+        joined(names) + "; the most similar is " + nearest_name(name, names) +
+        ".")
         .at("--element " + name + ": ");
     // Corners around the bottom, then around the top.
     for (const double z : {0., 1.})

@@ -35,11 +35,11 @@ namespace lamella
             throw InputError(
               "Body " + body.name + "/Kinematics/Refine near",
               "",
-              "export.hanging-nodes: it creates hanging nodes, which a "
-              "CalculiX deck does not support",
-              "Remove it (--set \"Body " + body.name +
+              "export.hanging-nodes: Refine near creates hanging nodes, which "
+              "the export to CalculiX does not support",
+              "Remove Refine near (--set \"Body " + body.name +
                 "/Kinematics/Refine near=\") and refine with Refinements, the "
-                "section's cells and Axis elements.");
+                "cells of the section and Axis elements.");
           if (!body.theory.is_solid())
             body.refinement = {};
           body.theory = Theory::solid(degree);
@@ -215,12 +215,12 @@ namespace lamella
     throw InputError(
       "Body " + scene.bodies[body].name,
       "",
-      "export.single-row: is a single row of hexahedra, where C3D20R (two "
-      "points in each direction) has hourglass modes: displacements are wrong "
-      "by 40 to 70 %",
-      "Give the row two cells across or through the thickness (Cells across, "
-      "Cells per ply, Axis elements; Cells divided = 1 does it for any "
-      "section), or export --element C3D8I.");
+      "export.single-row: the body is a single row of hexahedra, for which the "
+      "reduced integration of C3D20R leaves hourglass modes: displacements are "
+      "wrong by 40 to 70 %",
+      "Use two cells across or through the thickness (Cells across, Cells per "
+      "ply, Axis elements; or Cells divided = 1 for any section), or export "
+      "with --element C3D8I.");
   }
 
 
@@ -281,11 +281,12 @@ namespace lamella
       if (at_sides < (corner ? 3 : 2))
         throw InputError(path,
                          "",
-                         "export.line-off-edges: the line does not run along "
-                                     "edges of the deck's hexahedra at " +
+                         "export.line-off-edges: the line of On and At does "
+                                     "not follow edges of the hexahedra near " +
                            to_text(at(t)),
-                         "Choose the section's cells and the Axis elements (or "
-                                     "Axis breaks) so that it does.");
+                         "Choose the cells of the section and Axis elements "
+                                     "(or Axis breaks) so that their edges lie on the "
+                                     "line.");
       if (const unsigned int number = node_at(region.body, location))
         result.insert(number);
     };
@@ -318,9 +319,9 @@ namespace lamella
                   "",
                   "export.point-off-nodes: the point " +
                     to_text(location.position) +
-                    " is no node of the deck's hexahedra",
-                  "Choose the section's cells and the Axis elements (or Axis "
-                  "breaks) so that it is a corner of them.");
+                    " is no node of the exported hexahedra",
+                  "Choose the cells of the section and Axis elements (or Axis "
+                  "breaks) so that a corner lies at this point.");
               result.insert(number);
             }
           return result;
@@ -443,9 +444,9 @@ namespace lamella
           throw InputError(
             "Section " + scene.bodies[body].section,
             "",
-            "export.curved-plies: its plies follow a curved wall, and a "
-            "CalculiX deck has one orientation per ply",
-            "Export sections of flat walls, or of isotropic materials.");
+            "export.curved-plies: the plies of this section follow a curved "
+            "wall, but the export writes one material orientation per ply",
+            "Use sections with flat walls, or isotropic materials.");
         if (!isotropic)
           write_orientation(deck,
                             set,
