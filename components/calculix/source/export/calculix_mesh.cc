@@ -285,8 +285,7 @@ namespace lamella
                                      "not follow edges of the hexahedra near " +
                            to_text(at(t)),
                          "Choose the cells of the section and Axis elements "
-                                     "(or Axis breaks) so that their edges lie on the "
-                                     "line.");
+                                     "(or Axis breaks) so that edges follow it.");
       if (const unsigned int number = node_at(region.body, location))
         result.insert(number);
     };
