@@ -209,8 +209,9 @@ namespace lamella
       "linear.not-positive-definite: The stiffness matrix of " + what +
         " is not positive definite (pivot " + std::to_string(number) + " of " +
         std::to_string(pattern.block_of.size()) +
-        "). Either the body can still move, or its slenderness or its ratio of "
-        "stiffnesses is beyond what double precision holds.",
+        "). Either supports leave a motion free (add a Support), or the body "
+        "is too slender or its stiffnesses differ too much for double "
+        "precision.",
       pattern.permutation[number - 1]);
   }
 

@@ -142,13 +142,13 @@ namespace lamella
           catch (const SolverControl::NoConvergence &)
             {
               throw NumericsError(
-                "linear.cg-not-converged: conjugate gradients for " + what +
-                " have a relative residual of " +
+                "linear.cg-not-converged: the conjugate gradient solver for " +
+                what + " still has a relative residual of " +
                 lamella::to_text(control.last_value() / size, 2) + " after " +
                 std::to_string(control.last_step()) +
-                " iterations, as for long elements and different stiffnesses. "
-                "Take a factorization (Linear solver = mumps), or a less "
-                "slender body.");
+                " iterations. Long elements and very different stiffnesses "
+                "slow it down. Write Linear solver = mumps (a direct solver), "
+                "or use elements of more equal lengths.");
             }
           taken.iterations += control.last_step();
           taken.max_iterations_per_solve =

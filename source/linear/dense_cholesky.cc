@@ -20,7 +20,7 @@ namespace lamella
       dealii::potrf("L", &size, factor.data(), &size, &info);
     if (info != 0)
       throw NumericsError("linear.singular-matrix: " + std::string(what) +
-                          " is singular to rounding.");
+                          " is numerically singular.");
   }
 
 

@@ -166,15 +166,17 @@ namespace lamella
       if (status == CHOLMOD_OUT_OF_MEMORY)
         throw NumericsError(
           "linear.out-of-memory: The factorization of " + what +
-          " does not fit in memory. Use a coarser mesh or a lower order.");
+          " does not fit in memory. Use a coarser mesh or a theory of lower "
+          "order.");
       const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
       throw NotPositiveDefinite(
         "linear.not-positive-definite: The stiffness matrix of " + what +
           " is not positive definite (pivot " +
           std::to_string(std::min<std::size_t>(minor + 1, n)) + " of " +
           std::to_string(n) +
-          "). Either the body can still move, or its slenderness or its ratio "
-          "of stiffnesses is beyond what double precision holds.",
+          "). Either supports leave a motion free (add a Support), or the body "
+          "is too slender or its stiffnesses differ too much for double "
+          "precision.",
         order[std::min<std::size_t>(minor, n - 1)]);
     }
 
@@ -213,8 +215,8 @@ namespace lamella
       cholmod_dense *y = cholmod_l_solve(system, factor, &b, &common);
       if (y == nullptr)
         throw NumericsError(
-          "linear.out-of-memory: CHOLMOD could not solve with a factor: out of "
-          "memory. Use a coarser mesh or a lower order.");
+          "linear.out-of-memory: CHOLMOD ran out of memory in the solution. "
+          "Use a coarser mesh or a theory of lower order.");
       std::memcpy(x, y->x, sizeof(double) * b.nzmax);
       cholmod_l_free_dense(&y, &common);
     }

@@ -152,8 +152,8 @@ namespace lamella
         !(cholmod_l_rcond(L.get(), &common) > 0.))
       throw NumericsError(
         "linear.not-positive-definite: The matrix of " + what +
-        " is not positive definite: its ratio of stiffnesses or of lengths is "
-        "beyond what double precision holds.");
+        " is not positive definite: stiffnesses or lengths differ too much for "
+        "double precision. Make them less different.");
     const auto B =
       owned(columns(right_hand_sides, common), common, cholmod_l_free_dense);
     const auto X = owned(cholmod_l_solve(CHOLMOD_A, L.get(), B.get(), &common),

@@ -245,8 +245,8 @@ namespace lamella
       if (Utilities::MPI::min(int(finite), communicator()) == 0)
         throw NumericsError("linear.not-finite: The stiffness matrix of " +
                             what +
-                            " has entries that are no finite numbers. Check "
-                            "lengths and materials.");
+                            " has entries that are infinite or no numbers. "
+                            "Check the lengths and materials of the scene.");
       greatest = 0.;
       for (std::size_t k = 0; k < matrix.values.size(); ++k)
         if (matrix.rows[k] == matrix.columns[k])
@@ -276,12 +276,15 @@ namespace lamella
       if (error == no_memory)
         throw NumericsError("linear.out-of-memory: The factorization of " +
                             what +
-                            " does not fit in memory. Use a coarser mesh or a "
-                            "lower order, or more machines.");
+                            " does not fit in memory. Use a coarser mesh, a "
+                            "theory of lower order, or more machines.");
       const bool factorized = mumps.job == 2;
       if (error == singular && mumps.sym == unsymmetric)
-        throw NumericsError("linear.singular-matrix: The tangent of " + what +
-                            " is singular to rounding.");
+        throw NumericsError("linear.singular-matrix: The tangent stiffness "
+                            "matrix of " +
+                            what +
+                            " is numerically singular. Check its supports and "
+                            "the size of its loads.");
       if (error == singular || error == not_positive ||
           (factorized && error >= 0 && negative_pivots > 0))
         throw NumericsError(
@@ -290,12 +293,15 @@ namespace lamella
           (error < 0 ? std::string("singular to rounding") :
                        std::to_string(negative_pivots) +
                          " negative pivots of " + std::to_string(mumps.n)) +
-          "). Either the body can still move, or its slenderness or its ratio "
-          "of stiffnesses is beyond what double precision holds.");
+          "). Either supports leave a motion free (add a Support), or the body "
+          "is too slender or its stiffnesses differ too much for double "
+          "precision.");
       if (error < 0)
-        throw NumericsError("linear.mumps-failed: MUMPS could not factorize " +
-                            what + " (its error " + std::to_string(error) +
-                            ", " + std::to_string(info(2)) + ").");
+        throw NumericsError("linear.mumps-failed: the solver MUMPS could not "
+                            "factorize " +
+                            what + " (MUMPS error " + std::to_string(error) +
+                            ", " + std::to_string(info(2)) +
+                            "; see the MUMPS manual).");
     }
 
 

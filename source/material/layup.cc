@@ -31,8 +31,8 @@ namespace lamella
 
 
     const std::string layup_rule =
-      "material.invalid-layup: must be ply angles in degrees between slashes, "
-      "bottom to top, as in 0/90/0 or [0/+-45/90]2s";
+      "material.invalid-layup: write the angles of the plies in degrees, from "
+      "bottom to top, with slashes between, as in 0/90/0 or [0/+-45/90]2s";
 
 
 
@@ -61,8 +61,9 @@ namespace lamella
   {
     const std::string &code = entry.text();
     if (code.size() > 1000)
-      entry.refuse("material.layup-too-long: is longer than 1000 characters",
-                   "Use brackets and a repetition, as in [0/90]50s.");
+      entry.refuse("material.layup-too-long: the layup has more than 1000 "
+                   "characters",
+                   "Use brackets and repetitions, as in [0/90]50s.");
     // A bracket, what it holds, and what follows it; or no bracket at all.
     static const std::regex form(
       R"(\s*(\[?)([^\[\]]*)(\]?)\s*([0-9]*)(s?)\s*)");

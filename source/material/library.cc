@@ -256,8 +256,9 @@ namespace lamella
     if (found == materials().end())
       entry.refuse(
         "material.unknown-material: there is no such built-in material",
-        "The nearest is '" + nearest_name(entry.text(), library_materials()) +
-          "'; all of them: " + joined(library_materials()) + ".");
+        "The most similar name is '" +
+          nearest_name(entry.text(), library_materials()) +
+          "'; the built-in materials are " + joined(library_materials()) + ".");
     return found->in_pascals ? converted(found->material, units) :
                                found->material;
   }

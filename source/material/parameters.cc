@@ -93,9 +93,10 @@ namespace lamella
     {
       const Material material = library_material(entry, units);
       if (units.stress.empty() && entry.text() != "hertz-200")
-        entry.refuse("material.library-without-units: its constants have "
-                     "units, but Units is none",
-                     "Set Units = m, N or mm, N.");
+        entry.refuse("material.library-without-units: the constants of a "
+                     "built-in material have units, but the scene has Units = "
+                     "none",
+                     "Write Units = m, N or Units = mm, N.");
       return material;
     }
 
@@ -106,10 +107,12 @@ namespace lamella
     {
       const std::vector<double> numbers = entry.numbers();
       if (numbers.size() != 2)
-        entry.refuse("material.wrong-count: must be two numbers, E and nu");
+        entry.refuse("material.wrong-count: write two numbers, E and nu, as in "
+                     "210e9, 0.3");
       if (!(numbers[1] > -1. && numbers[1] < 0.5))
         entry.refuse(
-          "material.not-positive-definite: nu must lie between -1 and 0.5");
+          "material.not-positive-definite: Poisson's ratio nu must lie between "
+          "-1 and 0.5");
       return EngineeringConstants::isotropic(numbers[0], numbers[1]);
     }
 
@@ -120,8 +123,9 @@ namespace lamella
     {
       const std::vector<double> n = entry.numbers();
       if (n.size() != 9)
-        entry.refuse("material.wrong-count: must be nine numbers, E1, E2, E3, "
-                     "G12, G13, G23, nu12, nu13, nu23; there are " +
+        entry.refuse("material.wrong-count: write nine numbers, E1, E2, E3, "
+                     "G12, G13, G23, nu12, nu13, nu23; the number of values "
+                     "here is " +
                      std::to_string(n.size()));
       return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
     }
@@ -147,7 +151,8 @@ namespace lamella
         if (!(numbers[i] > 0.))
           entry.refuse("material.strength-not-positive: " + names[i] + " = " +
                          to_text(numbers[i]) + " must be positive",
-                       "Give compressive strengths as positive numbers, too.");
+                       "Write all strengths as positive numbers, also those in "
+                       "compression.");
       return numbers;
     }
 
@@ -173,8 +178,9 @@ namespace lamella
       if (n.empty())
         return {};
       if (n.size() != 1 && n.size() != 3)
-        entry.refuse("material.wrong-count: must be one number, or three along "
-                     "the axes 1, 2 and 3; there are " +
+        entry.refuse("material.wrong-count: write one number, or three numbers "
+                     "for the material axes 1, 2 and 3; the number of values "
+                     "here is " +
                      std::to_string(n.size()));
       // A strain of a tenth a kelvin is none of a solid.
       constexpr double     most = 0.1;
@@ -184,9 +190,10 @@ namespace lamella
           alpha[k] = n[n.size() == 1 ? 0 : k];
           if (!(std::abs(alpha[k]) < most))
             entry.refuse(
-              "material.expansion-too-large: is a strain per kelvin, and " +
-                to_text(alpha[k]) + " is too large for a solid",
-              "Steel has 12e-6.");
+              "material.expansion-too-large: a thermal expansion is a strain "
+              "per kelvin, and " +
+                to_text(alpha[k]) + " 1/K is too large for a solid",
+              "Write, for example, 12e-6 for steel.");
         }
       return alpha;
     }
@@ -215,14 +222,14 @@ namespace lamella
       if (entry.text() == "glass")
         return PuckInclinations::glass();
       if (entry.items().size() != 4)
-        entry.refuse("material.invalid-inclinations: must be carbon, glass, or "
-                     "four numbers");
+        entry.refuse("material.invalid-inclinations: write carbon, glass, or "
+                     "four numbers, the inclinations of Puck's criterion");
       const std::vector<double> n = entry.numbers();
       for (const double p : n)
         if (!(p >= 0. && p < 1.))
-          entry.refuse("material.inclination-out-of-range: each must be from 0 "
-                       "to less than 1",
-                       "They are slopes of about 0.2 to 0.35.");
+          entry.refuse("material.inclination-out-of-range: each inclination "
+                       "must be at least 0 and less than 1",
+                       "Usual values of these slopes are 0.2 to 0.35.");
       return {n[0], n[1], n[2], n[3]};
     }
 
@@ -240,9 +247,9 @@ namespace lamella
         {
           material.yield = yield.positive();
           if (!is_isotropic(material.elastic))
-            yield.refuse("material.yield-not-isotropic: applies to isotropic "
-                         "materials, and this one is not",
-                         "Give Strengths.");
+            yield.refuse("material.yield-not-isotropic: Yield is for isotropic "
+                         "materials only, but this material is orthotropic",
+                         "Write Strengths instead of Yield.");
         }
       const std::vector<double> core =
         parse_positive(in["Core strengths"],
@@ -263,9 +270,10 @@ namespace lamella
         !library.is_empty() + !orthotropic.is_empty() + !isotropic.is_empty();
       if (given != 1)
         in.refuse(
-          std::string("material.not-one-source: give exactly one of Library, "
-                      "Engineering constants and Isotropic; ") +
-          (given == 0 ? "none is" : "several are") + " set");
+
+          "material.not-one-source: a material needs exactly one of Library, "
+          "Engineering constants and Isotropic, but " +
+          std::to_string(given) + " of these entries are given");
       if (!library.is_empty())
         return parse_library(library, units);
 

@@ -19,10 +19,10 @@ namespace lamella
     remedy(const std::string &what, const Units &units)
     {
       if (units.stress.empty())
-        return ". Check that both are in one unit";
+        return ". Check that all values have the same unit";
       return ". Units = " + units.length + ", " + units.force +
-             " has stresses in " + units.stress + "; check that " + what +
-             " in it";
+             " means stresses in " + units.stress + "; check that " + what +
+             " in this unit";
     }
   } // namespace
 
@@ -66,10 +66,9 @@ namespace lamella
                       units.stress);
     if (odd.empty())
       return "";
-    return "material.modulus-out-of-range: material " + name + ": " +
-           joined(odd) + (odd.size() == 1 ? " lies" : " lie") +
-           " outside of 1 MPa to 2 TPa, where moduli of solids are" +
-           remedy("numbers are", units);
+    return "material.modulus-out-of-range: material " + name +
+           ": moduli of solids lie between 1 MPa and 2 TPa, but here " +
+           joined(odd) + remedy("the moduli are", units);
   }
 
 

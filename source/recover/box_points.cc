@@ -81,9 +81,9 @@ namespace lamella
             if (points.size() == most_points)
               refuse(
                 path,
-                "recover.box-too-fine: the mean over the box needs more than " +
-                  std::to_string(most_points) + " points",
-                "Give a smaller box.");
+                "recover.box-too-fine: the mean over Box needs more than " +
+                  std::to_string(most_points) + " integration points",
+                "Write a smaller Box.");
             points.push_back(x);
             weights.push_back(weight);
             return;
@@ -166,8 +166,9 @@ namespace lamella
                    "recover.box-outside: the box must lie in body '" +
                      body.name() + "', which extends from " +
                      to_text(limits.first) + " to " + to_text(limits.second) +
-                     ", but has the point " + to_text(points[i]),
-                   "Make it smaller or move the probe.");
+                     ", but contains " + to_text(points[i]) +
+                     " outside of the body",
+                   "Make Box smaller, or move the probe (At).");
           }
       return found;
     }

@@ -24,10 +24,10 @@ namespace lamella
       throw InputError(
         path,
         name_of(StressValues::equilibrium),
-        "recover.not-a-laminate: needs beams whose section is a laminate or a "
-        "rectangle, but body '" +
+        "recover.not-a-laminate: Stress = equilibrium needs a beam whose "
+        "section is a laminate or a rectangle, but body '" +
           body.name() + "' " + why,
-        "Use recovered, nodal or element.");
+        "Write Stress = recovered, nodal or element.");
     }
 
 
@@ -45,9 +45,10 @@ namespace lamella
         throw InputError(
           path,
           name_of(StressValues::equilibrium),
-          "recover.equilibrium-with-heat: neglects heat, but body '" +
+          "recover.equilibrium-with-heat: Stress = equilibrium neglects "
+          "temperatures, but body '" +
             body.name() + "' has a Temperature",
-          "Use recovered, nodal or element.");
+          "Write Stress = recovered, nodal or element.");
     }
 
 

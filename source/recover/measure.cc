@@ -45,14 +45,16 @@ namespace lamella
     {
       if (entry.is_empty())
         entry.refuse_missing(
-          "recover.difference-missing: write PROBE: COLUMN - PROBE: COLUMN.");
+          "recover.difference-missing: write the difference of two results, "
+          "PROBE: COLUMN - PROBE: COLUMN, as in tip: uz - root: uz.");
       const std::string &text  = entry.text();
       const auto         minus = text.find(difference);
       if (minus == std::string::npos ||
           text.find(difference, minus + 1) != std::string::npos)
         entry.refuse(
-          "recover.difference-syntax: must be the difference of two columns, "
-          "with one minus between blanks, as in tip: uz - root: uz");
+          "recover.difference-syntax: write the difference of two results of "
+          "probes, with one minus sign between blanks, as in tip: uz - root: "
+          "uz");
       return {Entry(entry.path(), trimmed(text.substr(0, minus))),
               Entry(entry.path(),
                     trimmed(text.substr(minus + difference.size())))};
@@ -68,14 +70,16 @@ namespace lamella
         {
           if (distance == 0.)
             entry.refuse(
-              "recover.same-point: the two probes are at the same point",
-              "Move one of them, or give a number.");
+              "recover.same-point: Divided by = distance needs two probes at "
+              "different points, but both are at the same point",
+              "Move one of the probes (At), or write a number in Divided by.");
           return distance;
         }
       const double over = entry.number();
       if (over == 0.)
-        entry.refuse("recover.zero-divisor: must not be zero",
-                     "Give a number, or distance.");
+        entry.refuse("recover.zero-divisor: the difference is divided by this "
+                     "number, so the number must not be zero",
+                     "Write a number such as 1 in Divided by, or distance.");
       return over;
     }
   } // namespace
@@ -105,11 +109,13 @@ namespace lamella
     const NamedQuantity &a = quantity.terms[0], &b = quantity.terms[1];
     if (a.kind() != b.kind())
       of.refuse("recover.kinds-differ: " + a.column + " and " + b.column +
-                  " are of different kinds and have no difference",
-                "Take two displacements, two strains or two stresses.");
+                  " are quantities of different kinds, which cannot be "
+                  "subtracted",
+                "Name two displacements, two strains or two stresses.");
     if (a.label() == b.label())
-      of.refuse("recover.same-column: is always zero",
-                "Name two probes, or two columns.");
+      of.refuse("recover.same-column: the difference of a quantity with itself "
+                "is always zero",
+                "Name two different probes, or two different columns.");
     quantity.over =
       parse_over(in["Divided by"], places.front().distance(places.back()));
     quantity.keeps_unit =
@@ -131,7 +137,7 @@ namespace lamella
         const auto refuse = [&measure](const std::string &kind) {
           Entry("Measures", measure.name)
             .refuse("recover.ambiguous-name: '" + measure.name +
-                      "' is the name of a " + kind + ", too",
+                      "' is the name of both a Measure and a " + kind,
                     "Rename one of the two.");
         };
         if (std::any_of(names.probes.begin(),

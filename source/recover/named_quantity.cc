@@ -129,18 +129,20 @@ namespace lamella
       if (in == parts.end())
         return {column, std::nullopt};
       if (!of_contact)
-        text.refuse("recover.strip-without-contact: only contacts have strips",
-                    "Leave out the text after " + column + ".");
+        text.refuse("recover.strip-without-contact: only the results of a "
+                    "contact can be limited to a strip (in AXIS FROM TO)",
+                    "Remove the text after " + column + ".");
       const auto axis = parts.end() - in == 4 ? axis_of(in[1]) : std::nullopt;
       if (!axis)
         text.refuse(
-          "recover.strip-syntax: write a strip as in AXIS FROM TO, for example "
-          "roller: fz in y 40 60");
+          "recover.strip-syntax: write a strip of a contact as CONTACT: COLUMN "
+          "in AXIS FROM TO, as in roller: fz in y 40 60");
       const ContactStrip strip{*axis, text.number(in[2]), text.number(in[3])};
       if (!(strip.from < strip.to))
-        text.refuse("recover.strip-empty: a strip must begin below its end",
+        text.refuse("recover.strip-empty: the first limit of a strip must be "
+                    "less than the second",
                     "Exchange " + in[2] + " and " + in[3] +
-                      ", or give it a width.");
+                      ", or write two different limits.");
       return {column, strip};
     }
 
@@ -187,7 +189,8 @@ namespace lamella
                        contact_quantity_names().begin(),
                        contact_quantity_names().end());
       if (std::find(columns.begin(), columns.end(), column) == columns.end())
-        text.refuse("recover.unknown-column: the quantities of " +
+        text.refuse("recover.unknown-column: there is no such quantity; those "
+                    "of " +
                     std::string(of_contact ? "contact " : "support ") + name +
                     " are " + joined(columns));
       quantity.strip  = strip;
@@ -225,15 +228,18 @@ namespace lamella
           if (place.size() > 2 ||
               !(ply >= 1. && ply <= most && ply == std::floor(ply)))
             text.refuse(
-              "recover.ply-number: plies are numbered from 1 at the bottom, as "
-              "in tip/2: syz");
+              "recover.ply-number: the number after the slash must be that of "
+              "a ply, counted from 1 at the bottom, as in tip/2: syz");
           quantity.ply = static_cast<unsigned int>(ply);
         }
       const auto &columns = field_names();
       if (std::find(columns.begin(), columns.end(), column) == columns.end())
-        text.refuse("recover.unknown-column: a probe has no '" + column + "'",
-                    "The nearest is '" + nearest_name(column, columns) +
-                      "'; all of them: " + joined(columns) + ".");
+        text.refuse("recover.unknown-column: the results of a probe have no "
+                    "column '" +
+                      column + "'",
+                    "The most similar name is '" +
+                      nearest_name(column, columns) + "'; the names are " +
+                      joined(columns) + ".");
       quantity.given = first_of(probe.references, column);
       return quantity;
     }
@@ -247,7 +253,8 @@ namespace lamella
     const auto parts = text.items(':');
     if (parts.size() != 2)
       text.refuse(
-        "recover.quantity-syntax: write PROBE: COLUMN, as in tip: uz");
+        "recover.quantity-syntax: write a result of a probe as PROBE: COLUMN, "
+        "for example tip: uz");
     const auto               place = split(parts[0], '/');
     std::vector<std::string> names;
     for (const Probe &probe : probes)
@@ -257,9 +264,9 @@ namespace lamella
         names.push_back(probe.name);
       }
     text.refuse("recover.unknown-name: no probe is called '" + parts[0] + "'",
-                names.empty() ?
-                  "Add it to Probes." :
-                  "The nearest is '" + nearest_name(parts[0], names) + "'.");
+                names.empty() ? "Add the probe to Probes." :
+                                "The most similar name is '" +
+                                  nearest_name(parts[0], names) + "'.");
   }
 
 
@@ -268,13 +275,14 @@ namespace lamella
   parse_quantity(const Entry &text, const QuantityNames &names)
   {
     if (text.text().find_first_of(",;") != std::string::npos)
-      text.refuse("recover.quantity-syntax: separate quantities by '|'",
-                  "Write them as in tip: uz | clamp: fz.");
+      text.refuse("recover.quantity-syntax: quantities are separated by '|', "
+                  "not by a comma or semicolon",
+                  "Write, for example, tip: uz | clamp: fz.");
     const auto parts = text.items(':');
     if (parts.size() != 2)
       text.refuse(
-        "recover.quantity-syntax: write NAME: QUANTITY, as in tip: uz, with "
-        "'|' between several");
+        "recover.quantity-syntax: write each quantity as NAME: COLUMN, and '|' "
+        "between quantities, as in tip: uz | clamp: fz");
     const auto place = split(parts[0], '/');
     for (const Probe &probe : names.probes)
       if (!place.empty() && probe.name == place[0])
@@ -284,7 +292,8 @@ namespace lamella
         {
           if (parts[1] != measure.quantity.column)
             text.refuse("recover.unknown-column: " + measure.name +
-                        " is a measure; its only quantity is " +
+                        " is a Measure and has no such column; its only column "
+                        "is " +
                         measure.quantity.column);
           NamedQuantity quantity = measure.quantity;
           quantity.path          = text.path();
@@ -297,7 +306,8 @@ namespace lamella
         "recover.unknown-name: no probe, measure, support or contact is called "
         "'" +
           parts[0] + "'",
-        "The nearest is '" + nearest_name(parts[0], all_names(names)) + "'.");
+        "The most similar name is '" +
+          nearest_name(parts[0], all_names(names)) + "'.");
     return resultant;
   }
 
@@ -327,7 +337,8 @@ namespace lamella
     const auto refuse_axis = [&](const std::string &what) {
       entry.refuse(
         "recover.axis-along-normal: the contact normal points along " +
-          std::string(1, "xyz"[facing]) + ", where the contact has no " + what,
+          std::string(1, "xyz"[facing]) +
+          ", and along its normal a contact has no " + what,
         "Use " + across + ".");
     };
     if (quantity.column == std::string("width ") + "xyz"[facing])
@@ -339,11 +350,11 @@ namespace lamella
     const auto [begin, end] = search_radius_along(points, quantity.strip->axis);
     if (quantity.strip->to <= begin || quantity.strip->from >= end)
       entry.refuse(
-        "recover.strip-outside: the strip is outside of the contact, which "
+        "recover.strip-outside: the strip does not overlap the contact, which "
         "extends from " +
           to_text(begin) + " to " + to_text(end) + " along " +
           "xyz"[quantity.strip->axis],
-        "Move it there.");
+        "Write a strip within this range.");
   }
 
 
@@ -395,12 +406,12 @@ namespace lamella
     const Entry entry(quantity.path, quantity.label());
     if (plies == std::vector<std::string>{"0"})
       entry.refuse(
-        "recover.ply-of-box: the probe is a box over several plies, with one "
-        "mean for all of them",
-        "Leave out the ply, or make the box smaller.");
-    entry.refuse(
-      "recover.wrong-ply: the probe does not lie in this ply but in " +
-      joined(plies));
+        "recover.ply-of-box: the Box of the probe extends over several plies, "
+        "and its results are means over all of them",
+        "Remove the ply after the slash, or make Box smaller.");
+    entry.refuse("recover.wrong-ply: the probe lies in ply " + joined(plies) +
+                   ", not in the ply after the slash",
+                 "Write the number of the ply, or move the probe (At).");
   }
 
 
@@ -411,8 +422,8 @@ namespace lamella
   {
     Entry(quantity.path, quantity.label())
       .refuse("recover.probe-on-interface: the probe lies between the plies " +
-                joined(plies) + ", whose values differ there",
-              "Name one: " + quantity.name + "/" + plies.front() + ": " +
-                quantity.column + ".");
+                joined(plies) + ", where the results of the two plies differ",
+              "Name one of these plies, as in " + quantity.name + "/" +
+                plies.front() + ": " + quantity.column + ".");
   }
 } // namespace lamella

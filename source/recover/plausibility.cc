@@ -187,8 +187,8 @@ namespace lamella
         (n_pairs > 1 ?
            ", and so do " + std::to_string(n_pairs - 1) + " other pairs" :
            "") +
-        ": they have no contact and pass through each other. Add a Contact of "
-        "the two surfaces");
+        ": these bodies have no contact, so they penetrate each other. Add a "
+        "Contact of the two surfaces");
   }
 
 
@@ -232,23 +232,24 @@ namespace lamella
         // Body::size() is half the largest extension.
         const double length = 2. * body.size();
         if (strain.value > large_strain)
-          sentences.push_back("recover.implausible-strain: strains of body " +
-                              body.name() + " reach " +
-                              to_text(100. * strain.value, 2) + " % at " +
-                              to_text(strain.place) +
-                              "; few solids are linear beyond 2 %" + remedy);
+          sentences.push_back(
+            "recover.implausible-strain: strains of body " + body.name() +
+            " reach " + to_text(100. * strain.value, 2) + " % at " +
+            to_text(strain.place) +
+            "; few solids are linear elastic beyond 2 %" + remedy);
         if (displacement.value > length)
           sentences.push_back(
             "recover.implausible-displacement: body " + body.name() +
             " moves by " + to_text(displacement.value, 3) + " " + units.length +
             " at " + to_text(displacement.place) +
-            ", more than its own length, " + to_text(length, 3) + " " +
+            ", more than the length of the body, " + to_text(length, 3) + " " +
             units.length + remedy);
       }
     if (!is_rigid && largest < small_strain && largest > arithmetic::rounding)
-      sentences.push_back("recover.implausible-strain: strains reach only " +
+      sentences.push_back("recover.implausible-strain: the largest strain is "
+                          "only " +
                           to_text(largest, 2) +
-                          "; intended loads cause larger ones" + remedy);
+                          "; realistic loads cause larger strains" + remedy);
   }
 
 
@@ -276,8 +277,9 @@ namespace lamella
         bodies[farthest - moved.begin()]->name() + " moves by " +
         to_text(farthest->displacement.value, 3) + " at " +
         to_text(farthest->displacement.place) +
-        " without strains: it is a rigid-body motion without resistance, of "
-        "arbitrary size. Check the positions of contacts and supports");
+        " almost without strains: this is a rigid-body motion that no support "
+        "or contact prevents, so its size is arbitrary. Check the positions of "
+        "contacts and supports");
   }
 
 

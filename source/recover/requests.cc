@@ -23,13 +23,15 @@ namespace lamella
         if (parts.size() < 3)
           entry.refuse(
             "recover.reference-syntax: '" + piece +
-            "' must be quantity: value: source, with '|' between references");
+            "' is not a reference value. Write quantity: value: source, and "
+            "'|' between references, as in uz: 0.012: Euler beam");
         if (std::find(quantities.begin(), quantities.end(), parts[0]) ==
             quantities.end())
           entry.refuse("recover.unknown-column: there is no quantity '" +
                          parts[0] + "'",
-                       "The nearest is '" + nearest_name(parts[0], quantities) +
-                         "'; all of them: " + joined(quantities) + ".");
+                       "The most similar name is '" +
+                         nearest_name(parts[0], quantities) +
+                         "'; the names are " + joined(quantities) + ".");
         references.push_back({parts[0],
                               entry.number(parts[1]),
                               joined({parts.begin() + 2, parts.end()}, ": ")});
@@ -49,7 +51,9 @@ namespace lamella
     parse_place(const Entry &entry, const std::vector<std::string> &bodies)
     {
       if (entry.is_empty())
-        entry.refuse_missing("recover.position-missing: write BODY: x, y, z.");
+        entry.refuse_missing("recover.position-missing: write a body and a "
+                             "position as BODY: x, y, z, for example upper: 0, "
+                             "1, 0.1.");
       const auto [body, place] = parse_on_body(entry, bodies);
       return {body, entry.point(place)};
     }
@@ -109,8 +113,9 @@ namespace lamella
     const dealii::Point<3> box  = in["Box"].point();
     if (box[0] < 0. || box[1] < 0. || box[2] < 0.)
       in["Box"].refuse(
-        "recover.negative-edge: the edges of a box must not be negative",
-        "Give three lengths; 0 where it has no extent.");
+        "recover.negative-edge: the edge lengths of Box must not be negative",
+        "Write three lengths, 0 for a direction without extent, as in 0.1, "
+        "0.1, 0.");
     return {name,
             body,
             position,
@@ -144,10 +149,12 @@ namespace lamella
     const auto [first, from] = parse_place(in["From"], bodies);
     const auto [second, to]  = parse_place(in["To"], bodies);
     if (first != second)
-      in.refuse("recover.two-bodies: From and To must be on the same body");
+      in.refuse("recover.two-bodies: From and To of a line must be in the same "
+                "body");
     if (from.distance(to) == 0.)
-      in.refuse("recover.same-point: From and To are the same point",
-                "Move one of them.");
+      in.refuse("recover.same-point: From and To of the line are the same "
+                "point",
+                "Write two different points.");
     return {name,
             first,
             from,
@@ -182,8 +189,8 @@ namespace lamella
     const Entry at = in["At"];
     if (at.is_empty())
       at.refuse_missing(
-        "recover.position-missing: write BODY: distance from the start of its "
-        "axis.");
+        "recover.position-missing: write a body and the distance from the "
+        "start of its axis, as in upper: 0.5.");
     const auto [body, distance] = parse_on_body(at, bodies);
     return {name,
             body,

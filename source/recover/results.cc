@@ -285,7 +285,8 @@ namespace lamella
       const auto place = std::find(names.begin(), names.end(), name);
       if (place == names.end())
         throw InputError("recover.unknown-name: The results have no " + kind +
-                         " '" + name + "'. They have: " + joined(names) + ".");
+                         " '" + name + "'. The names are " + joined(names) +
+                         ".");
       return place - names.begin();
     }
   } // namespace
@@ -296,7 +297,8 @@ namespace lamella
   Results::last() const
   {
     if (steps.empty())
-      throw InputError("recover.no-load-step: The results have no load step.");
+      throw InputError("recover.no-load-step: The results have no load step. "
+                       "Solve a load step first.");
     return steps.back();
   }
 

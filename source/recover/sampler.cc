@@ -156,8 +156,10 @@ namespace lamella
       throw InputError("Cut " + cut.name + "/At",
                        "",
                        "recover.cut-outside: the axis of body '" + body.name() +
-                         "' does not extend to " + to_text(cut.position),
-                       "Give a distance from its start, up to its Length.");
+                         "' ends before " + to_text(cut.position) +
+                         ", the position of the cut",
+                       "Write a distance from the start of the axis between 0 "
+                       "and Length.");
   }
 
 

@@ -50,13 +50,16 @@ namespace lamella
         {
           const auto criterion = named<Criterion>(item);
           if (!criterion)
-            entry.refuse(
-              "recover.unknown-criterion: there is no criterion '" + item + "'",
-              "The nearest is '" + nearest_name(item, criterion_names()) +
-                "'; all of them: " + joined(criterion_names()) + ".");
+            entry.refuse("recover.unknown-criterion: there is no criterion '" +
+                           item + "'",
+                         "The most similar name is '" +
+                           nearest_name(item, criterion_names()) +
+                           "'; the criteria are " + joined(criterion_names()) +
+                           ".");
           if (std::find(criteria.begin(), criteria.end(), *criterion) !=
               criteria.end())
-            entry.refuse("recover.named-twice: '" + item + "' is given twice");
+            entry.refuse("recover.named-twice: '" + item +
+                         "' is given twice; remove one of the two");
           criteria.push_back(*criterion);
         }
       return criteria;
@@ -81,7 +84,7 @@ namespace lamella
       if (const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
           twice != numbers.end())
         entry.refuse("recover.named-twice: '" + bodies[*twice] +
-                     "' is given twice");
+                     "' is given twice; remove one of the two");
       return numbers;
     }
 
@@ -93,15 +96,17 @@ namespace lamella
       const std::vector<std::string> corners = split(text, ':');
       if (corners.size() != 2)
         entry.refuse("recover.not-a-box: '" + text +
-                       "' must be two corners of a box",
-                     "Write x, y, z: x, y, z, and '|' between boxes.");
+                       "' is no box; a box is given by two opposite corners",
+                     "Write the corners as x, y, z: x, y, z, and '|' between "
+                     "boxes.");
       const std::array<Point<3>, 2> box = {
         {entry.point(corners[0]), entry.point(corners[1])}};
       for (unsigned int c = 0; c < 3; ++c)
         if (box[0][c] > box[1][c])
           entry.refuse("recover.not-a-box: the first corner of box '" + text +
-                         "' has the larger " + std::string(1, "xyz"[c]),
-                       "Give the corner with the smaller coordinates first.");
+                         "' has the larger coordinate " +
+                         std::string(1, "xyz"[c]),
+                       "Write the smaller coordinates in the first corner.");
       return box;
     }
   } // namespace
@@ -122,13 +127,15 @@ namespace lamella
         result.stress != StressValues::equilibrium)
       in["Stress"].refuse(
         "recover.stress-not-accurate: reserve factors need more accurate "
-        "stresses than those of elements or nodes",
-        "Use recovered or equilibrium.");
+        "stresses than Stress = element or nodal gives",
+        "Write Stress = recovered or equilibrium.");
     if (result.criteria.empty())
       for (const char *name : {"Bodies", "Excluded boxes"})
         if (!in[name].is_empty())
-          in[name].refuse("recover.no-criteria: has no effect without Criteria",
-                          "Give Criteria, or leave this out.");
+          in[name].refuse("recover.no-criteria: this entry has no effect, "
+                          "since Strength has no Criteria",
+                          "Write Criteria, as in Tsai-Wu, or remove this "
+                          "entry.");
     return result;
   }
 } // namespace lamella

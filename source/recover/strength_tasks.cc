@@ -140,9 +140,12 @@ namespace lamella
           throw InputError(
             "Strength/Criteria",
             name_of(criterion),
-            "recover.criterion-unused: applies to no ply of the bodies",
-            "It applies to cores, whose material has Core strengths, and to "
-            "plies upon them; other criteria to plies that are no cores.");
+            "recover.criterion-unused: no ply of the bodies can be checked "
+            "with this criterion",
+            "Core shear and core crushing need a material with Core strengths "
+            "(a core), face wrinkling a ply on a core, and other criteria a "
+            "ply that is no core. Remove this criterion, or write Core "
+            "strengths.");
       }
   }
 
@@ -160,8 +163,9 @@ namespace lamella
         name_of(criterion),
         "recover.strength-missing: material '" + ply.material + "' of body '" +
           body.name() + "' has no " + missing,
-        "Give it " + missing + " in subsection Material " + ply.material +
-          ", or remove the criterion, or the body from Strength/Bodies.");
+        "Write " + missing + " in subsection Material " + ply.material +
+          ", or remove the criterion from Criteria or the body from Bodies in "
+          "subsection Strength.");
   }
 
 

@@ -116,7 +116,7 @@ namespace lamella
           row.position.distance(x) <= near)
         why = "support " + supports[row.support].name + " acts on that point";
     if (why.empty() && worst->stress_discrepancy > much)
-      why = "the element's stress and the recovered one differ by " +
+      why = "the stress of the element and the recovered stress differ by " +
             to_text(100. * worst->stress_discrepancy, 2) + " % there";
     if (why.empty())
       return "";
@@ -124,9 +124,10 @@ namespace lamella
            to_text(*worst->reserve, 4) + " of ply " +
            std::to_string(worst->ply + 1) + " of body '" +
            bodies[worst->body]->name() + "' at " + to_text(x) +
-           ", may belong to a singular stress and decrease with each "
-           "refinement: " +
+           ", may belong to a stress singularity, where it decreases with each "
+           "refinement without limit: " +
            why +
-           ". Exclude the place (Strength/Excluded boxes), or refine the mesh";
+           ". Exclude this region (Strength/Excluded boxes), or refine the "
+           "mesh and compare";
   }
 } // namespace lamella
