@@ -43,8 +43,9 @@ namespace
   require_one_process(const CommandLine &command)
   {
     if (command.task != CommandLine::Task::run && n_processes() > 1)
-      throw InputError("run.task-in-parallel: trade, export, report and new "
-                       "run on one process: start lamella without mpirun.");
+      throw InputError("run.task-in-parallel: the commands trade, export, "
+                       "report and new work on one process only. Start lamella "
+                       "without mpirun.");
   }
 
 
@@ -56,8 +57,8 @@ namespace
   {
     if (command.resume)
       throw InputError(
-        "run.resume-to-tolerance: --resume continues load steps, and a run to "
-        "a Tolerance (subsection Goals) cannot. Leave --resume out.");
+        "run.resume-to-tolerance: a run with a Tolerance (subsection Goals) "
+        "cannot be resumed. Run it without --resume.");
     if (!ToleranceRun(scene, out).run(command.output))
       throw ToleranceNotMet(
         "estimate.tolerance-not-met: the Tolerance of a quantity in subsection "
@@ -98,9 +99,9 @@ namespace
       trial.write(command.output, make_error_bars(trial.chosen()));
     else
       throw InputError(
-        "run.resume-of-linear-trial: --resume continues after written load "
-        "steps; the linear run that Rotations = auto chooses here writes all "
-        "at its end. Leave --resume out.");
+        "run.resume-of-linear-trial: there is nothing to resume: the linear "
+        "run, which Rotations = auto chooses for this scene, writes its "
+        "results at its end only. Run without --resume.");
   }
 
 

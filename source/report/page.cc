@@ -60,8 +60,8 @@ namespace lamella
     const std::string python = python_with("jinja2");
     if (python.empty())
       throw InputError(
-        "report.no-jinja2: there is no python3 with Jinja2 to make the page. "
-        "Install the package python3-jinja2, as scripts/setup does.");
+        "report.no-jinja2: the report needs python3 with Jinja2, which was not "
+        "found. Install the package python3-jinja2, as scripts/setup does.");
     // Names of files are UTF-8 whatever the user's language is.
     exec_program(python,
                  {"-X",

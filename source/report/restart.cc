@@ -192,24 +192,25 @@ namespace lamella
                          const std::string &scene)
     {
       if (restart.version != version())
-        return "report.restart-version: the run is of version " +
-               restart.version + " of Lamella, this is " + version() +
-               ". Run the scene from the start, without --resume.";
+        return "report.restart-version: the run to resume was made by "
+               "version " +
+               restart.version + " of Lamella, but this is version " +
+               version() + ". Run the scene from the start, without --resume.";
       if (restart.scene.size() > scene.size() &&
           restart.scene.compare(0, scene.size(), scene) == 0)
-        return "report.restart-revised: the run has changed the axis or the "
-               "contacts of its scene, as the end of " +
+        return "report.restart-revised: the run has automatically changed axis "
+               "elements or contacts of its scene (see the end of " +
                directory +
-               "/scene.prm says, and cannot be resumed. Run the scene from the "
+               "/scene.prm) and cannot be resumed. Run the scene from the "
                "start, without --resume.";
       if (restart.scene != scene)
-        return "report.restart-of-other-scene: the run is of another scene, "
-               "which is in " +
+        return "report.restart-of-other-scene: the run to resume is of a "
+               "different scene, which is in " +
                directory +
-               "/scene.prm. Give that scene, or leave out --resume.";
+               "/scene.prm. Name that scene, or run without --resume.";
       return restart.finished ?
-               "report.restart-finished: the run is finished. Leave out "
-               "--resume to run it anew." :
+               "report.restart-finished: the run to resume is finished "
+               "already. To repeat it, run without --resume." :
                "";
     }
   } // namespace
@@ -224,8 +225,8 @@ namespace lamella
     };
     std::ifstream file(directory + name, std::ios::binary);
     if (!file)
-      fail("report.no-restart: there is no run of Lamella to resume. Leave out "
-           "--resume, or name its folder.");
+      fail("report.no-restart: the folder holds no interrupted run to resume. "
+           "Run without --resume, or name the folder of the run by --output.");
     Restart restart;
     try
       {
@@ -235,8 +236,9 @@ namespace lamella
     catch (const std::exception &)
       {
         fail(
-          "report.restart-damaged: its file 'restart' is damaged, or of "
-          "another program. Run the scene from the start, without --resume.");
+          "report.restart-damaged: the file 'restart' in the folder is damaged "
+          "or was not written by Lamella. Run the scene from the start, "
+          "without --resume.");
       }
     const std::string reason = reason_not_to_resume(restart, directory, scene);
     if (!reason.empty())

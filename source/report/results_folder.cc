@@ -76,13 +76,13 @@ namespace lamella
       }
     if (!true_on_all_processes(writes))
       throw InputError(
-        "report.folder-not-writable: results cannot be written there. Name a "
-        "folder that can be created and written.")
+        "report.folder-not-writable: results cannot be written into this "
+        "folder. Name a folder that you may create and write to.")
         .at("--output " + folder + ": ");
     if (!true_on_all_processes(alone))
       throw InputError(
-        "report.folder-in-use: another run writes there. Wait for it, or name "
-        "another folder.")
+        "report.folder-in-use: another run writes into this folder. Wait until "
+        "that run ends, or name another folder.")
         .at("--output " + folder + ": ");
   }
 
@@ -140,8 +140,8 @@ namespace lamella
   {
     if (!true_on_all_processes(still_exists()))
       throw InputError(
-        "report.folder-removed: the folder was removed or renamed during the "
-        "run, with its results. Run the scene again.")
+        "report.folder-removed: the folder of results was removed or renamed "
+        "during the run. Run the scene again.")
         .at("--output " + folder + ": ");
     if (is_cleared)
       return;

@@ -48,8 +48,8 @@ namespace lamella
           if (std::filesystem::file_size(path, error) < size || error)
             throw InputError(
               "report.file-truncated: " + name +
-              " has been truncated. Run the scene from the start, without "
-              "--resume.")
+              " is shorter than the interrupted run left it. Run the scene "
+              "from the start, without --resume.")
               .at("--resume --output " + place.path() + ": ");
           std::filesystem::resize_file(path, size);
         }

@@ -44,9 +44,10 @@ namespace lamella
             const double scale = std::sqrt(m[i][i]) * std::sqrt(m[j][j]);
             if (!(scale > 0.) || !std::isfinite(m[i][j]))
               throw NumericsError(
-                "report.section-ill-conditioned: The section is too "
-                "ill-conditioned for double precision: its cells are too thin, "
-                "or its stiffnesses differ too much.");
+                "report.section-ill-conditioned: The stiffness of the section "
+                "is too ill-conditioned for double precision: cells are too "
+                "thin, or moduli differ too much. Use thicker cells or more "
+                "similar moduli.");
             if (i != j && std::abs(m[i][j]) < negligible * scale)
               m[i][j] = 0.;
           }
@@ -89,8 +90,9 @@ namespace lamella
                                  result.kGA_z})
         if (!(value > 0.) || !std::isfinite(value))
           throw NumericsError(
-            "report.section-ill-conditioned: The 6 x 6 compliance of the "
-            "section is too ill-conditioned: its stiffnesses differ too much.");
+            "report.section-ill-conditioned: The 6 x 6 compliance matrix of "
+            "the section is too ill-conditioned: its moduli differ too much. "
+            "Use more similar moduli.");
       return result;
     }
 
@@ -190,7 +192,7 @@ namespace lamella
         if (n_dofs(*mesh, theory.order) > max_dofs)
           throw NumericsError(
             "report.section-too-large: The section has more than 300,000 DoFs "
-            "in LE-1. Use a coarser mesh.");
+            "with theory LE-1. Use a coarser mesh of the section.");
         compute(*make_section(std::move(mesh), theory), result);
       }
     catch (const NumericsError &error)

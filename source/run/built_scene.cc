@@ -116,10 +116,10 @@ namespace lamella
           "Linear solver",
           name_of(given.solve.solver),
           "run.cg-with-large-rotations: Rotations = large checks stability by "
-          "factorizing each stiffness, but body '" +
+          "a factorization of each tangent stiffness matrix, but body '" +
             body->name() + "' with " + std::to_string(body->n_dofs()) +
-            " DoFs would be solved by cg",
-          "Use cholmod, or fewer hexahedra.");
+            " DoFs would be solved by conjugate gradients (cg)",
+          "Write Linear solver = cholmod, or use fewer hexahedra.");
   }
 
 
@@ -319,8 +319,8 @@ namespace lamella
         whole->bodies()[contacts[worst].first_body]->name() + "' and '" +
         contacts[worst].second_name + "' overlap at the start by " +
         to_text(deepest, 4) + " at " + to_text(place) +
-        ", where both have supports, so that no contact force can separate "
-        "them",
+        ", where supports fix both bodies, so that contact forces cannot push "
+        "them apart",
       "Use Overclosure = adjust, which subtracts the overlap from the gaps, or "
       "move the bodies apart.");
   }

@@ -59,8 +59,8 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       const double n         = is_number ? to_number(text) : 0.;
       if (!(n >= 1. && n <= 1024. && n == std::floor(n)))
         throw InputError(
-          "run.threads-out-of-range: --threads must be a whole number from 1 "
-          "to 1024.");
+          "run.threads-out-of-range: the number after --threads must be a "
+          "whole number from 1 to 1024, as in --threads 4.");
       return static_cast<unsigned int>(n);
     }
 
@@ -73,12 +73,13 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       if (!command.overrides.empty() || command.validate ||
           command.print_parameters || command.resume)
         throw InputError(
-          "run.option-not-for-report: report takes --output only: --set, "
-          "--validate, --print-parameters and --resume belong to a run.");
+          "run.option-not-for-report: the command report accepts --output "
+          "only. Use --set, --validate, --print-parameters and --resume with a "
+          "run: lamella SCENE.prm.");
       if (!command.version && !command.help && command.scene.empty())
         throw InputError(
-          "run.no-folder: no folder is given. Name the results folder of a "
-          "run: lamella report DIR.");
+          "run.no-folder: no folder is given. Name the folder with the results "
+          "of a run: lamella report DIR.");
     }
 
 
@@ -90,11 +91,13 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       if (!command.overrides.empty() || command.validate ||
           command.print_parameters || command.resume || !command.output.empty())
         throw InputError(
-          "run.option-not-for-new: new writes a scene and takes --kind only; "
-          "all other options belong to a run.");
+          "run.option-not-for-new: the command new, which writes a scene, "
+          "accepts --kind only. Use the other options with a run: lamella "
+          "SCENE.prm.");
       if (!command.version && !command.help && command.scene.empty())
         throw InputError(
-          "run.no-name: no name is given. lamella new NAME writes NAME.prm.");
+          "run.no-name: no name of a scene is given. Write lamella new NAME, "
+          "which writes the scene NAME.prm.");
     }
 
 
@@ -107,15 +110,17 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       const bool exporting = command.task == Task::export_calculix;
       if (exporting && !calculix)
         throw InputError(
-          "run.export-without-format: export writes decks of CalculiX only: "
-          "use lamella export --calculix SCENE.prm.");
+          "run.export-without-format: export writes input files of CalculiX "
+          "only. Write lamella export --calculix SCENE.prm.");
       if (!exporting && (calculix || !command.element.empty() ||
                          !command.contact_stiffness.empty()))
         throw InputError(
-          "run.option-of-export: --calculix, --element and --contact-stiffness "
-          "belong to lamella export.");
+          "run.option-of-export: the options --calculix, --element and "
+          "--contact-stiffness are for lamella export only. Remove them, or "
+          "write lamella export.");
       if (command.task != Task::new_scene && !command.kind.empty())
-        throw InputError("run.option-of-new: --kind belongs to lamella new.");
+        throw InputError("run.option-of-new: the option --kind is for lamella "
+                         "new only. Remove --kind, or write lamella new.");
       if (command.task == Task::report)
         return check_report(command);
       if (command.task == Task::new_scene)
@@ -123,17 +128,19 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       if (command.task != Task::run &&
           (command.validate || command.print_parameters || command.resume))
         throw InputError(
-          "run.option-of-run: --validate, --print-parameters and --resume "
-          "belong to a run: leave out trade or export. (A trade resumes by "
-          "itself.)");
+          "run.option-of-run: the options --validate, --print-parameters and "
+          "--resume are for a run only. Remove them, or the command trade or "
+          "export (lamella trade resumes without an option).");
       if (command.resume && (command.validate || command.print_parameters))
         throw InputError(
-          "run.options-conflict: --resume continues a run: leave out "
-          "--validate and --print-parameters.");
+          "run.options-conflict: --resume continues a run, so --validate and "
+          "--print-parameters have no use with it. Remove these two options.");
       const bool needs_scene =
         !command.version && !command.help && !command.print_parameters;
       if (needs_scene && command.scene.empty())
-        throw InputError("run.no-scene: no scene is given.\n" + usage());
+        throw InputError("run.no-scene: no scene file is given, as in lamella "
+                         "my.prm.\n" +
+                         usage());
     }
 
 
@@ -193,12 +200,12 @@ by Ctrl-C, which says what stands in the folder and how to go on.
               {
                 if (i + 1 == words.size())
                   throw InputError("run.value-missing: " + word +
-                                   " needs a value after it.");
+                                   " needs a value after the option.");
                 take(word, words[++i]);
               }
             else if (word.compare(0, 1, "-") == 0)
               throw InputError("run.unknown-option: there is no option " +
-                               word + "; the nearest is " +
+                               word + ". The most similar option is " +
                                nearest_name(word, options()) + ".");
             else
               set_scene_file(word);
@@ -234,10 +241,9 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       {
         if (!result.scene.empty())
           throw InputError(
-            std::string("run.two-scenes: only one ") +
-            (result.task == CommandLine::Task::report ? "folder" : "scene") +
-            " can be given, but both '" + result.scene + "' and '" + word +
-            "' are given.");
+            "run.two-scenes: only one scene (for report: folder) can be given, "
+            "but both '" +
+            result.scene + "' and '" + word + "' are given.");
         result.scene = word;
       }
 

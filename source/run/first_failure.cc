@@ -43,9 +43,10 @@ namespace lamella
       throw InputError(
         "Find",
         "first failure",
-        "run.no-growing-load: no load of the scene grows with the load factor",
-        "Add a load (temperatures do not grow), Gravity, or a "
-        "displacement of a support or an obstacle.");
+        "run.no-growing-load: no load or prescribed displacement of the scene "
+        "grows with the load factor",
+        "Add a load other than a Temperature, Gravity, or a displacement of a "
+        "support or an obstacle.");
   }
 
 
@@ -155,6 +156,8 @@ namespace lamella
       return "";
     return "run.failure-not-found: no ply fails up to load factor " + safe +
            ", and at " + to_text(*without_state, 6) +
-           " there is no result: " + reason;
+           " the solution failed, so the load factor of first failure is not "
+           "known. Cause: " +
+           reason;
   }
 } // namespace lamella

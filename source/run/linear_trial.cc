@@ -61,7 +61,9 @@ namespace lamella
           ", taken by Rotations = auto: " + why;
     out << why << std::endl;
     (linear_suffices ? large : linear).reset();
-    chosen().add_endnote("run.rotations-chosen: " + why);
+    chosen().add_endnote("run.rotations-chosen: the kinematics, linear or with "
+                         "large rotations, were chosen automatically; " +
+                         why);
   }
 
 

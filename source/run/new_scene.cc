@@ -40,9 +40,10 @@ namespace lamella
                           "results/NAME",
                           "results/" + name);
       throw InputError(
-        "run.unknown-kind: there is no template of that kind; the nearest is " +
-        nearest_name(kind, kinds_of_new_scenes()) +
-        ", all of them: " + joined(kinds_of_new_scenes()) + ".")
+        "run.unknown-kind: there is no template of this kind. The most similar "
+        "kind is " +
+        nearest_name(kind, kinds_of_new_scenes()) + ", and the kinds are " +
+        joined(kinds_of_new_scenes()) + ".")
         .at("--kind " + kind + ": ");
     }
   } // namespace
@@ -74,15 +75,16 @@ namespace lamella
     if (fs::exists(file, error))
       throw InputError(
         "run.scene-exists: " + file +
-        " exists and is not overwritten. Name another scene, or remove it.")
+        " exists and is not overwritten. Choose another name, or remove the "
+        "file.")
         .at(place);
     OutputFile target(file);
     target.stream() << text;
     if (!target.stream() || !target.commit())
       throw InputError(
         "run.scene-not-writable: " + file +
-        " cannot be written. Name a scene in a folder that exists and can be "
-        "written.")
+        " cannot be written. Choose a name in a folder that exists and that "
+        "you may write to.")
         .at(place);
     out << "Scene: " << file << " (" << kind << "). It runs as it is: lamella "
         << file << std::endl;

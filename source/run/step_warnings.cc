@@ -81,7 +81,8 @@ namespace lamella
       }
     return names.empty() ?
              "" :
-             "run.idle-contact: no force acts in contact " + joined(names) +
+             "run.idle-contact: no contact force acts in contact " +
+               joined(names) +
                " in any load step. Close the gap (Origin of a body, Through of "
                "an obstacle), or check the direction of loads and prescribed "
                "displacements";
@@ -133,11 +134,12 @@ namespace lamella
     add(warnings_of_isostatic_supports(solved));
     if (solved.change && *solved.change > scene.solve.substeps.tolerance)
       warnings.push_back(
-        "run.substeps-too-few: doubling the substeps, to " +
-        std::to_string(solved.substeps) + ", still changed the load step by " +
+        "run.substeps-too-few: with twice as many substeps, " +
+        std::to_string(solved.substeps) +
+        ", results of the load step still change by " +
         to_text(100. * *solved.change, 2) +
-        " %: results depend on the load path where contacts slip. Add load "
-        "factors between");
+        " %, since they depend on the load path where contacts slip. Add "
+        "intermediate Load factors");
     add(warnings_of_defects(sampled.defects));
     if (built.strength() != nullptr)
       if (const std::string found = worst_reserve_warning(
@@ -160,9 +162,9 @@ namespace lamella
     {
       const double radius = contact.obstacle->radius;
       return "run.roller-points-too-coarse: contact " + contact.name +
-             ": contact points are " + to_text(spacing, 3) +
+             ": neighboring contact points are " + to_text(spacing, 3) +
              " apart on a roller of radius " + to_text(radius, 4) +
-             ", so the direction of its force has an error of up to " +
+             ", so the direction of the contact force has an error of up to " +
              to_text(0.5 * spacing / radius, 2) + " rad. Use " +
              (may_be ? "Discretization = line to roller, or " : "") +
              "shorter elements at the roller";
@@ -192,8 +194,9 @@ namespace lamella
           warnings.push_back(
             "run.line-contact-not-valid: contact " + contact.name +
             ": the body bends around '" + contact.second_name +
-            "', so the contact is no line. Use Discretization = auto or "
-            "surface to surface");
+            "', so contact is not along a single line, as Discretization = "
+            "line to roller assumes. Use Discretization = auto or surface to "
+            "surface");
         if (is_line || wraps_around)
           continue;
         const ContactArc arc = contact_arc(contact, active);
@@ -275,14 +278,14 @@ namespace lamella
         std::sqrt(1.5 * contact.obstacle->radius * penetration.depth);
     throw UndetectedPenetration(
       "run.penetration-undetected: contact " + contact.name +
-        ": no point is in contact, but '" +
+        ": no contact point is active, but body or obstacle '" +
         (penetration.of_second ?
            structure.bodies()[contact.first_body]->name() :
            contact.second_name) +
-        "' is inside of the body at " + to_text(penetration.position) +
-        ", between its points, by " + to_text(penetration.depth, 2) +
-        ". Use for body '" + structure.bodies()[body]->name() +
-        "' Axis elements = auto, or " +
+        "' penetrates the other body at " + to_text(penetration.position) +
+        ", between its contact points, by " + to_text(penetration.depth, 2) +
+        ". For body '" + structure.bodies()[body]->name() +
+        "' use Axis elements = auto, or " +
         (longest > 0. ? "elements of at most " + to_text(longest, 2) :
                         std::string("shorter elements")) +
         " there (Axis breaks)" +
@@ -367,7 +370,7 @@ namespace lamella
           .push_back(
             "run.end-penetration: contact " + contact.name +
             ": an end of body '" + one + "' is " + to_text(end->depth, 2) +
-            " behind the surface of body '" + other +
+            " inside the surface of body '" + other +
             "', where it has no contact constraints. Add a contact of the same "
             "surfaces with Discretization = edge to surface and body '" +
             one + "' as Slave side");
@@ -441,11 +444,12 @@ namespace lamella
             structure.bodies()[scene.supports[s].isostatic->body]->name() +
             "' carries a force of " + to_text(reaction.force) +
             " and a moment of " + to_text(reaction.moment) + ", " +
-            to_text(100. * share, 2) + " % of the largest: " +
+            to_text(100. * share, 2) + " % of the largest force or moment: " +
             (checks.is_large ?
                "loads and contact forces on the deformed bodies " :
-               "contact forces off their main direction ") +
-            "do not balance. Add a real support if that is too much");
+               "contact forces not along their main direction ") +
+            "are not in equilibrium. Add a Support if this reaction is too "
+            "large");
       }
     return warnings;
   }
@@ -466,11 +470,12 @@ namespace lamella
         if (share > much)
           warnings.push_back(
             "run.equilibrium-defect: " + kind + " " + name +
-            ": the error of transverse stresses by equilibrium at the upper "
-            "face is " +
+            ": the transverse stresses, integrated from the equilibrium "
+            "equations, miss their boundary value at the upper face by " +
             to_text(100. * share, 2) +
-            " % of the largest. Use more elements along the axis there, or a "
-            "place further away from supports, edges and concentrated loads");
+            " % of the largest such stress. Use more elements along the axis "
+            "there, or a position further away from supports, edges and "
+            "concentrated loads");
       });
     return warnings;
   }

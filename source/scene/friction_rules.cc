@@ -23,7 +23,8 @@ namespace lamella
               Entry(quantity.path, quantity.label())
                 .refuse("scene.no-friction: contact " + contact.name +
                           " has no friction",
-                        "Give it a Friction, or leave this quantity out.");
+                        "Write Friction in this contact, or remove this "
+                        "quantity.");
     }
   } // namespace
 
@@ -39,7 +40,7 @@ namespace lamella
         if (scene.solve.substeps.number != 1)
           in["Substeps"].refuse("scene.substeps-without-friction: no contact "
                                 "has friction, so substeps change nothing",
-                                "Leave it out.");
+                                "Remove Substeps.");
         return;
       }
     if (!scene.goals.tolerances.empty())
@@ -47,7 +48,9 @@ namespace lamella
         "Goals/Tolerance",
         "",
         "scene.tolerance-with-friction: contact " + contact->name +
-          " has friction, and a run to a tolerance does not refine load steps",
-        "Leave Tolerance out; Error bars = true estimates the errors.");
+          " has friction, but a run with a Tolerance does not refine load "
+          "steps",
+        "Remove Tolerance; Error bars = true estimates the errors of a single "
+        "run.");
   }
 } // namespace lamella

@@ -74,12 +74,12 @@ namespace lamella
       // Shortest bar (error_bar.h), in per cent.
       constexpr double of_rounding = 1e-6;
       if (!(per_cent > 0. && per_cent <= 100.))
-        entry.refuse("scene.invalid-per-cent: must be more than 0 and at most "
-                     "100 per cent");
+        entry.refuse("scene.invalid-per-cent: the tolerance must be more than "
+                     "0 and at most 100 per cent, for example 1");
       if (per_cent < of_rounding)
-        entry.refuse("scene.tolerance-below-rounding: is below the rounding "
-                     "error of any number, 1e-6 per cent",
-                     "Give 1e-6 or more; 0.1 is a small tolerance.");
+        entry.refuse("scene.tolerance-below-rounding: the tolerance is less "
+                     "than 1e-6 per cent, which rounding errors do not allow",
+                     "Write at least 1e-6; a usual small tolerance is 0.1.");
       return per_cent / 100.;
     }
 
@@ -108,19 +108,21 @@ namespace lamella
           const std::string label = "'" + quantity.label() + "'",
                             own   = quantity.unit(units);
           if (unit != "abs" && unit != own)
-            entry.refuse("scene.wrong-unit: " + label +
-                           (own.empty() ? " has no unit and cannot be in '" :
-                                          " is in " + own + ", not in '") +
-                           unit + "'",
-                         "Write a number of per cent, or one with " +
-                           (own.empty() ? "" : own + " or with ") +
-                           "abs, as in 0.5 " + (own.empty() ? "abs" : own) +
-                           ".");
+            entry.refuse(
+              "scene.wrong-unit: " + label +
+                (own.empty() ? " has no unit, but the tolerance is in '" :
+                               " is in " + own + ", not in '") +
+                unit + "'",
+              "Write a tolerance in per cent, as in 1, or a tolerance with " +
+                (own.empty() ? "" : own + " or with ") + "abs, as in 0.5 " +
+                (own.empty() ? "abs" : own) + ".");
           if (unit == "abs" && quantity.kind() != quantities[0].kind())
             entry.refuse("scene.mixed-units: '" + quantities[0].label() +
                            "' and " + label +
-                           " are of different kinds and have no unit in common",
-                         "Give one for each, or per cent.");
+                           " are quantities of different kinds, so one "
+                           "tolerance with a unit cannot apply to both",
+                         "Write one tolerance for each quantity, or one in per "
+                         "cent.");
         }
     }
 
@@ -144,9 +146,9 @@ namespace lamella
       if (!(number > 0.))
         entry.refuse("entry.not-positive: the tolerance must be more than 0");
       if (!goals.probes_as_goals.empty())
-        entry.refuse("scene.mixed-units: displacements and stresses of probes "
-                     "have no unit in common",
-                     "Name Quantities, or give per cent.");
+        entry.refuse("scene.mixed-units: the displacements and stresses of "
+                     "probes cannot have one tolerance with a unit",
+                     "Write Quantities, or a tolerance in per cent.");
       check_unit(entry, unit, quantities, units);
       return {number, true};
     }
@@ -162,15 +164,17 @@ namespace lamella
     {
       if (entry.text().find_first_of("|;") != std::string::npos)
         entry.refuse(
-          "scene.tolerance-separator: tolerances are separated by ','",
-          "Write them as in 1, 0.5 MPa.");
+          "scene.tolerance-separator: tolerances are separated by commas, not "
+          "by '|' or ';'",
+          "Write, for example, 1, 0.5 MPa.");
       const std::vector<std::string> pieces = entry.items();
       const bool                     is_one = pieces.size() <= 1;
       if (!is_one && pieces.size() != n)
         entry.refuse("scene.tolerance-count: there are " + std::to_string(n) +
                        " quantities and " + std::to_string(pieces.size()) +
                        " tolerances",
-                     "Give one for all, or one for each in Quantities.");
+                     "Write one tolerance for all Quantities, or one for "
+                     "each.");
       std::vector<Tolerance> tolerances;
       for (const std::string &piece : pieces)
         tolerances.push_back(
@@ -193,8 +197,8 @@ namespace lamella
       const double value = entry.number();
       if (!(value >= 0. && value <= most))
         entry.refuse(
-          "scene.budget-out-of-range: must be 0 (none) or more, at most " +
-          to_text(most));
+          "scene.budget-out-of-range: the budget must lie between 0 and " +
+          to_text(most) + " (0 for no limit)");
       return value;
     }
   } // namespace
@@ -209,8 +213,10 @@ namespace lamella
       for (const char *budget : {"Budget DoFs", "Budget seconds"})
         if (in[budget].number() > 0.)
           in[budget].refuse("scene.budget-without-tolerance: a budget limits a "
-                            "run to a Tolerance, and there is none",
-                            "Give one, or leave out the budget.");
+                            "run that refines until a Tolerance is met, but "
+                            "Tolerance is empty",
+                            "Write Tolerance, as in Tolerance = 1, or remove "
+                            "this budget.");
     }
 
 
@@ -219,14 +225,17 @@ namespace lamella
     check_tolerance(const Entries &in, const GoalParameters &goals)
     {
       if (goals.bars == ErrorBars::never)
-        in["Error bars"].refuse("scene.tolerance-without-bars: a Tolerance "
-                                "cannot be reached without error bars",
-                                "Leave it at auto.");
+        in["Error bars"].refuse("scene.tolerance-without-bars: a run with a "
+                                "Tolerance needs error estimates, but Error "
+                                "bars = false",
+                                "Write Error bars = auto, or remove "
+                                "Tolerance.");
       if (goals.quantities.empty() && goals.probes_as_goals.empty())
         in["Tolerance"].refuse(
-          "scene.no-goals: the Tolerance applies to no quantity: the scene has "
-          "neither probes nor References of supports and contacts",
-          "Add a probe, or name Quantities.");
+          "scene.no-goals: the Tolerance has no quantity to apply to, since "
+          "the scene has neither probes nor References of supports and "
+          "contacts",
+          "Add a Probe, or write Quantities in subsection Goals.");
     }
   } // namespace
 

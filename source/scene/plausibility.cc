@@ -32,7 +32,8 @@ namespace lamella
     check_units(const Units &units, const std::string &what)
     {
       return ". Units = " + units.length + ", " + units.force +
-             " has lengths in " + units.length + "; check that " + what;
+             " means lengths in " + units.length + "; check that " + what +
+             " in this unit";
     }
 
 
@@ -58,10 +59,10 @@ namespace lamella
       if (told == nullptr)
         return "";
       return "scene.angle-in-radians: the angle " + to_text(told->angle) +
-             " of a ply is pi / " + std::to_string(part) +
-             ", and none exceeds " + to_text(most) +
-             ": angles are in degrees, and this would be " +
-             std::to_string(180 / part);
+             " of a ply equals pi / " + std::to_string(part) +
+             ", as if in radians (no angle exceeds " + to_text(most) +
+             "). Angles are in degrees: write " + std::to_string(180 / part) +
+             " if this is meant";
     }
 
 
@@ -88,13 +89,13 @@ namespace lamella
       if (E >= soft * units.pascal || is_soft ||
           !material_warnings("", material, units).empty())
         return "";
-      return "scene.soft-material: its stiffest material, " +
+      return "scene.soft-material: the stiffest material of the section, " +
              stiffest.material + ", has " + name + " = " + to_text(E) + " " +
-             units.stress + ", and plies and metals have more than " +
+             units.stress + ", but plies and metals have more than " +
              to_text(soft * units.pascal) + " " + units.stress +
              " (foams and rubbers less). Units = " + units.length + ", " +
-             units.force + " has stresses in " + units.stress +
-             "; check that moduli are in it";
+             units.force + " means stresses in " + units.stress +
+             "; check that the moduli are in this unit";
     }
 
 
@@ -109,11 +110,12 @@ namespace lamella
         1e6 * std::min(box.side_length(0), box.side_length(1)) / meter(units);
       if (thickness >= thinnest && thickness <= thickest)
         return "";
-      return "scene.section-size: is " + to_text(box.side_length(0)) + " by " +
+      return "scene.section-size: the section is " +
+             to_text(box.side_length(0)) + " by " +
              to_text(box.side_length(1)) + " " + units.length +
              (thickness < thinnest ? ", thinner than a micrometer" :
                                      ", thicker than 10 m") +
-             check_units(units, "those of the section are");
+             check_units(units, "the lengths of the section are");
     }
 
 
@@ -154,8 +156,8 @@ namespace lamella
           const double in_micrometers   = 1e6 * thickness / meter(units);
           if (c.E1 > stiff * units.pascal && c.E1 > of_fibers * c.E3 &&
               (in_micrometers < thinnest || in_micrometers > thickest))
-            return "scene.ply-thickness: has a ply of " + name +
-                   " of the thickness " + to_text(thickness) + " " +
+            return "scene.ply-thickness: the section has a ply of " + name +
+                   " with the thickness " + to_text(thickness) + " " +
                    units.length +
                    (in_micrometers < thinnest ?
                       ", thinner than its fibers (5 micrometers)" :
@@ -210,16 +212,17 @@ namespace lamella
     const bool   is_mm = scene.units.length == "mm";
     const double there = is_mm ? g : g / thousand;
     if (!scene.units.length.empty() && there > least && there < most)
-      plausibility_warnings.push_back("scene.unusual-gravity: Gravity is " +
-                                      to_text(g) + " " + scene.units.length +
-                                      "/s^2, and that of the Earth is " +
-                                      (is_mm ? "9810 mm/s^2" : "9.81 m/s^2"));
+      plausibility_warnings.push_back(
+        "scene.unusual-gravity: Gravity is " + to_text(g) + " " +
+        scene.units.length + "/s^2, but on Earth the value is " +
+        (is_mm ? "9810" : "9.81") + ". Check its unit");
     for (const Support &support : scene.supports)
       if (support.rotation && support.rotation->norm() > 2. * pi)
         plausibility_warnings.push_back(
           "scene.rotation-above-turn: support " + support.name +
           ": its Rotation, " + to_text(support.rotation->norm()) +
-          " rad, is more than a revolution; a degree is 0.0174533 rad");
+          " rad, is more than a full revolution. Rotation is in radians: a "
+          "degree is 0.0174533 rad");
     return plausibility_warnings;
   }
 } // namespace lamella

@@ -12,9 +12,9 @@ namespace lamella
 {
   namespace
   {
-    const std::string rule = "scene.not-with-large-rotations: is not available "
-                             "with Rotations = large",
-                      linear_as_well = " Or take Rotations = linear.";
+    const std::string rule = "scene.not-with-large-rotations: this entry or "
+                             "value is not available with Rotations = large",
+                      linear_as_well = " Or write Rotations = linear.";
 
 
 
@@ -38,23 +38,23 @@ namespace lamella
         refuse(place + "Kinematics/Theories",
                "",
                rule,
-               "Give the body one Theory.");
+               "Write one Theory for the body instead of Theories.");
       const unsigned int cubic                = 3;
       const bool         has_finite_rotations = theory.has_rotating_sections();
       if (!can_rotate(theory))
         refuse(place + "Kinematics/Theory",
                theory.name(),
                "scene.theory-cannot-rotate: Rotations = large needs a theory "
-               "whose sections rotate, or can represent a rotation",
-               "Take EBBT, TBT, SV or SV-N, or LE-N, TE-N from TE-2 on, or "
+               "that can represent finite rotations of sections",
+               "Write Theory = EBBT, TBT, SV, SV-N, LE-N, TE-N with N >= 2, or "
                "solid-2.");
       if (!has_finite_rotations && !theory.is_solid() &&
           body.axis.degree != cubic)
         refuse(place + "Kinematics/Axis element",
                "B" + std::to_string(body.axis.degree + 1),
-               "scene.membrane-locking: elements of lower degree lock in "
-               "combined bending and stretching",
-               "Take B4.");
+               "scene.membrane-locking: B2 and B3 elements show membrane "
+               "locking in finite rotations",
+               "Write Axis element = B4.");
     }
 
 
@@ -117,16 +117,18 @@ namespace lamella
       if (is_line && has_area_penalty(contact))
         throw InputError(place + "Penalty",
                          "",
-                         "scene.penalty-of-line: line contact with a roller "
-                         "has no area, to which a Penalty refers",
-                         "Take Enforcement = exact, or Penalty = auto.");
+                         "scene.penalty-of-line: a Penalty is a force per area "
+                         "and penetration, but line contact with a roller has "
+                         "no area",
+                         "Write Enforcement = exact, or Penalty = auto.");
       if (is_line && !has_roller(contact, body))
         throw InputError(place + "Discretization",
                          name_of(contact.discretization),
-                         "scene.no-line-contact: line to roller needs a beam "
-                         "with its axis across the roller, and body '" +
-                           body.name + "' is none",
-                         "Take auto.");
+                         "scene.no-line-contact: line to roller contact needs "
+                         "a beam with its axis perpendicular to that of the "
+                         "roller, but body '" +
+                           body.name + "' is no such beam",
+                         "Write Discretization = auto.");
       if (contact.discretization != Discretization::automatic ||
           !allows_line_contact(contact, body) ||
           !needs_line_contact(body, *contact.obstacle))
@@ -144,9 +146,9 @@ namespace lamella
       if (contact.discretization == Discretization::node_to_node)
         refuse(place + "Discretization",
                name_of(contact.discretization),
-               "scene.fixed-pairs: pairs of nodes are fixed, and surfaces "
-               "slide in large rotations",
-               "Take surface to surface or node to surface.");
+               "scene.fixed-pairs: node to node contact has fixed pairs of "
+               "nodes, but with Rotations = large the surfaces may slide",
+               "Write Discretization = surface to surface or node to surface.");
       choose_line(contact, body);
       if (contact.discretization == Discretization::automatic)
         contact.discretization = Discretization::surface_to_surface;
@@ -163,7 +165,7 @@ namespace lamella
             refuse(kind + " " + request.name + "/Stress",
                    name_of(request.stress),
                    rule,
-                   "Take element or recovered.");
+                   "Write Stress = element or recovered.");
       };
       check("Probe", scene.probes);
       check("Line", scene.lines);
@@ -173,7 +175,7 @@ namespace lamella
         refuse("Strength/Stress",
                name_of(scene.strength.stress),
                rule,
-               "Take recovered.");
+               "Write Stress = recovered.");
     }
 
 
@@ -185,12 +187,13 @@ namespace lamella
         refuse("Goals/Tolerance",
                "",
                rule,
-               "Leave it out, and compare with a run on more elements.");
+               "Remove Tolerance, and compare with a run on more elements.");
       if (goals.bars == ErrorBars::richer)
         refuse("Goals/Error bars",
                name_of(goals.bars),
                rule,
-               "Take true: the same model on a coarser axis.");
+               "Write Error bars = true, which compares with fewer axis "
+               "elements.");
     }
 
 
@@ -203,9 +206,10 @@ namespace lamella
         if (load.is_follower && scene.solve.rotations == Rotations::linear)
           throw InputError("Load " + load.name + "/Pressure",
                            load.pressure.text() + ", follows",
-                           "scene.follower-load-linear: a load follows "
-                           "rotations, and Rotations are linear",
-                           "Leave out 'follows', or take Rotations = large.");
+                           "scene.follower-load-linear: a follower load "
+                           "rotates with the surface, but Rotations = linear "
+                           "neglects rotations",
+                           "Remove 'follows', or write Rotations = large.");
     }
   } // namespace
 
@@ -239,8 +243,9 @@ namespace lamella
       throw InputError(
         "Rotations",
         name_of(scene.solve.rotations),
-        "scene.rotations-in-parallel: large rotations run on one process",
-        "Run it without mpirun, or take linear.");
+        "scene.rotations-in-parallel: Rotations = large works on one process "
+        "only",
+        "Start lamella without mpirun, or write Rotations = linear.");
     if (scene.solve.strategy == Strategy::full)
       refuse("Contact strategy",
              name_of(scene.solve.strategy),
@@ -255,9 +260,9 @@ namespace lamella
       if (!load.pressure.empty() && !load.is_follower)
         scene.warnings.push_back(
           "scene.dead-pressure: load " + load.name +
-          ": its Pressure is a dead load: per undeformed area, along the "
-          "normal of the undeformed surface. Write `" +
-          load.pressure.text() + ", follows` for a follower load");
+          ": its Pressure is a dead load, that is, per undeformed area and "
+          "along the undeformed normal. For a follower load write `" +
+          load.pressure.text() + ", follows`");
     for (ContactPair &contact : scene.contacts)
       check_contact(scene, contact);
     check_requests(scene);
@@ -299,8 +304,8 @@ namespace lamella
             throw;
           scene.solve.rotations = Rotations::linear;
           scene.warnings.push_back(
-            "scene.rotations-linear: Rotations = auto is linear, since large "
-            "is not possible: " +
+            "scene.rotations-linear: Rotations = auto uses linear kinematics, "
+            "since Rotations = large is not possible for this scene: " +
             error.path() +
             (error.value().empty() ? "" : " = " + error.value()) + ": " +
             error.rule());

@@ -134,11 +134,13 @@ namespace lamella
           for (const std::string &name : names[kind.list])
             {
               if (!std::regex_match(name, form))
-                entry.refuse("scene.invalid-name: '" + name + "' is not a name",
-                             "Names begin with a letter and go on with "
-                             "letters, digits, '_' and '-'.");
+                entry.refuse("scene.invalid-name: '" + name +
+                               "' is not a valid name",
+                             "Write a letter first and then letters, digits, "
+                             "'_' and '-'.");
               if (!seen.insert(name).second)
-                entry.refuse("scene.repeated-name: '" + name + "' is repeated");
+                entry.refuse("scene.repeated-name: '" + name +
+                             "' is in the list twice; remove one of the two");
             }
         }
       for (const std::string &name : names["Obstacles"])
@@ -146,10 +148,11 @@ namespace lamella
           if (name == body)
             in["Obstacles"].refuse("scene.obstacle-named-as-body: '" + name +
                                      "' is also the name of a body",
-                                   "Rename one of the two.");
+                                   "Rename the obstacle or the body.");
       for (const char *list : {"Materials", "Sections", "Bodies"})
         if (names[list].empty())
-          in[list].refuse_missing("scene.empty-list: give at least one name.");
+          in[list].refuse_missing("scene.empty-list: write at least one name, "
+                                  "as in Bodies = upper, lower.");
       return names;
     }
 
@@ -170,8 +173,8 @@ namespace lamella
               kind.list,
               joined(names),
               "scene.name-without-subsection: there is no 'subsection " + path +
-                "' for the name in the list",
-              "Add it, or remove the name.");
+                "' for this name in the list",
+              "Add the subsection, or remove the name from the list.");
           reading.prm.enter_subsection(path);
           kind.resolve(reading, name, Entries(reading.prm, path));
           reading.prm.leave_subsection();
@@ -189,11 +192,13 @@ namespace lamella
       if (entry.is_empty())
         return false;
       if (entry.text() != "first failure")
-        entry.refuse("scene.unknown-find: must be `first failure`, or empty");
+        entry.refuse("scene.unknown-find: write `first failure`, or leave the "
+                     "value empty");
       if (strength.criteria.empty())
-        entry.refuse("scene.no-criteria: there are no failure criteria",
-                     "Give Criteria in subsection Strength, and Strengths of "
-                     "the materials.");
+        entry.refuse("scene.no-criteria: Find = first failure needs failure "
+                     "criteria, but Criteria is empty",
+                     "Write Criteria in subsection Strength, and Strengths in "
+                     "each Material.");
       return true;
     }
 
@@ -250,9 +255,9 @@ namespace lamella
       };
       if (any(scene.probes) || any(scene.lines) || any(scene.cuts) ||
           (by_equilibrium(scene.strength) && !scene.strength.criteria.empty()))
-        gravity.refuse("scene.equilibrium-with-gravity: Stress = equilibrium "
-                       "does not include weight",
-                       "Take recovered stresses, or leave out Gravity.");
+        gravity.refuse("scene.equilibrium-with-gravity: stresses by Stress = "
+                       "equilibrium do not include the weight of bodies",
+                       "Write Stress = recovered, or remove Gravity.");
     }
 
 
@@ -264,9 +269,10 @@ namespace lamella
       const std::string path = first_with_factors(scene);
       if (scene.find_first_failure && !path.empty())
         in["Find"].refuse("scene.find-with-factors: " + path +
-                            " has its own Factors, but the load factor is "
-                            "raised until a ply fails",
-                          "Leave Factors out.");
+                            " has its own Factors, but Find = first failure "
+                            "raises the load factor of all loads until a ply "
+                            "fails",
+                          "Remove these Factors, or Find.");
     }
 
 
@@ -335,9 +341,9 @@ namespace lamella
         throw InputError(
           path,
           "auto",
-          "scene.auto-theory-without-tolerance: only a run to a tolerance "
-          "chooses its theory",
-          "Name a theory, or give a Tolerance in subsection Goals.");
+          "scene.auto-theory-without-tolerance: Theory = auto is possible only "
+          "in a run with a Tolerance, which chooses the theory",
+          "Write a theory such as LE-2, or Tolerance in subsection Goals.");
       return true;
     }
 

@@ -65,8 +65,8 @@ namespace lamella
       return text.rfind(mark, 0) == 0;
     };
     if (begins("\xff\xfe") || begins("\xfe\xff"))
-      throw InputError("scene.utf-16: the file is text in UTF-16. Save it as "
-                       "UTF-8 (or ASCII).")
+      throw InputError("scene.utf-16: the scene file is text in the encoding "
+                       "UTF-16. Save it as UTF-8 (or ASCII).")
         .at(file + ": ");
     const std::string result = begins("\xef\xbb\xbf") ? text.substr(3) : text;
     for (std::size_t i = 0; i < result.size();)
@@ -74,8 +74,8 @@ namespace lamella
         const std::size_t n = length_of_character(result, i);
         if (n == 0)
           throw InputError(
-            "scene.not-utf-8: the line is not valid UTF-8. Save the file as "
-            "UTF-8 (or ASCII), or write the line again.")
+            "scene.not-utf-8: the line has a character that is not valid "
+            "UTF-8. Save the file as UTF-8 (or ASCII), or type the line again.")
             .at(line_prefix(
               file, 1 + std::count(result.begin(), result.begin() + i, '\n')));
         i += n;
@@ -113,8 +113,9 @@ namespace lamella
         {
           if (begin_of_comment(line) != std::string::npos)
             throw InputError("scene.continued-comment: a comment ends with a "
-                             "backslash, which joins the next line to it. "
-                             "Remove the backslash, or write text after it.")
+                             "backslash, which would make the next line a part "
+                             "of the comment. Remove the backslash, or write "
+                             "text after the backslash.")
               .at(place);
           std::string next;
           std::getline(lines, next);
@@ -125,7 +126,7 @@ namespace lamella
               next.compare(0, 11, "subsection ") == 0)
             throw InputError("scene.continued-line: the line ends with a "
                              "backslash, which joins the next line, '" +
-                             next + "', to it. Remove the backslash.")
+                             next + "', to this line. Remove the backslash.")
               .at(place);
           line = line.substr(0, line.size() - 1) + next;
         }
@@ -146,8 +147,9 @@ namespace lamella
       if ((word == "subsection" || word == "set") &&
           rest.substr(0, rest.find('=')).find('/') != std::string::npos)
         throw InputError("scene.slash-in-name: '" + line +
-                         "' has a '/' in a name. Nest subsections; '/' "
-                         "separates them in --set only.")
+                         "' has a '/' in a name. In a file, write nested "
+                         "subsections; '/' separates subsections in --set "
+                         "only.")
           .at(here);
     }
 
@@ -164,8 +166,8 @@ namespace lamella
                          "",
                          "scene.value-in-comment: the value is empty, since "
                          "'#' begins a comment",
-                         "Write the value before it, or '\\#' for a '#' of the "
-                         "value, or leave the entry out.")
+                         "Write the value before '#', write '\\#' for a '#' "
+                         "that is part of the value, or remove the entry.")
           .at(here);
     }
 
@@ -215,8 +217,8 @@ namespace lamella
       check_end(const std::string &file) const
       {
         if (!names.empty())
-          throw InputError("scene.missing-end: subsection " + names.back() +
-                           " has no 'end'.")
+          throw InputError("scene.missing-end: the subsection " + names.back() +
+                           " has no 'end'. Write 'end' after its entries.")
             .at(line_prefix(file, lines.back()));
       }
     };

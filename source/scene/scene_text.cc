@@ -89,7 +89,7 @@ namespace lamella
           if (a->path == b->path)
             throw InputError("scene.repeated-item: " + kind + " " + a->path +
                              " is already in line " + std::to_string(a->line) +
-                             ". Keep one of the two.")
+                             " of the file. Remove one of the two.")
               .at(line_prefix(file, b->line));
     }
 
@@ -102,8 +102,8 @@ namespace lamella
       const auto equals = assignment.find('=');
       if (equals == std::string::npos || equals == 0)
         throw InputError(
-          "scene.invalid-override: write SUBSECTION/ENTRY=VALUE, as in \"Body "
-          "upper/Kinematics/Theory=LE-3\".")
+          "scene.invalid-override: write --set SUBSECTION/ENTRY=VALUE, as in "
+          "--set \"Body upper/Kinematics/Theory=LE-3\".")
           .at("--set " + assignment + ": ");
       std::vector<std::string> parts = split(assignment.substr(0, equals), '/');
       for (std::string &part : parts)
@@ -126,8 +126,9 @@ namespace lamella
     refuse_repetition(entries, "entry", file);
     refuse_repetition(subsections, "subsection", file);
     if (entries.empty())
-      throw InputError("scene.no-entries: the scene is empty. `lamella "
-                       "--print-parameters` prints the entries of a scene.")
+      throw InputError("scene.no-entries: the scene file has no entries. "
+                       "`lamella --print-parameters` prints all entries that a "
+                       "scene can have.")
         .at(file + ": ");
     for (const std::string &assignment : overrides)
       set_entry(override_entry(checked_bytes(assignment, "--set")));
@@ -340,7 +341,7 @@ namespace lamella
                        "' (line " +
                        std::to_string(find(subsections, other)->line) +
                        ") is not in the list",
-                     "Write the same name in both.")
+                     "Write the same name in the list and after subsection.")
       .at(place(*given));
   }
 
@@ -368,16 +369,16 @@ namespace lamella
   {
     std::ifstream input(file);
     if (!input || std::filesystem::is_directory(file))
-      throw InputError("scene.cannot-read: cannot read this scene file. Check "
-                       "its name and that it may be read.")
+      throw InputError("scene.cannot-read: the scene file cannot be read. "
+                       "Check its name, and that you may read it.")
         .at(file + ": ");
     std::string text(longest_scene + 1, ' ');
     input.read(text.data(), text.size());
     text.resize(input.gcount());
     if (text.size() > longest_scene)
       throw InputError(
-        "scene.file-too-large: the file has more than 16 MB, so it is no "
-        "scene. Name a text of subsections and entries.")
+        "scene.file-too-large: the file has more than 16 MB, so it is no scene "
+        "file. Name a text file (NAME.prm) of subsections and entries.")
         .at(file + ": ");
     return SceneText(text, file, overrides);
   }
@@ -411,9 +412,9 @@ namespace lamella
             parent(item.path).empty() ? "" : " in " + parent(item.path);
           const std::string renamed = new_name(item.path);
           if (!renamed.empty())
-            throw InputError("scene.renamed-entry: the entry '" +
-                             last_part(item.path) + "'" + where +
-                             " is called '" + renamed + "'. Rename it.")
+            throw InputError(
+              "scene.renamed-entry: the entry '" + last_part(item.path) + "'" +
+              where + " is called '" + renamed + "'. Write the new name.")
               .at(place(item));
           const std::string nearest =
             nearest_name(last_part(item.path),
@@ -422,7 +423,7 @@ namespace lamella
                            last_part(item.path) + "'" + where +
                            (nearest.empty() ?
                               ". Remove it." :
-                              "; the nearest is '" + nearest + "'."))
+                              "; the most similar entry is '" + nearest + "'."))
             .at(place(item));
         }
   }
@@ -446,15 +447,17 @@ namespace lamella
       throw InputError(
         "scene.unknown-subsection: there is no subsection '" + name + "' in " +
         parent(item.path) +
-        (nearest.empty() ? "" : "; the nearest is '" + nearest + "'") +
-        ". Remove it, or add the missing 'end' before it.")
+        (nearest.empty() ? "" :
+                           "; the most similar name is '" + nearest + "'") +
+        ". Remove this subsection, or add the missing 'end' before it.")
         .at(place(item));
     throw InputError("scene.unknown-subsection: there is no subsection '" +
                      name +
-                     "': its name must stand in its list (Materials, Sections, "
-                     "Bodies, ...). Add it there, or remove the subsection" +
+                     "', since this name is in no list (Materials, Sections, "
+                     "Bodies and so on). Add the name to its list, or remove "
+                     "the subsection" +
                      (are_alike(name, nearest) ?
-                        "; or is the nearest meant, '" + nearest + "'?" :
+                        "; the most similar name is '" + nearest + "'." :
                         "."))
       .at(place(item));
   }

@@ -65,13 +65,15 @@ namespace lamella
           throw InputError("Body " + body.name,
                            "",
                            "scene.too-large: " + body.theory.name() +
-                             " on its section and axis has " +
-                             to_text(dofs, 3) + " DoFs and needs more than " +
-                             gigabytes(bytes) + " for its stiffness alone; " +
-                             gigabytes(available) + " are available",
-                           "Take fewer cells (Section " + body.section +
+                             " with this section and this axis has " +
+                             to_text(dofs, 3) +
+                             " DoFs, whose stiffness matrix alone needs more "
+                             "memory than " +
+                             gigabytes(bytes) + "; the machine has " +
+                             gigabytes(available) + " available",
+                           "Use fewer cells (Section " + body.section +
                              "/Cells across, Cells per ply), fewer Axis "
-                             "elements, or a lower order.");
+                             "elements, or a theory of lower order.");
       }
   }
 } // namespace lamella

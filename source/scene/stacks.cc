@@ -64,9 +64,10 @@ namespace lamella
               for (const std::string &other : given.items())
                 if (copy == other)
                   given.refuse("scene.name-of-copy: '" + copy +
-                                 "' is also the name of a copy of " + kind +
-                                 " " + name,
-                               "Rename one of the two.");
+                                 "' is also the name that a copy gets (Copies) "
+                                 "of " +
+                                 kind + " " + name,
+                               "Rename one of the two subsections.");
               names.push_back(copy);
             }
       text.replace(list, joined(names));
@@ -110,9 +111,10 @@ namespace lamella
       const double length = entry(text, body + "Length").positive();
       if (length + (n - 1) * step <= 0.)
         longer.refuse("scene.copy-length-not-positive: the last of " +
-                        std::to_string(n) + " copies would have the length " +
+                        std::to_string(n) +
+                        " copies (Copies, Length step) would have the length " +
                         to_text(length + (n - 1) * step),
-                      "Take a smaller step, or fewer copies.");
+                      "Write a Length step closer to 0, or fewer Copies.");
       for (const char *const what : {"Copies", "Origin step", "Length step"})
         text.erase(body + what);
       replace_by_copies(text, "Bodies", "Body", name, copy_names(name, n));
@@ -181,9 +183,10 @@ namespace lamella
         return;
       if (first_is_stack && second_is_stack && first.first != second.first)
         entry(text, path + "Second")
-          .refuse("scene.two-stacks: First and Second are two stacks, " +
+          .refuse("scene.two-stacks: First and Second are both repeated bodies "
+                  "(Copies), " +
                     first.first + " and " + second.first,
-                  "Name one copy of one of them, such as " +
+                  "Write a single copy in First or Second, such as " +
                     copy_name(second.first, 1) + ".");
       const bool         within = first_is_stack && second_is_stack;
       const unsigned int n =
@@ -221,9 +224,11 @@ namespace lamella
         else
           for (const char *const step : {"Origin step", "Length step"})
             if (const Entry given = entry(text, path + step); !given.is_empty())
-              given.refuse("scene.step-without-copies: the step leads from one "
-                           "copy of the body to the next, and it has no copies",
-                           "Set Copies, or leave the step out.");
+              given.refuse("scene.step-without-copies: this step is the "
+                           "difference between one copy of the body and the "
+                           "next, but the body has no Copies",
+                           "Write Copies, as in Copies = 5, or remove the "
+                           "step.");
       }
     if (stacks.empty())
       return;

@@ -139,10 +139,10 @@ namespace lamella
                  .second)
             throw InputError("Support " + support.name,
                              "",
-                             "scene.name-of-isostatic-support: the Isostatic "
+                             "scene.name-of-isostatic-support: the isostatic "
                              "support of body '" +
-                               scene.bodies[b].name + "' has this name",
-                             "Rename the support.");
+                               scene.bodies[b].name + "' already has this name",
+                             "Rename this support.");
           scene.supports.push_back(support);
         }
     }
@@ -159,13 +159,13 @@ namespace lamella
         HistoryParameters::parse(in, reading.scene.solve.load_factors);
       if (load.history > 0 && !load.temperature.empty())
         in["Factors"].refuse("scene.temperature-with-factors: a Temperature "
-                             "acts fully in each load step",
-                             "Leave Factors out.");
+                             "acts fully in each load step and has no factors",
+                             "Remove Factors.");
       reading.scene.loads.push_back(load);
       if (name == weight_load_name && reading.scene.gravity.norm() > 0.)
-        in.refuse("scene.load-named-gravity: the weight of the bodies has the "
-                  "name Gravity",
-                  "Rename the load.");
+        in.refuse("scene.load-named-gravity: the name Gravity is that of the "
+                  "load by the weight of the bodies",
+                  "Rename this load.");
     }
 
 
@@ -225,9 +225,10 @@ namespace lamella
           throw InputError(
             "Contact " + last.name,
             "",
-            "scene.repeated-contact: pairs the same surfaces as Contact " +
+            "scene.repeated-contact: First and Second are also those of "
+            "Contact " +
               other->name,
-            "Keep one of the two.");
+            "Remove one of the two contacts.");
     }
 
 

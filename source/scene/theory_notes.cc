@@ -69,10 +69,11 @@ namespace lamella
       if (std::abs(ratio - 1.) > worth_saying)
         notes.push_back(
           "scene.shear-of-theory: body " + body.name +
-          ": by the section's constants " + body.theory.name() + " is " +
-          describe_stiffness(ratio) +
-          " in bending at this length (12 E I / (k G A L^2)), since it does "
-          "not describe the shear of these plies. Use LE-N");
+          ": compared with the shear stiffness k G A of the section, " +
+          body.theory.name() + " is " + describe_stiffness(ratio) +
+          " in bending at this length, since it does not describe the "
+          "transverse shear of these plies (12 E I / (k G A L^2)). Use Theory "
+          "= LE-N");
     }
 
 
@@ -93,9 +94,11 @@ namespace lamella
         notes.push_back(
           "scene.torsion-of-theory: body " + body.name + ": in torsion " +
           body.theory.name() + " is " + to_text(*found / *truth, 2) +
-          " times as stiff as LE-2 on this section (G J " + to_text(*found, 3) +
-          " and " + to_text(*truth, 3) +
-          "), also where its walls bend. Use LE-N if the body twists");
+          " times as stiff as LE-2 for this section (torsional stiffness G J "
+          "= " +
+          to_text(*found, 3) + " instead of " + to_text(*truth, 3) +
+          "), also for the bending of its walls. Use Theory = LE-N if the body "
+          "twists");
     }
 
     /// Returns the relative increase of the axial stiffness without lateral
@@ -171,11 +174,13 @@ namespace lamella
       if (longest > coarse * width && error > worth)
         notes.push_back(
           "scene.long-element-at-clamp: body " + body.name +
-          ": a support constrains its whole section where the element is " +
-          to_text(longest, 3) + " long, " + to_text(longest / width, 2) +
-          " times the section's width: deflections may be " +
-          to_text(100. * error, 1) + " % too small. Use elements of " +
-          to_text(fine * width, 2) + " next to a clamp (Axis breaks)");
+          ": a support constrains the whole section at an axis element with "
+          "the length " +
+          to_text(longest, 3) + ", " + to_text(longest / width, 2) +
+          " times the width of the section, so deflections may be " +
+          to_text(100. * error, 1) +
+          " % too small. Use elements of the length " +
+          to_text(fine * width, 2) + " next to this support (Axis breaks)");
     }
   } // namespace
 
@@ -231,14 +236,15 @@ namespace lamella
             notes.push_back(
               "scene.shear-locking: body " + body.name + ": B" +
               std::to_string(body.axis.degree + 1) +
-              " elements with full Shear strains are too stiff in bending "
-              "where they are longer than the section is high (shear locking); "
-              "use B4, or Shear strains = auto");
+              " elements with Shear strains = full are too stiff in bending if "
+              "they are longer than the section is high (shear locking). Use "
+              "Axis element = B4, or Shear strains = auto");
           if (has_LE_1(body))
             notes.push_back(
               "scene.poisson-locking: body " + body.name +
-              ": LE-1 (L4) cells cannot contract linearly through their height "
-              "and are too stiff in bending (Poisson locking); use LE-2");
+              ": the bilinear cells (L4) of LE-1 cannot represent lateral "
+              "contraction in bending and are too stiff (Poisson locking). Use "
+              "Theory = LE-2");
         }
       return notes;
     }
@@ -258,10 +264,10 @@ namespace lamella
               !std::holds_alternative<ThinWalled>(shape))
             notes.push_back(
               "scene.distorted-solid-1: body " + body.name +
-              ": hexahedra of solid-1 are too stiff in bending if they are "
-              "long and their section cells are no rectangles: by tens of per "
-              "cent on a section of this shape (" +
-              name_of(shape) + "); use solid-2");
+              ": long hexahedra of solid-1 whose section cells are no "
+              "rectangles are too stiff in bending, by tens of per cent for a "
+              "section of this shape (" +
+              name_of(shape) + "). Use Theory = solid-2");
         }
       return notes;
     }
@@ -287,9 +293,11 @@ namespace lamella
             notes.push_back(
               "scene.bend-twist-coupling: body " + body.name +
               ": the layup twists when it bends, which " + body.theory.name() +
-              " cannot describe; by lamination theory it is " +
+              " cannot describe. By classical lamination theory this makes the "
+              "body " +
               to_text(ratio, 3) +
-              " times too stiff in bending. Use TE-2 or more, or LE-N");
+              " times too stiff in bending. Use Theory = TE-N with N >= 2, or "
+              "LE-N");
         }
       return notes;
     }

@@ -110,7 +110,7 @@ namespace lamella
         variant.refuse("scene.factor-out-of-range: the factor of " + word +
                          " must lie between " + to_text(least_factor) +
                          " and " + to_text(greatest_factor),
-                       "2 makes the mesh twice as fine.");
+                       "Write, for example, 2 for a mesh twice as fine.");
       return value;
     }
 
@@ -125,13 +125,14 @@ namespace lamella
         return std::nullopt;
       if (piece == word)
         variant.refuse(
-          "scene.variant-tolerance-missing: the tolerance is missing",
-          "Write, e.g., tolerance 1.");
+          "scene.variant-tolerance-missing: the value after the word tolerance "
+          "is missing",
+          "Write a tolerance in per cent, as in tolerance 1.");
       const double per_cent = variant.number(piece.substr(word.size() + 1));
       if (!(per_cent > 0. && per_cent <= 100.))
         variant.refuse("scene.invalid-per-cent: the tolerance must be more "
                        "than 0 and at most 100 per cent",
-                       "Write, e.g., tolerance 1.");
+                       "Write, for example, tolerance 1.");
       return per_cent / 100.;
     }
 
@@ -148,8 +149,8 @@ namespace lamella
                           "tolerance " + to_text(100. * *first.tolerance, 15) :
                           piece;
       if (first.theory.empty())
-        variant.refuse("scene.variant-without-theory: the variant does not "
-                       "begin with a theory");
+        variant.refuse("scene.variant-without-theory: each variant must begin "
+                       "with a theory, as in LE-2, axis 0.5");
       if (!first.tolerance)
         Theory::parse(Entry(variant.path(), first.theory));
       return first;
@@ -178,13 +179,14 @@ namespace lamella
           else
             text.refuse(
               "scene.invalid-variant: '" + piece +
-                "' is none of axis FACTOR, section FACTOR and PATH = VALUE",
-              "Write, e.g., LE-2, axis 2.");
+                "' is neither axis FACTOR nor section FACTOR nor PATH = VALUE",
+              "Write, for example, LE-2, axis 2.");
         }
       if (variant.tolerance && (variant.axis != 1. || variant.section != 1.))
-        text.refuse("scene.factors-with-tolerance: a run to a tolerance "
-                    "refines its meshes itself",
-                    "Leave out axis FACTOR and section FACTOR.");
+        text.refuse("scene.factors-with-tolerance: a variant with a tolerance "
+                    "refines its meshes automatically, so mesh factors have no "
+                    "use",
+                    "Remove axis FACTOR and section FACTOR from this variant.");
       return variant;
     }
 
@@ -198,16 +200,17 @@ namespace lamella
       for (const std::string &piece : entry.items('|'))
         {
           if (piece.empty())
-            entry.refuse("scene.empty-variant: a variant is empty",
-                         "Remove a '|'.");
+            entry.refuse("scene.empty-variant: there is no variant between two "
+                         "'|', or at an end of the list",
+                         "Remove the extra '|'.");
           variants.push_back(parse_variant(Entry(entry.path(), piece)));
           if (!names.insert(piece).second)
             entry.refuse("scene.repeated-variant: the variant '" + piece +
-                         "' is repeated");
+                         "' is given twice; remove one of the two");
         }
       if (variants.size() < 2)
         entry.refuse("scene.too-few-variants: a trade needs at least two "
-                     "variants, separated by '|'");
+                     "variants with '|' between, as in TBT | LE-2");
       return variants;
     }
 
@@ -223,13 +226,16 @@ namespace lamella
           if (!quantity.given)
             reference.refuse(
               "scene.no-reference: " + quantity.label() +
-                " has no value among the scene's References",
-              "Add one, leave the quantity out, or use Reference = finest.");
+                " has no value in References of the scene, but Reference = "
+                "given needs one",
+              "Add a value to References, remove the quantity, or write "
+              "Reference = finest.");
           if (*quantity.given == 0.)
             reference.refuse(
               "scene.reference-zero: " + quantity.label() +
-                " has the reference 0, so its relative error is undefined",
-              "Compare another quantity, or another point.");
+                " has the reference value 0, so its relative error is "
+                "undefined",
+              "Choose another quantity, or another position of the probe.");
         }
     }
 
@@ -245,9 +251,9 @@ namespace lamella
         references.push_back(variant.name);
       if (std::find(references.begin(), references.end(), entry.text()) ==
           references.end())
-        entry.refuse("scene.unknown-reference: must be finest, solid, given or "
+        entry.refuse("scene.unknown-reference: write finest, solid, given or "
                      "the name of a variant",
-                     "The nearest is '" +
+                     "The most similar is '" +
                        nearest_name(entry.text(), references) + "'.");
       return entry.text();
     }
@@ -262,8 +268,8 @@ namespace lamella
       for (const double per_cent : entry.numbers())
         {
           if (!(per_cent > 0. && per_cent <= 100.))
-            entry.refuse("scene.invalid-per-cent: must be more than 0 and at "
-                         "most 100 per cent");
+            entry.refuse("scene.invalid-per-cent: each value must be more than "
+                         "0 and at most 100 per cent, as in 1, 5");
           tolerances.push_back(per_cent / 100.);
         }
       return tolerances;
@@ -277,7 +283,8 @@ namespace lamella
       const double seconds = entry.number();
       if (!(seconds >= 0. && seconds <= longest_time))
         entry.refuse(
-          "scene.invalid-time-limit: must be 0 (none) or seconds, at most 1e9");
+          "scene.invalid-time-limit: write the limit in seconds, at most 1e9, "
+          "or 0 for no limit");
       return seconds;
     }
   } // namespace

@@ -144,7 +144,8 @@ namespace lamella
 
     std::smatch match;
     if (!std::regex_match(entry.text(), match, of_order))
-      entry.refuse("section.unknown-theory: there is no such theory", remedy);
+      entry.refuse("section.unknown-theory: there is no theory of this name",
+                   remedy);
     theory.kind              = *named<Kind>(match[1]);
     theory.order             = std::stoi(match[2]);
     const unsigned int least = theory.kind == Kind::SV ? 0 : 1,
@@ -153,7 +154,9 @@ namespace lamella
                                theory.kind == Kind::SV ? 40 :
                                                          2;
     if (theory.order < least || theory.order > limit)
-      entry.refuse("section.order-out-of-range: N is out of range", remedy);
+      entry.refuse("section.order-out-of-range: the number N of this theory is "
+                   "out of range",
+                   remedy);
     return theory;
   }
 
@@ -220,17 +223,21 @@ namespace lamella
       if (theory.is_classical())
         all.refuse(
           "section.classical-theory-in-pieces: " + word +
-            " has a reduced material law and cannot join other theories",
-          "Use SV instead.");
+            " uses a reduced material law and cannot be combined with other "
+            "theories in Theories",
+          "Write SV instead.");
       if (theory.kind == Theory::Kind::TE)
         all.refuse("section.taylor-theory-in-pieces: " + word +
-                     " has functions that LE-N and SV-N do not contain",
-                   "Use LE-N and SV-N in Theories, or TE-N alone as Theory.");
+                     " has section functions that LE-N and SV-N do not "
+                     "contain, so they cannot be joined",
+                   "Write only LE-N and SV-N in Theories, or TE-N as the "
+                   "single Theory.");
       if (theory.kind == Theory::Kind::solid)
         all.refuse("section.solid-in-pieces: " + word +
-                     " is no beam theory: a solid has no axis",
-                   "Use LE-N and SV-N in Theories, or make a body of its own "
-                   "for the solid.");
+                     " is no beam theory, but Theories are joined along the "
+                     "axis of a beam",
+                   "Write only LE-N and SV-N in Theories, or use a separate "
+                   "body with the solid theory.");
       return theory;
     }
 
@@ -257,8 +264,9 @@ namespace lamella
         all.refuse("section.different-orders-of-sv: SV-" +
                      std::to_string(*waves.begin()) + " and SV-" +
                      std::to_string(*waves.rbegin()) +
-                     " have different wave numbers",
-                   "Give all pieces of SV-N the same N, or use SV.");
+                     " in Theories use different wave numbers and cannot be "
+                     "joined",
+                   "Write the same N for each SV-N in Theories, or SV.");
       const unsigned int highest = degrees.empty() ? 0 : *degrees.rbegin();
       const unsigned int space   = order.text() == "auto" && highest > 0 ?
                                      highest :
@@ -266,12 +274,15 @@ namespace lamella
       if (space < highest)
         order.refuse("section.section-order-too-low: Theories has LE-" +
                        std::to_string(highest) +
-                       ", which needs functions of its degree",
-                     "Leave it at auto, or give " + std::to_string(highest) +
-                       " or more.");
+                       ", which needs section functions of at least this "
+                       "degree",
+                     "Write Section order = auto, or " +
+                       std::to_string(highest) + " or more.");
       if (only_LE && space > highest)
-        order.refuse("section.section-order-unused: Theories has no SV-N",
-                     "Leave it at auto.");
+        order.refuse("section.section-order-unused: Section order is the "
+                     "degree of the section functions of SV-N, but Theories "
+                     "has no SV-N",
+                     "Write Section order = auto, or remove the entry.");
       for (Theory &theory : theories)
         {
           theory.section_order = space;
@@ -292,7 +303,8 @@ namespace lamella
     theory.shear_factor       = factor.positive();
     if (theory.shear_factor > 1.)
       factor.refuse(
-        "section.shear-factor-above-one: must be above 0 and at most 1");
+        "section.shear-factor-above-one: the shear correction factor must be "
+        "more than 0 and at most 1, for example 5/6 = 0.8333");
     return theory;
   }
 
@@ -308,24 +320,24 @@ namespace lamella
       {
         if (!pieces.breaks.empty())
           breaks.refuse(
-            "section.breaks-without-theories: there are no Theories for the "
-            "pieces",
-            "Give Theories, one for each piece, or leave out Theory breaks.");
+            "section.breaks-without-theories: Theory breaks divides the axis "
+            "into parts, but there are no Theories for these parts",
+            "Write one of Theories for each part, or remove Theory breaks.");
         return {};
       }
     for (const std::string &word : all.items())
       pieces.theories.push_back(parse_piece(all, word));
     if (pieces.theories.size() != pieces.breaks.size() + 1)
-      all.refuse("section.count-of-theories: there are " +
+      all.refuse("section.count-of-theories: Theory breaks divide the axis "
+                 "into " +
                    std::to_string(pieces.breaks.size() + 1) +
-                   " pieces (Theory breaks and one) and " +
-                   std::to_string(pieces.theories.size()) +
-                   (pieces.theories.size() == 1 ? " theory" : " theories"),
-                 "Give a theory for each piece.");
+                   " parts, but the number of theories is " +
+                   std::to_string(pieces.theories.size()),
+                 "Write one theory for each part, as in LE-2, SV-6, LE-2.");
     if (!in["Theory"].is_empty())
       all.refuse("section.theory-and-theories: Theory = " +
-                   in["Theory"].text() + " is given for the same body",
-                 "Give one of the two.");
+                   in["Theory"].text() + " is also given for this body",
+                 "Remove Theory or Theories.");
     set_section_orders(pieces.theories, in["Section order"], all);
     return pieces;
   }

@@ -96,7 +96,8 @@ namespace lamella
       // The lock needs a file; it is not emptied, should another have it.
       if (error || !std::ofstream(directory + "/trade.lock", std::ios::app))
         throw InputError("trade.folder-not-writable: results cannot be written "
-                         "there. Name a writable folder.")
+                         "into this folder. Name a folder that you may write "
+                         "to.")
           .at("--output " + directory + ": ");
     }
 
@@ -110,15 +111,18 @@ namespace lamella
       if (scene.solve.rotations == Rotations::automatic)
         throw InputError("Rotations",
                          name_of(scene.solve.rotations),
-                         "trade.automatic-rotations: a trade compares runs of "
-                         "one kind, and auto may choose either",
-                         "Run it with Rotations = linear, or large.");
+                         "trade.automatic-rotations: a trade compares runs "
+                         "with the same kinematics, but auto may choose linear "
+                         "or large for each run",
+                         "Write Rotations = linear or large.");
       if (is_large && scene.trade.error_bars)
         throw InputError("Trade/Error bars",
                          "true",
                          "trade.bars-with-large-rotations: with Rotations = "
-                         "large they estimate errors of the axis only",
-                         "Leave it out: the finest variant is the reference.");
+                         "large, error bars contain the error of the axis "
+                         "elements only",
+                         "Remove Error bars; the errors in the tables are "
+                         "those against the finest variant.");
     }
   } // namespace
 
@@ -142,9 +146,9 @@ namespace lamella
       throw InputError(
         "Trade/Quantities",
         "",
-        "trade.no-quantities: there is nothing to compare, since the scene has "
-        "neither probes nor References of supports and contacts",
-        "Add a probe.");
+        "trade.no-quantities: a trade compares quantities of its variants, but "
+        "the scene has neither probes nor References of supports and contacts",
+        "Add a Probe, or write Quantities.");
     for (const TradeVariant &entry : scene.trade.variants)
       try
         {
@@ -159,8 +163,8 @@ namespace lamella
             continue;
           throw InputError("Trade/Variants",
                            entry.name,
-                           "trade.variant-unreadable: the scene cannot be read "
-                           "with this variant's entries",
+                           "trade.variant-unreadable: the scene with the "
+                           "changes of this variant is not valid",
                            error.what());
         }
   }
@@ -272,8 +276,8 @@ namespace lamella
     prepare_directory(directory);
     boost::interprocess::file_lock lock((directory + "/trade.lock").c_str());
     if (!lock.try_lock())
-      throw InputError("trade.folder-in-use: another trade uses this folder. "
-                       "Wait for it, or name another folder.")
+      throw InputError("trade.folder-in-use: another trade writes into this "
+                       "folder. Wait until it ends, or name another folder.")
         .at("--output " + directory + ": ");
     // Those of an earlier trade would look like this one's.
     for (const char *name :

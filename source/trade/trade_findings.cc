@@ -100,8 +100,9 @@ namespace lamella
     const std::string python = python_with("json");
     if (python.empty())
       throw InputError(
-        "trade.no-python: the tables of the trade need python3. Install it, "
-        "and start the trade again: completed variants are not run again.");
+        "trade.no-python: the tables of a trade need python3, which was not "
+        "found. Install python3 and start the trade again; finished variants "
+        "are not repeated.");
     const std::string errors = directory + "/trade_errors.txt";
     const ProcessEnd  end =
       run_process(python,
@@ -112,9 +113,13 @@ namespace lamella
     message << std::ifstream(errors).rdbuf();
     std::filesystem::remove(errors);
     if (end.status == 2)
-      throw NumericsError("trade.no-reference: " + trimmed(message.str()));
+      throw NumericsError("trade.no-reference: The reference solution of the "
+                          "trade is missing, so there are no errors. Cause: " +
+                          trimmed(message.str()));
     if (end.status != 0)
-      throw InputError("trade.tables-failed: the tables of the trade: " +
+      throw InputError("trade.tables-failed: the tables of the trade could not "
+                       "be written. Correct the cause and start the trade "
+                       "again; finished variants are not repeated. Cause: " +
                        trimmed(message.str()));
   }
 } // namespace lamella

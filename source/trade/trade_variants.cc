@@ -308,8 +308,8 @@ namespace lamella
     if (fingerprint(job.entry, job.overrides) != job.fingerprint ||
         fingerprint(overrides) != base)
       throw InputError(
-        "trade.scene-changed: the scene, a mesh file or the program changed "
-        "while its variants ran. Start the trade again.")
+        "trade.scene-changed: the scene, a mesh file or the program was "
+        "changed while the variants were running. Start the trade again.")
         .at(scene_file + ": ");
     json record{{"of", job.fingerprint},
                 {"seconds", seconds},

@@ -98,8 +98,10 @@ namespace lamella
           throw InputError(
             file.what + "/File",
             file.path,
-            "trade.mesh-not-coarser: the mesh of a file cannot be made coarser",
-            "Name a coarser one in the variant: Section NAME/File = ...");
+            "trade.mesh-not-coarser: a section mesh from a file can be refined "
+            "but not coarsened, so section FACTOR is too small",
+            "Name a coarser mesh file in the variant, as in Section NAME/File "
+            "= coarse.msh");
         return {{"Cells divided", std::to_string(times)}};
       }
     };
