@@ -343,8 +343,9 @@ namespace lamella
       throw InputError(
         what + "/Corner layers",
         std::to_string(layers),
-        "shape.no-singular-corner: no corner is re-entrant or between plies",
-        "Leave it out.");
+        "shape.no-singular-corner: the section has no corner with singular "
+        "stresses (a re-entrant corner, or an edge where different plies meet)",
+        "Remove Corner layers.");
     const Triangulation<2> &mesh = section.mesh;
     Sheets                  sheets(mesh);
     for (const auto &face : mesh.active_face_iterators())
@@ -362,11 +363,11 @@ namespace lamella
     if (divider.n_cells() > max_section_cells)
       throw InputError(what + "/Corner layers",
                        std::to_string(layers),
-                       "shape.too-many-cells: would make " +
+                       "shape.too-many-cells: the corner layers would give " +
                          std::to_string(divider.n_cells()) +
-                         " cells of the section, more than " +
+                         " cells in the section; the largest number is " +
                          to_text(max_section_cells),
-                       "Make fewer layers, or use a higher order.");
+                       "Use fewer Corner layers, or a theory of higher order.");
     auto result        = std::make_shared<SectionMesh>();
     result->plies      = section.plies;
     result->boundaries = section.boundaries;

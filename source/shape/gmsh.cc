@@ -42,18 +42,18 @@ namespace lamella
       std::error_code    ignored;
       const bool regular = std::filesystem::is_regular_file(path, ignored);
       if (regular && std::filesystem::file_size(path, ignored) > largest_file)
-        entry.refuse("shape.file-too-large: this file has more than " +
+        entry.refuse("shape.file-too-large: the mesh file has more than " +
                        std::to_string(largest_file >> 20) +
-                       " MB, more cells than a section can have",
-                     "Make the mesh coarser.");
+                       " MB and so more cells than a section can have",
+                     "Use a coarser mesh.");
       std::ifstream      input(path);
       std::ostringstream text;
       if (regular)
         text << input.rdbuf();
       if (!regular || !input || !text)
-        entry.refuse("shape.cannot-read: cannot read this file",
-                     "Its name is relative to the scene's folder; write a '#' "
-                     "in it as \\#, since '#' begins a comment.");
+        entry.refuse("shape.cannot-read: the mesh file cannot be read",
+                     "Write its name relative to the folder of the scene, and "
+                     "a '#' in the name as \\#.");
       return text.str();
     }
 
@@ -85,7 +85,7 @@ namespace lamella
         "shape.mesh-not-plane: the mesh does not lie in one plane (z from " +
           to_text(lowest->position[2]) + " to " +
           to_text(highest->position[2]) + ")",
-        "Draw the section in x and y.");
+        "Draw the section in the plane of x and y (z = 0).");
     }
 
 
@@ -123,25 +123,22 @@ namespace lamella
         refuse_line(entry,
                     triangles.first_line,
                     "shape.triangular-cells: " + std::to_string(triangles.n) +
-                      (triangles.n == 1 ?
-                         " cell is a triangle" :
-                         " cells are triangles, this the first"),
-                    "A section is made of quadrilaterals: in Gmsh, 'Recombine "
-                    "Surface {:};' with transfinite surfaces, or "
+                      " cell(s) of the mesh are triangles, first this one",
+                    "A section needs quadrilaterals only. In Gmsh, use "
+                    "'Recombine Surface {:};' with transfinite surfaces, or "
                     "'Mesh.RecombinationAlgorithm = 3;'.");
       if (others.n > 0)
-        refuse_line(entry,
-                    triangles.first_line,
-                    "shape.wrong-elements: of the elements " +
-                      std::to_string(others.n) +
-                      (others.n == 1 ? " is" : " are") +
-                      " of higher order or not in the plane" +
-                      (others.n == 1 ? "" : ", this the first"),
-                    "Use first-order quadrilaterals: Mesh.ElementOrder = 1.");
+        refuse_line(
+          entry,
+          triangles.first_line,
+          "shape.wrong-elements: " + std::to_string(others.n) +
+            " element(s) of the mesh are of higher order or not plane",
+          "Use first-order quadrilaterals in the plane of x and y "
+          "(in Gmsh, Mesh.ElementOrder = 1).");
       if (cells == 0)
         entry.refuse("shape.no-quadrilaterals: the mesh has no quadrilaterals",
-                     "Make it with 'gmsh -2', and put surfaces into its "
-                     "physical surfaces.");
+                     "Make the mesh with 'gmsh -2', and define physical "
+                     "surfaces that contain all surfaces.");
     }
 
 
@@ -170,8 +167,8 @@ namespace lamella
       if (surfaces.empty())
         entry.refuse(
           "shape.no-named-surface: the mesh has no named physical surface",
-          "In Gmsh, 'Physical Surface(\"" + material +
-            "\") = {1};' names its material.");
+          "Name the material of each surface, in Gmsh by 'Physical Surface(\"" +
+            material + "\") = {1};'.");
       for (const auto &[part, oriented_material] : file.parts)
         if (std::find(surfaces.begin(), surfaces.end(), part) == surfaces.end())
           throw InputError(
@@ -179,7 +176,7 @@ namespace lamella
             "",
             "shape.unknown-part: the mesh has no physical surface '" + part +
               "'",
-            "It has " + joined(surfaces) + ".");
+            "The mesh has " + joined(surfaces) + ".");
     }
 
 
@@ -210,10 +207,12 @@ namespace lamella
                 entry,
                 group.line,
                 "shape.part-without-material: the physical surface '" + name +
-                  "' is no material; the nearest of Materials is '" +
+                  "' has no material of this name; the most similar name in "
+                  "Materials is '" +
                   nearest_name(name, known) + "'",
-                "Rename it, or name its material in Parts: '" + name + ": " +
-                  known[0] + "'.");
+                "Rename the physical surface, or give its material in Parts: "
+                "'" +
+                  name + ": " + known[0] + "'.");
             ply_of_tag[key.second] = section.plies.size();
             section.plies.push_back({oriented_material.material,
                                      oriented_material.angle,
@@ -247,15 +246,17 @@ namespace lamella
               refuse_line(entry,
                           group.line,
                           "shape.reserved-name: the physical line '" + name +
-                            "' has a reserved name (" + joined(reserved) + ")",
-                          "Rename it.");
+                            "' has a name that is reserved for sides of a body "
+                            "(" +
+                            joined(reserved) + ")",
+                          "Rename the physical line.");
             if (!std::regex_match(name, form))
               refuse_line(entry,
                           group.line,
                           "shape.invalid-name: '" + name +
-                            "', a physical line, is not a name",
-                          "Names begin with a letter and go on with letters, "
-                          "digits, '_' and '-'.");
+                            "' is no valid name of a physical line",
+                          "Write a letter first and then letters, digits, '_' "
+                          "and '-'.");
             // Groups of one name are one boundary.
             const types::boundary_id id =
               id_of_name.insert({name, section.boundaries.size()})
@@ -291,7 +292,8 @@ namespace lamella
           element.line,
           "shape.cell-without-material: the cell at " +
             to_text(Point<2>(center)) +
-            " is in no named physical surface, so its material is unknown");
+            " is in no named physical surface, so its material is unknown; put "
+            "its surface into one");
       cell.material_id = ply->second;
       return cell;
     }
@@ -349,9 +351,10 @@ namespace lamella
         throw InputError(
           file.what + "/Scale",
           to_text(file.scale),
-          "shape.scale-out-of-range: the section would be " +
+          "shape.scale-out-of-range: with this scale the section would be " +
             to_text(extent * file.scale) + " wide or high",
-          "Scale is a factor such as 0.001, of a mesh in mm in a scene in m.");
+          "Scale multiplies the coordinates of the mesh: write 0.001 for a "
+          "mesh in mm and a scene in m.");
     }
   } // namespace
 
@@ -391,7 +394,7 @@ namespace lamella
             "",
             "shape.unknown-curve: the mesh has no physical line '" + curve +
               "' on its boundary",
-            "It has " + joined(curves) + ".");
+            "The mesh has " + joined(curves) + ".");
       const auto   normals = std::make_shared<CurveNormals>(section, followed);
       const double sign    = part.outwards ? 1. : -1.;
       plane.normal_at      = [normals, sign](const Point<2> &x) {
@@ -419,7 +422,7 @@ namespace lamella
               "",
               "shape.unknown-part: the mesh has no physical surface '" + part +
                 "'",
-              "It has " + joined(parts) + ".");
+              "The mesh has " + joined(parts) + ".");
           const PlyPlane plane = plane_of(direction, section, where);
           for (const auto &[key, group] : mesh.names)
             if (key.first == 2 && group.name == part)

@@ -67,8 +67,8 @@ namespace lamella
               "shape.folded-cell: a cell is folded or has no area, at " +
                 to_text(Point<2>(center)) +
                 " (an inner angle of 180 degrees or more)",
-              "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
-              "transfinite surfaces make better cells.");
+              "Mesh the section again; in Gmsh, 'Mesh.RecombinationAlgorithm = "
+              "3' or transfinite surfaces make better cells.");
           }
   }
 
@@ -88,9 +88,9 @@ namespace lamella
             refuse_line(
               entry,
               mesh.elements[c]->line,
-              "shape.overlapping-cells: this cell lies over others at " +
+              "shape.overlapping-cells: this cell overlaps other cells near " +
                 to_text(mesh.vertices[corner.vertex]),
-              "Draw each surface once, and mesh the section anew.");
+              "Draw each surface once, and mesh the section again.");
         }
   }
 
@@ -144,11 +144,11 @@ namespace lamella
               refuse_line(
                 entry,
                 mesh.elements[c]->line,
-                "shape.overlapping-cells: this cell and that of line " +
+                "shape.overlapping-cells: this cell and the cell in line " +
                   std::to_string(mesh.elements[it->second.cell]->line) +
-                  " overlap at the side " + ends(mesh, side),
-                "Draw each surface once, let it be in one physical surface, "
-                "and mesh it anew.");
+                  " of the file overlap at the side " + ends(mesh, side),
+                "Draw each surface once, put each into one physical surface "
+                "only, and mesh the section again.");
           }
       return count;
     }
@@ -179,10 +179,10 @@ namespace lamella
       if (cells == count.end() && mesh.rest.boundary_lines[l].boundary_id != 0)
         refuse_line(entry,
                     in_file,
-                    "shape.line-off-boundary: this part of a physical line is "
-                    "no side of a cell",
-                    "Only lines of the section's boundary can be physical "
-                    "ones: remove this one, or mesh the section anew.");
+                    "shape.line-off-boundary: this line element of a physical "
+                    "line is no side of a cell",
+                    "Physical lines must be on the boundary of the section: "
+                    "remove this physical line, or mesh the section again.");
       // Lines of no name beside the section: auxiliary ones.
       if (cells == count.end())
         return false;
@@ -190,10 +190,10 @@ namespace lamella
         refuse_line(
           entry,
           in_file,
-          "shape.line-inside: a line of the mesh runs inside the section, " +
+          "shape.line-inside: a physical line runs inside the section, " +
             ends(mesh, side),
-          "Only lines of its boundary can be physical ones: remove this one, "
-          "or Mesh.SaveAll.");
+          "Physical lines must be on the boundary: remove this physical line, "
+          "or the Gmsh option Mesh.SaveAll.");
       return true;
     }
   } // namespace
@@ -216,10 +216,10 @@ namespace lamella
           refuse_line(entry,
                       mesh.lines[l]->line,
                       "shape.side-in-two-lines: the side " + ends(mesh, side) +
-                        " is in a physical line already, in line " +
+                        " is already in another physical line, in line " +
                         std::to_string(mesh.lines[it->second]->line) +
                         " of the file",
-                      "Let each curve be in one.");
+                      "Put each curve into one physical line only.");
         lines.push_back(mesh.rest.boundary_lines[l]);
       }
     mesh.rest.boundary_lines = lines;

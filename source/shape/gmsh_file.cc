@@ -226,7 +226,8 @@ namespace lamella
                     "shape.several-groups: the " + name + " " +
                       std::to_string(tag) + " is in " + std::to_string(n) +
                       " physical groups",
-                    "Let each curve and surface be in one.");
+                    "Put each curve and each surface into one physical group "
+                    "only.");
       if (!group_of_entity.insert({{dimension, tag}, group}).second)
         at.fault("a second " + name + " " + std::to_string(tag));
     }

@@ -72,7 +72,12 @@ namespace lamella
   void
   GmshLines::fault(const std::string &rule, const std::string &remedy) const
   {
-    refuse_line(entry, line, "shape.mesh-malformed: " + rule, remedy);
+    refuse_line(entry,
+                line,
+                "shape.mesh-malformed: this line of the mesh file "
+                "is not as Gmsh writes it: " +
+                  rule,
+                remedy);
   }
 
 
@@ -175,12 +180,13 @@ namespace lamella
     if (all.rest.substr(0, 3) == "\xEF\xBB\xBF")
       refuse_line(all.entry,
                   1,
-                  "shape.byte-order-mark: a byte order mark (EF BB BF) "
-                  "precedes $MeshFormat",
-                  "Save the file without it, as plain ASCII.");
+                  "shape.byte-order-mark: a byte order mark (EF BB BF) is at "
+                  "the beginning of the mesh file",
+                  "Save the file as plain ASCII, without a byte order mark.");
     if (!all.next() || (all.current != "$MeshFormat" && all.current != "$NOD"))
-      all.entry.refuse("shape.not-a-mesh: this is not a mesh by Gmsh",
-                       "Write one with 'gmsh -2 NAME.geo -o NAME.msh'.");
+      all.entry.refuse("shape.not-a-mesh: this file is not a mesh file of Gmsh",
+                       "Write a mesh file with 'gmsh -2 NAME.geo -o "
+                       "NAME.msh'.");
     std::string version = "1";
     bool        binary  = false;
     if (all.current == "$MeshFormat")
@@ -195,10 +201,10 @@ namespace lamella
     if (binary || !(is_in_blocks || version == "2.2"))
       refuse_line(all.entry,
                   all.line,
-                  "shape.mesh-version: the mesh is " +
+                  "shape.mesh-version: the mesh file is " +
                     (binary ? "binary" : "of version " + version) +
-                    "; text of 4.1 and of 2.2 is read",
-                  "Have Gmsh write it anew: 'gmsh " + all.entry.text() +
+                    "; only text files of versions 4.1 and 2.2 can be read",
+                  "Write the mesh again with 'gmsh " + all.entry.text() +
                     " -save -format msh41 -o NEW.msh'.");
     all.integer(2, "8, the bytes of a number", 1);
     if (!all.next())

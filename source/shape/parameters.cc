@@ -355,14 +355,16 @@ namespace lamella
       for (const Declaration &entry : declarations())
         if (!entry.is_of(kind) && in[entry.name].text() != entry.fallback)
           in[entry.name].refuse("shape.entry-of-other-shape: the shape '" +
-                                  name_of(kind) + "' has no such entry",
-                                "It has " + joined(own) + ".");
+                                  name_of(kind) + "' does not have this entry",
+                                "Remove this entry; the entries of the shape "
+                                "are " +
+                                  joined(own) + ".");
       if (letter_of(kind) == 'W' && !in["Wall thickness"].is_empty() &&
           !in["Web thickness"].is_empty() && !in["Flange thickness"].is_empty())
         in["Wall thickness"].refuse(
-          "shape.wall-thickness-unused: has no effect beside Web thickness and "
-          "Flange thickness",
-          "Remove one of the three.");
+          "shape.wall-thickness-unused: Wall thickness has no effect, since "
+          "Web thickness and Flange thickness are given",
+          "Remove one of these three entries.");
     }
   } // namespace
 
@@ -461,9 +463,9 @@ namespace lamella
     const double       cells  = estimated_cells(result);
     if (cells > max_section_cells)
       in.refuse("shape.too-many-cells: the section would have about " +
-                  to_text(cells) + " cells, more than " +
+                  to_text(cells) + " cells; the largest number is " +
                   to_text(max_section_cells),
-                "Use fewer cells, and a higher order instead.");
+                "Use fewer cells, and a theory of higher order instead.");
     return result;
   }
 } // namespace lamella

@@ -142,9 +142,9 @@ namespace lamella
                             tree.qend()) > 1)
             entry.refuse(
               "shape.double-node: there are two nodes at " + to_text(point) +
-                ", so the cells on both sides are not connected",
-              "In Gmsh, share points and lines between surfaces, or write "
-              "'Coherence;' ('Coherence Mesh;' after meshing).");
+                ", so the cells of the two nodes are not connected",
+              "In Gmsh, let adjacent surfaces use the same points and lines, "
+              "or write 'Coherence;' (after meshing, 'Coherence Mesh;').");
         }
     }
 
@@ -176,11 +176,12 @@ namespace lamella
             }
         }
       if (parts.size() > 1)
-        entry.refuse("shape.section-in-pieces: the section is in " +
+        entry.refuse("shape.section-in-pieces: the section consists of " +
                        std::to_string(parts.size()) +
-                       " pieces that share no side of a cell; one is at " +
+                       " parts that are not connected by sides of cells; one "
+                       "part is at " +
                        to_text(parts[0]) + ", another at " + to_text(parts[1]),
-                     "A section must be connected.");
+                     "Connect the parts, or make a body of each.");
     }
   } // namespace
 
@@ -198,14 +199,12 @@ namespace lamella
           ++bad;
         }
     if (bad > 0)
-      entry.refuse("shape.folded-cell: " +
-                     (bad == 1 ? "a cell is" :
-                                 std::to_string(bad) + " cells are") +
-                     " folded or has no area, " +
-                     (bad == 1 ? "at " : "the first at ") + to_text(where) +
-                     " (an inner angle of 180 degrees or more)",
-                   "Mesh it anew; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' "
-                   "or transfinite surfaces make better cells.");
+      entry.refuse(
+        "shape.folded-cell: " + std::to_string(bad) +
+          " cell(s) of the section are folded or have no area, the first at " +
+          to_text(where) + " (an inner angle of 180 degrees or more)",
+        "Mesh the section again; in Gmsh, 'Mesh.RecombinationAlgorithm = 3' or "
+        "transfinite surfaces make better cells.");
     check_vertices(section, entry);
     check_connected(section, entry);
   }
@@ -229,10 +228,9 @@ namespace lamella
             "",
             "shape.cell-too-slender: a cell at " + to_text(cell->center()) +
               " is " + to_text(ratio, 2) +
-              " times as long as thick; double precision allows " +
+              " times as long as thick; double precision allows at most " +
               to_text(sensible) + " times",
-            "Are the units right? If they are, use more cells along the longer "
-            "side.");
+            "Check the units, or use more cells along the longer side.");
       }
   }
 } // namespace lamella

@@ -14,7 +14,8 @@ namespace lamella
   {
     const std::vector<double> values = in[entry].numbers();
     if (values.empty())
-      in[entry].refuse_missing("shape.length-missing: give a positive length.");
+      in[entry].refuse_missing("shape.length-missing: write a positive length, "
+                               "as in 0.05.");
     return values;
   }
 
@@ -26,7 +27,8 @@ namespace lamella
     const std::vector<unsigned int> values =
       in[entry].whole_numbers(1, max_cells_in_line);
     if (values.empty())
-      in[entry].refuse_missing("shape.number-missing: give a whole number.");
+      in[entry].refuse_missing("shape.number-missing: write a whole number, as "
+                               "in 2.");
     return values;
   }
 
@@ -41,7 +43,8 @@ namespace lamella
     if (entry.is_empty() && materials.size() == 1)
       result.material = materials[0];
     else if (entry.is_empty())
-      entry.refuse_missing("shape.material-missing: name one of " +
+      entry.refuse_missing("shape.material-missing: write the name of a "
+                           "material: " +
                            joined(materials) + ".");
     else
       result.material = material(entry, entry.text());
@@ -78,9 +81,9 @@ namespace lamella
       const unsigned int n = result.across_breaks.size() + 1;
       if (result.cells_across.size() != n)
         reader.in["Cells across"].refuse(
-          std::string("shape.count-of-cells: there ") +
-          (n == 1 ? "is one piece" : "are " + std::to_string(n) + " pieces") +
-          " (Across breaks and one), so give as many numbers");
+          "shape.count-of-cells: Across breaks divide the width into " +
+            std::to_string(n) + " part(s)",
+          "Write the number of cells of each part, as in 4, 2, 4.");
     }
   } // namespace
 
@@ -104,8 +107,9 @@ namespace lamella
     if (names.empty() && materials.size() == 1)
       names = materials;
     if (names.empty())
-      entry.refuse_missing("shape.material-missing: name one of " +
-                           joined(materials) + ", or one per ply.");
+      entry.refuse_missing("shape.material-missing: write the name of a "
+                           "material: " +
+                           joined(materials) + ", or one for each ply.");
     for (const std::string &name : names)
       material(entry, name);
     result.materials = one_per_ply(names, n, entry);
@@ -122,20 +126,22 @@ namespace lamella
     result.graded_towards = in["Graded towards"].number();
     if (!(result.graded_towards >= 30. && result.graded_towards <= 150.))
       in["Graded towards"].refuse(
-        "shape.angle-out-of-range: must be an angle from 30 to 150 degrees; 90 "
-        "is the top of the arc");
+        "shape.angle-out-of-range: the angle must lie between 30 and 150 "
+        "degrees; 90 is the top of the arc");
     const Entry finest = in["Finest cell"];
     result.finest_cell =
       finest.is_empty() ? result.radius / 8. : finest.positive();
     if (!(result.finest_cell <= result.radius &&
           result.finest_cell >= 1e-6 * result.radius))
-      finest.refuse("shape.invalid-finest-cell: must lie between a millionth "
-                    "of the radius and the radius " +
+      finest.refuse("shape.invalid-finest-cell: the size of the finest cell "
+                    "must lie between a millionth of Radius and Radius, which "
+                    "is " +
                     to_text(result.radius));
     result.sectors = count("Sectors");
     if (result.sectors % 4 != 0)
       in["Sectors"].refuse(
-        "shape.not-multiple-of-four: must be a multiple of 4, as 8 or 12");
+        "shape.not-multiple-of-four: the number of sectors must be a multiple "
+        "of 4, as 8 or 12");
     result.oriented_material = oriented_material();
     return result;
   }
@@ -174,13 +180,14 @@ namespace lamella
           if (name.empty() || material.empty() || !rest.empty())
             entry.refuse(
               "shape.invalid-part: '" + text +
-                "' is not PART: MATERIAL ANGLE, as in web: carbon 45",
-              "Parts are separated by '|'.");
+                "' has not the form PART: MATERIAL ANGLE, as in web: carbon 45",
+              "Write '|' between parts.");
           const OrientedMaterial oriented_material{
             reader.material(entry, material),
             angle.empty() ? 0. : entry.number(angle)};
           if (!parts.emplace(name, oriented_material).second)
-            entry.refuse("shape.repeated-part: '" + name + "' is repeated");
+            entry.refuse("shape.repeated-part: '" + name +
+                         "' is given twice; remove one of the two");
         }
       return parts;
     }
@@ -206,16 +213,18 @@ namespace lamella
           const bool follows = word == "along" || word == "against";
           if (name.empty() || word.empty() || follows == curves.empty())
             entry.refuse("shape.invalid-ply-plane: '" + text +
-                           "' is neither PART: DIRECTION, as in web: 180, nor "
-                           "PART: along CURVES, nor PART: against CURVES",
-                         "Parts are separated by '|'.");
+                           "' has none of the forms PART: DIRECTION, as in "
+                           "web: 180, PART: along CURVES, and PART: against "
+                           "CURVES",
+                         "Write '|' between parts.");
           PartPlane plane;
           if (follows)
             plane = {90., curves, word == "along"};
           else
             plane.direction = entry.number(word);
           if (!planes.emplace(name, plane).second)
-            entry.refuse("shape.repeated-part: '" + name + "' is repeated");
+            entry.refuse("shape.repeated-part: '" + name +
+                         "' is given twice; remove one of the two");
         }
       return planes;
     }
@@ -229,7 +238,8 @@ namespace lamella
     const Entry name = in["File"];
     if (name.is_empty())
       name.refuse_missing(
-        "shape.file-missing: name a mesh by Gmsh, as in beam.msh.");
+        "shape.file-missing: write the name of a mesh file of Gmsh, as in "
+        "beam.msh.");
     SectionFile result;
     result.path   = (std::filesystem::path(folder) / name.text()).string();
     result.what   = in.path();

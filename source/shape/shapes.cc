@@ -179,10 +179,12 @@ namespace lamella
     if (cells > max_section_cells)
       throw InputError(what + "/Cells divided",
                        std::to_string(times),
-                       "shape.too-many-cells: would make " + to_text(cells) +
-                         " cells of the section, more than " +
+                       "shape.too-many-cells: the division would give " +
+                         to_text(cells) +
+                         " cells in the section; the largest number is " +
                          to_text(max_section_cells),
-                       "Divide them less often, or use a higher order.");
+                       "Reduce Cells divided, or use a theory of higher "
+                       "order.");
     Triangulation<2> fine;
     fine.copy_triangulation(section.mesh);
     fine.refine_global(times);

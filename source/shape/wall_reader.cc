@@ -22,9 +22,10 @@ namespace lamella
     {
       const double sum = std::accumulate(walls.begin(), walls.end(), 0.);
       if (!(sum < extension))
-        entry.refuse("shape.walls-too-thick: the walls take " + to_text(sum) +
-                       " of the " + named + " " + to_text(extension) +
-                       " and must leave a part of it",
+        entry.refuse("shape.walls-too-thick: the walls have a total thickness "
+                     "of " +
+                       to_text(sum) + ", but the " + named + " " +
+                       to_text(extension) + " must be larger",
                      "Make the walls thinner or the section larger.");
     }
 
@@ -37,11 +38,12 @@ namespace lamella
       const std::vector<std::string> items = entry.items('|');
       if (items.size() > 1 && items.size() != walls.size())
         entry.refuse("shape.count-of-layups: there are " +
-                       std::to_string(items.size()) + " pieces for " +
+                       std::to_string(items.size()) + " layups for " +
                        (walls.size() == 1 ? "one wall" :
                                             std::to_string(walls.size()) +
                                               " walls (" + joined(walls) + ")"),
-                     "Give one for all walls, or one per wall between '|'.");
+                     "Write one layup for all walls, or one for each wall with "
+                     "'|' between.");
       return std::vector<std::string>(
         items.size() == walls.size() ?
           items :
@@ -75,10 +77,11 @@ namespace lamella
       // Decimal fractions of a wall, as 0.333, are meant to add up.
       if (!(std::abs(sum - wall) <= arithmetic::decimal_tolerance * wall))
         entry.refuse("shape.sum-of-plies: the " + std::to_string(n) +
-                       " plies of " + named + " add up to " + to_text(sum) +
-                       " instead of its thickness " + to_text(wall),
-                     "Give thicknesses that add up to it, or leave them out "
-                     "for equal shares.");
+                       " plies of " + named + " have the total thickness " +
+                       to_text(sum) + ", but the wall has the thickness " +
+                       to_text(wall),
+                     "Write thicknesses with this sum, or remove Wall ply "
+                     "thicknesses for plies of equal thickness.");
       for (double &value : values)
         value *= wall / sum;
       return values;
@@ -133,27 +136,32 @@ namespace lamella
       const Entries &in = reader.in;
       if (has_layup && in["Fiber angle"].text() != "0")
         in["Fiber angle"].refuse(
-          "shape.angle-with-layup: Wall layup gives the angles of plies",
-          "Remove one of the two.");
+          "shape.angle-with-layup: Fiber angle has no effect, since Wall layup "
+          "gives the angles of the plies",
+          "Remove Fiber angle or Wall layup.");
       if (has_layup && in["Cells per wall"].text() != "1")
         in["Cells per wall"].refuse(
-          "shape.cells-with-layup: with Wall layup cells are counted per ply",
-          "Use Cells per ply.");
+          "shape.cells-with-layup: Cells per wall has no effect, since with "
+          "Wall layup the cells are counted per ply",
+          "Write Cells per ply instead.");
       if (!in["Wall ply materials"].is_empty() && !in["Material"].is_empty())
         in["Material"].refuse(
-          "shape.material-unused: has no effect beside Wall ply materials",
-          "Remove one of the two.");
+          "shape.material-unused: Material has no effect, since Wall ply "
+          "materials are given",
+          "Remove Material or Wall ply materials.");
       for (const auto &[name, fallback] :
            {std::pair<const char *, const char *>{"Wall ply thicknesses", ""},
             {"Wall ply materials", ""},
             {"Cells per ply", "1"}})
         if (!has_layup && in[name].text() != fallback)
-          in[name].refuse("shape.entry-without-layup: it belongs to Wall "
-                          "layup, which is not given",
-                          "Give Wall layup, as in 45/-45, or remove it.");
+          in[name].refuse("shape.entry-without-layup: this entry describes the "
+                          "plies of Wall layup, but Wall layup is empty",
+                          "Write Wall layup, as in 45/-45, or remove this "
+                          "entry.");
       if (has_layup && reader.counts("Cells per ply").size() != 1)
         in["Cells per ply"].refuse(
-          "shape.one-number-for-plies: walls take one number, for all plies");
+          "shape.one-number-for-plies: walls have one number of cells for all "
+          "plies; write, for example, 1");
     }
 
 
@@ -172,8 +180,8 @@ namespace lamella
             walls.resize(4, walls[0]);
           if (walls.size() != 4)
             in["Wall thickness"].refuse(
-              "shape.count-of-thicknesses: give one, or four between commas: "
-              "left, right, bottom, top");
+              "shape.count-of-thicknesses: write one thickness, or four with "
+              "commas between: left, right, bottom, top");
           result.webs    = {walls[0], walls[1]};
           result.flanges = {walls[2], walls[3]};
           return {web_entry, flange_entry};
@@ -192,7 +200,7 @@ namespace lamella
             std::make_tuple(&result.flanges, n_flanges, &flange_entry)})
         if (walls->size() != n)
           in[*entry].refuse("shape.count-of-thicknesses: a section " +
-                            name_of(result.form) + " takes one" +
+                            name_of(result.form) + " needs one thickness" +
                             (n == 2 ? " or two (bottom, top)" : ""));
       return {web_entry, flange_entry};
     }
@@ -209,20 +217,21 @@ namespace lamella
     result.cells_around = in["Cells around"].whole(8, max_cells_in_line);
     if (result.cells_around % 4 != 0)
       in["Cells around"].refuse(
-        "shape.not-multiple-of-four: must be a multiple of 4, as 16 or 24");
+        "shape.not-multiple-of-four: the number of cells around the tube must "
+        "be a multiple of 4, as 16 or 24");
     const std::vector<double> thickness = lengths("Wall thickness");
     if (thickness.size() != 1)
       in["Wall thickness"].refuse(
-        "shape.count-of-thicknesses: a tube has one wall");
+        "shape.count-of-thicknesses: a tube has one wall; write one thickness");
     const double shorter = std::min(result.width, result.height),
                  longer  = std::max(result.width, result.height),
                  radius  = 0.5 * shorter * (shorter / longer);
     if (!(thickness[0] < radius))
       in["Wall thickness"].refuse(
-        "shape.wall-above-radius: must be below the smallest radius of "
-        "curvature of the tube's outside, " +
+        "shape.wall-above-radius: the wall must be thinner than the smallest "
+        "radius of curvature of the outer surface, " +
           to_text(radius),
-        "Make the wall thinner, or use Shape = ellipse for a solid section.");
+        "Reduce Wall thickness, or write Shape = ellipse for a solid section.");
 
     const bool has_layup = !in["Wall layup"].is_empty();
     if (!has_layup && (!in["Wall ply thicknesses"].is_empty() ||

@@ -44,8 +44,9 @@ namespace lamella
       constexpr double sound = 1e-6;
       if (!(found.error <= sound))
         throw NumericsError(
-          "solve.friction-not-converged: The contact with friction did not "
-          "converge: the relative error of Coulomb's law is " +
+          "solve.friction-not-converged: The contact iteration with friction "
+          "did not converge: Coulomb's law is violated with a relative error "
+          "of " +
           to_text(found.error, 2) + friction_remedy);
     }
 

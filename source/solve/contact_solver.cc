@@ -385,14 +385,15 @@ namespace lamella
       });
     throw NumericsError(
       "solve.unconstrained-motion: Body '" + body +
-      "' has an unconstrained rigid-body motion (" + motion + ", each round " +
-      to_text(rate, 4) + " times as far as the one before): its contacts" +
+      "' has a rigid-body motion that no support or contact prevents (" +
+      motion + ", in each iteration " + to_text(rate, 4) +
+      " times as far as in the iteration before): its contacts" +
       (rubs ? " and their friction" : "") +
       " do not balance its loads. Add a support, " +
       (rubs ? "increase Friction, " : "") +
       (rubs && !strategy->forces_are_accurate() ?
-         "use the condensed strategy (this one may not converge where friction "
-         "alone constrains a body), " :
+         "write Contact strategy = condensed (full may not converge where "
+         "friction alone constrains a body), " :
          "") +
       "close its gaps by a prescribed displacement, or load it towards the "
       "other body.");
@@ -431,8 +432,9 @@ namespace lamella
     throw NumericsError(
       "solve.springs-too-stiff: The stabilizing springs of body '" + name +
       "' are too stiff compared with its contacts (" + worst.motion +
-      "): their share falls by the factor " + to_text(rate, 3) +
-      " per round only. Use Body " + name + "/Stabilization = " +
+      "): the force in these springs decreases only by the factor " +
+      to_text(rate, 3) + " in each iteration. Write a smaller value, Body " +
+      name + "/Stabilization = " +
       to_text(worst.share * wanted_rate / (1. - wanted_rate) * (1. - rate) /
                 rate,
               1) +
@@ -642,10 +644,11 @@ namespace lamella
       "solve.not-converged: The contact did not converge in " +
       std::to_string(parameters.max_iterations) + " iterations; " +
       std::to_string(changing.size()) + " of " + std::to_string(rows.size()) +
-      " constraints keep changing" +
+      " contact constraints still change between active and inactive" +
       (names.empty() ? "" :
                        " (" + names + (changing.size() > 3 ? "; ...)" : ")")) +
       "." + describe_overlap() + " Try " + strategy->remedy() +
-      ", a finer mesh at the edge of the contact, or more Maximum iterations.");
+      ", a finer mesh at the edge of the contact, or larger Maximum "
+      "iterations.");
   }
 } // namespace lamella

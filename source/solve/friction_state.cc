@@ -27,8 +27,8 @@ namespace lamella
   {
     throw NumericsError(
       std::string(
-        "solve.friction-unstable: The solution with friction is unstable: "
-        "bodies in contact at their ends jam") +
+        "solve.friction-unstable: The equilibrium with friction is unstable: "
+        "bodies that touch at their ends jam") +
       friction_remedy);
   }
 

@@ -39,10 +39,10 @@ namespace lamella
                        "solve.out-of-memory: " + what + ", but only " +
                          gigabytes(available) +
                          " are available on each machine" +
-                         (limit > 0. ?
-                            " (the program itself has taken " +
-                              gigabytes(resident_memory()) + " of the limit)" :
-                            ""),
+                         (limit > 0. ? " (the program already uses " +
+                                         gigabytes(resident_memory()) +
+                                         " of the Memory limit)" :
+                                       ""),
                        remedy);
   }
 

@@ -122,7 +122,8 @@ namespace lamella
   MovingContacts::lose(const unsigned int c, const std::string &how)
   {
     lost = "Contact " + all[c].name + " is lost" + how;
-    throw NumericsError("solve.contact-lost: " + lost);
+    throw NumericsError(
+      "solve.contact-lost: A contact cannot be followed any further. " + lost);
   }
 
 
@@ -228,8 +229,8 @@ namespace lamella
           release.insert(c);
           lost =
             "Contact " + all[c].name +
-            " is lost: an active constraint has left the other surface at an "
-            "end, and no edge contact covers that end.";
+            " is lost: a contact point with a force has slid off the other "
+            "surface at an end, and no edge contact covers that end.";
         }
       else
         release_facing(c);
@@ -242,9 +243,9 @@ namespace lamella
   MovingContacts::release_facing(const unsigned int c)
   {
     const std::string how =
-      ": an active constraint has left the other surface. If that is at an end "
-      "of the other body, add a contact of that end with Discretization = edge "
-      "to surface.";
+      ": a contact point with a force has slid off the other surface. If this "
+      "happens at an end of the other body, add a contact of that end with "
+      "Discretization = edge to surface.";
     if (all[c].second_body && contact_objects[c]->is_automatic())
       throw MissingEnds("solve.contact-lost: Contact " + all[c].name +
                           " is lost" + how,
@@ -268,10 +269,10 @@ namespace lamella
             contact_objects[c]->wraps_around(
               state.u, factor, numbered.local_rows_of(c, state.active)))
           lost = "Contact " + all[c].name +
-                 ", line to roller, becomes more than a line: the body bends "
-                 "around '" +
+                 ", line to roller, is no longer a line contact: the body "
+                 "bends around '" +
                  all[c].second_name +
-                 "'. Take Discretization = auto or surface to surface.";
+                 "'. Write Discretization = auto or surface to surface.";
       }
   }
 
@@ -374,7 +375,9 @@ namespace lamella
                "' in one step.");
     for (const unsigned int c : release)
       if (!has_contact_force(c, state))
-        throw NumericsError("solve.contact-lost: " + lost);
+        throw NumericsError(
+          "solve.contact-lost: A contact cannot be followed any further. " +
+          lost);
   }
 
 

@@ -425,15 +425,13 @@ namespace lamella
     throw NumericsError(
       "solve.no-equilibrium: No stable equilibrium was found " + where +
       ": the loads may exceed a limit load, or a body may buckle. Prescribe a "
-      "displacement instead of loads, or add the imperfection of the "
-      "structure." +
+      "displacement instead of loads, or model a geometric imperfection." +
       (contacts.none() ?
          "" :
-         " Buckling of a body that only another body restrains is not found "
-         "either (obstacles may restrain it).") +
+         " States after buckling are not found for a body that only another "
+         "body restrains (an obstacle may restrain it).") +
       (structure.has_springs() ?
-         " For a weakly constrained body with Stabilization, change the "
-         "springs (1e-8 to 1e-5)." :
+         " For a body with Stabilization, try other values from 1e-8 to 1e-5." :
          "") +
       (last_failure.empty() ? "" : " (" + last_failure + ")"));
   }

@@ -74,7 +74,9 @@ namespace lamella
         if (++rounds > parameters.max_iterations)
           throw NumericsError(
             "solve.not-converged: The contact did not converge in " +
-            std::to_string(rounds - 1) + " rounds. Raise Maximum iterations.");
+            std::to_string(rounds - 1) +
+            " iterations. Increase Maximum iterations, or use smaller steps in "
+            "Load factors.");
         if (!round.changed.empty())
           progress("  contact: " + std::to_string(round.active) +
                    " rows active, " + std::to_string(round.changed.size()) +

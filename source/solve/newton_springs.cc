@@ -253,8 +253,9 @@ namespace lamella
     if (least < -parameters.instability_share * pressing / structure.size() *
                   length * length)
       throw NumericsError(
-        "solve.unstable-body: Only stabilizing springs prevent a body from "
-        "turning over or sliding away under its loads. Add a Support.");
+        "solve.unstable-body: A body would turn over or slide away under its "
+        "loads; only its stabilizing springs (Stabilization) prevent this. Add "
+        "a Support.");
     return true;
   }
 } // namespace lamella

@@ -387,13 +387,13 @@ namespace lamella
     std::vector<std::string> warnings;
     if (found.stiffening > effect_worth_saying)
       warnings.push_back(
-        "solve.large-deflections: large deflections, which the linear model "
-        "neglects: " +
+        "solve.large-deflections: the deflections are so large that effects "
+        "which the linear model neglects matter: " +
         describe_stiffening(found, structure));
     if (found.amplification > effect_worth_saying ||
         (found.buckling_factor && *found.buckling_factor * near < 1.))
       warnings.push_back(
-        "solve.compression: compression, whose effect on the stiffness the "
+        "solve.compression: compressive forces reduce the stiffness, which the "
         "linear model neglects: " +
         describe_buckling(found, structure));
     return warnings;
@@ -407,9 +407,11 @@ namespace lamella
   {
     const std::string remedy =
       ". The linear result is no approximation here. Use Rotations = large, "
-      "reduce the loads, or accept it with Beyond linear range = accept.";
+      "reduce the loads, or write Beyond linear range = accept to get this "
+      "result.";
     if (found.stiffening > most_stiffening)
-      throw NumericsError("solve.large-deflections: Large deflections: " +
+      throw NumericsError("solve.large-deflections: The deflections are too "
+                          "large for the linear model: " +
                           describe_stiffening(found, structure) + remedy);
     if (found.buckling_factor && *found.buckling_factor < least_buckling_factor)
       throw NumericsError(

@@ -27,16 +27,14 @@ namespace lamella
         selection<SolverKind>(),
         "auto: on one process cholmod, or dense blocks for beams of SV and "
         "SV-N, mumps on several, cg for large solids; cholmod, mumps: "
-        "factorize; "
-        "cg: conjugate gradients with algebraic multigrid, for solids, with "
-        "little memory.");
+        "factorize; cg: conjugate gradients with algebraic multigrid, for "
+        "solids, with little memory.");
       prm.declare_entry(
         "Memory limit",
         "auto",
         Anything(),
-        "What a run may take on each machine, as in 2 GB; auto: "
-        "what the machine has. A scene that needs more is "
-        "refused before it takes it.");
+        "What a run may take on each machine, as in 2 GB; auto: what the "
+        "machine has. A scene that needs more is refused before it takes it.");
       prm.declare_entry("Maximum iterations",
                         "50",
                         patterns::number(),
@@ -132,13 +130,14 @@ namespace lamella
       substeps.number = 0;
       if (!more.empty())
         entry.refuse(
-          "solve.substeps-syntax: write a number, auto, or auto and the "
-          "tolerance in per cent");
+          "solve.substeps-syntax: write a number, auto, or auto with a "
+          "tolerance in per cent, as in auto 0.1");
       if (!tolerance.empty())
         substeps.tolerance = percent * entry.number(tolerance);
       if (!(substeps.tolerance > 0.))
         entry.refuse(
-          "solve.tolerance-not-positive: the tolerance must be positive");
+          "solve.tolerance-not-positive: the tolerance after auto must be "
+          "positive, as in auto 0.1");
       return substeps;
     }
   } // namespace
@@ -153,7 +152,8 @@ namespace lamella
       parameters.load_factors.emplace_back(factor);
     if (parameters.load_factors.empty())
       in["Load factors"].refuse_missing(
-        "solve.load-factors-missing: give one number per load step.");
+        "solve.load-factors-missing: write one number for each load step, as "
+        "in 0.5, 1.");
     parameters.substeps     = parse_substeps(in["Substeps"]);
     parameters.rotations    = in["Rotations"].choice<Rotations>();
     parameters.stress_axes  = in["Stress axes"].choice<StressAxes>();
@@ -165,8 +165,9 @@ namespace lamella
         (parameters.solver == SolverKind::cholmod ||
          parameters.solver == SolverKind::cg))
       solver.refuse(
-        "solve.solver-conflict: Contact strategy = full requires mumps",
-        "Use auto, or the condensed strategy.");
+        "solve.solver-conflict: Contact strategy = full works with Linear "
+        "solver = mumps only",
+        "Write Linear solver = auto, or Contact strategy = condensed.");
     parameters.loop.max_iterations =
       in["Maximum iterations"].whole(1, max_iterations_per_solve);
     parameters.newton.max_iterations = parameters.loop.max_iterations;

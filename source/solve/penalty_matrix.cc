@@ -413,13 +413,13 @@ namespace lamella
       "solve.penalty-too-large: the penalty " +
       to_text(penalty_of_largest_ratio, 3) + " is " +
       to_text(largest_penalty_ratio, 2) +
-      " times the stiffness of the DoFs that it acts on: rounding may change "
-      "the results by " +
+      " times the stiffness of the DoFs that it acts on, so rounding may "
+      "change the results by a relative " +
       to_text(rounding, 1) + ". With " + std::to_string(structure.n_dofs()) +
       " DoFs a penalty of about " +
       to_text(penalty_of_largest_ratio / largest_penalty_ratio /
                 std::sqrt(n * t),
               2) +
-      " is most accurate: use it, or the condensed strategy"};
+      " is most accurate: write this Penalty, or Contact strategy = condensed"};
   }
 } // namespace lamella

@@ -57,9 +57,10 @@ namespace lamella
         throw NumericsError(
           "solve.spring-energy: Stabilizing springs store " +
           to_text(100. * checks.stabilization_share, 3) +
-          " % of the energy: the contacts of a body with Stabilization do not "
-          "constrain it. Add a support, close its gaps by a prescribed "
-          "displacement, or load it towards the body that is to support it.");
+          " % of the energy, so the contacts of a body with Stabilization do "
+          "not constrain this body. Add a support, close its gaps by a "
+          "prescribed displacement, or load it towards the body that is to "
+          "support it.");
     }
 
 
@@ -75,7 +76,7 @@ namespace lamella
       if (!(left < sound))
         throw IllConditioned(
           "solve.refinement-not-converged: The iterative refinement of the "
-          "linear solution does not converge: the last correction is " +
+          "linear solution does not converge: its last correction is " +
           to_text(left, 3) +
           " of the displacements. The scene is too ill-conditioned for double "
           "precision: use less slender bodies or less different stiffnesses.");
@@ -97,8 +98,8 @@ namespace lamella
                            checks.energy_balance)})
         if (!(error < tolerable))
           throw IllConditioned(
-            "solve.not-balanced: The " + std::string(what) +
-            ": the relative error is " + to_text(error, 3) +
+            "solve.not-balanced: The solution fails a check: " +
+            std::string(what) + ": the relative error is " + to_text(error, 3) +
             ". The scene is too ill-conditioned for double precision: make "
             "bodies less slender, or stiffnesses and penalties less "
             "different.");
@@ -116,19 +117,19 @@ namespace lamella
           "solve.contact-forces-differ: The forces of a contact on its two "
           "bodies differ by " +
           to_text(contact.imbalance, 3) +
-          " of their sum, which is a fault of this program. Please report the "
-          "scene.");
+          " of their sum. This is an error in Lamella: please report it with "
+          "the scene file.");
       else if (contact.min_force < 0. ||
                !(contact.law_error <= std::max(sound * displacement, rounding)))
         throw NumericsError(
           "solve.contact-law-violated: The contact conditions are violated: "
-          "the smallest force is " +
+          "the smallest contact force is " +
           to_text(contact.min_force) +
-          ", and gaps violate the contact law by up to " +
+          ", and the gaps differ from the contact law by up to " +
           to_text(contact.law_error, 3) + " (relative violation " +
           to_text(contact.violation, 3) +
-          "). Use a softer penalty, or Contact strategy = condensed if it is "
-          "full.");
+          "). Use a smaller Penalty, or Contact strategy = condensed instead "
+          "of full.");
     }
 
 
@@ -143,7 +144,8 @@ namespace lamella
           "solve.strain-beyond-law: The mean axial strain of a section "
           "reaches " +
           to_text(100. * checks.max_mean_strain, 3) +
-          " %. The material law, linear in Green's strain, is valid up to " +
+          " %, but the material law, linear in the Green-Lagrange strain, is "
+          "valid only up to " +
           to_text(100. * large_strain, 2) + " %. Reduce the loads.");
     }
   } // namespace
@@ -192,7 +194,7 @@ namespace lamella
           "solve.penetration: " + what + "bodies penetrate by " +
           to_text(kkt.max_penetration, 3) + ", " +
           to_text(100. * kkt.max_penetration / displacement, 2) +
-          " % of the displacements. Raise the penalty, or use Enforcement = "
+          " % of the displacements. Increase Penalty, or use Enforcement = "
           "exact");
       // Constraints that are paired anew have no initial gap.
       if (is_large)
@@ -200,13 +202,13 @@ namespace lamella
       if (kkt.unresolved_curvature > large_averaging * displacement)
         warnings.push_back(
           "solve.curvature-unresolved: " + what +
-          "gaps averaged over elements are up to " +
+          "gaps that are averaged over elements are up to " +
           to_text(kkt.unresolved_curvature, 3) +
-          " wider than those at their points, " +
+          " larger than the gaps at the contact points, " +
           to_text(100. * kkt.unresolved_curvature / displacement, 2) +
           " % of the displacements: the mesh does not resolve the curvature of "
-          "the surfaces. Refine it there, or use Discretization = node to "
-          "surface");
+          "the surfaces. Refine the mesh at the contact, or use Discretization "
+          "= node to surface");
       double smallest = 0.;
       for (const GapConstraint &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);
@@ -230,9 +232,9 @@ namespace lamella
           "solve.large-rotation: rotations reach " +
           to_text(checks.max_rotation, 3) +
           " rad: " + rotation_remedy(checks.max_rotation) +
-          "linear kinematics lengthens the shape by rotation^2 / 2 = " +
+          "linear kinematics elongates rotated bodies by rotation^2 / 2 = " +
           to_text(50. * checks.max_rotation * checks.max_rotation, 2) +
-          " %. Use Rotations = large if that matters");
+          " %. Use Rotations = large if this error matters");
     }
 
 
@@ -245,36 +247,37 @@ namespace lamella
       if (checks.max_strain > large_strain)
         warnings.push_back(
           "solve.local-strain: strains reach " +
-          to_text(100. * checks.max_strain, 3) + " % locally (" +
+          to_text(100. * checks.max_strain, 3) + " % at points (" +
           to_text(100. * checks.max_mean_strain, 2) +
-          " % in the mean of a section, along the axis). At corners and below "
-          "line contacts they depend on the mesh: do not use stresses there");
+          " % as axial mean over a section). At corners and below line "
+          "contacts strains depend on the mesh, so do not use stresses there");
       else if (checks.max_strain > worth_naming)
         warnings.push_back(
           "solve.large-strain: strains reach " +
           to_text(100. * checks.max_strain, 3) +
-          " %. Stresses of laws linear in Green's strain and in the stretch "
-          "differ there by " +
+          " %. There, stresses by a material law linear in the Green-Lagrange "
+          "strain and by one linear in the stretch differ by " +
           to_text(150. * checks.max_strain, 2) +
-          " %. Compare with tests of the material at this strain");
+          " %. Compare with material tests at this strain");
       if (checks.shape_change > worth_naming)
         warnings.push_back(
-          "solve.section-shape: rigid sections neglect the change of their "
-          "shape by bending and twisting (Brazier's flattening of tubes, "
-          "Lamb's of wide strips), which would change moments or torques by up "
-          "to about " +
+          "solve.section-shape: theories with rigid sections neglect the "
+          "change of the section shape by bending and twisting (Brazier's "
+          "flattening of tubes, Lamb's of wide strips), which would change "
+          "moments or torques by up to about " +
           to_text(100. * checks.shape_change, 2) +
           " %. Use Theory = LE-N to include it");
       if (checks.max_element_rotation > large_element_rotation)
         warnings.push_back(
           "solve.element-rotation: an axis element rotates by " +
           to_text(checks.max_element_rotation * 180. / dealii::numbers::PI, 3) +
-          " degrees from end to end, which it resolves to some per cent only. "
+          " degrees between its ends, which gives errors of some per cent. "
           "Use " +
           to_text(std::ceil(checks.max_element_rotation /
                             (large_element_rotation / 2.)),
                   3) +
-          " times as many elements there, which rotate by 10 degrees each");
+          " times as many Axis elements there, so that each rotates by at most "
+          "10 degrees");
     }
   } // namespace
 
@@ -287,10 +290,11 @@ namespace lamella
       throw NumericsError(
         "solve.supports-contradict: Supports contradict each other at " +
         to_text(missed.place) +
-        ": they agree for small rotations only, and the error of one is " +
+        ": their displacements agree for small rotations only, and for finite "
+        "rotations the error of a support is " +
         to_text(missed.share, 3) +
-        " times the tolerance for sections that warp. Remove one of them, or "
-        "prescribe one Rotation about one place for all of them.");
+        " times the tolerance. Remove one of the supports, or prescribe the "
+        "same Rotation about the same point for all of them.");
   }
 
 
@@ -314,7 +318,8 @@ namespace lamella
     if (checks.stabilization_share > worth_saying)
       warnings.push_back("solve.spring-energy: stabilizing springs store " +
                          to_text(100. * checks.stabilization_share, 2) +
-                         " % of the energy. Reduce Stabilization");
+                         " % of the energy, which should be negligible. Reduce "
+                         "Stabilization");
     const double first =
       state.free_corrections.empty() ? 0. : state.free_corrections.front();
     const double forces = std::max({checks.force_balance,
@@ -323,16 +328,17 @@ namespace lamella
                                     checks.energy_balance});
     if (forces > worth_reporting)
       warnings.push_back(
-        "solve.not-balanced: reactions and contact forces balance to " +
+        "solve.not-balanced: reactions, contact forces and loads balance up to "
+        "a relative error of " +
         to_text(forces, 2) +
-        " only (relative): bodies are very slender or stiffnesses very "
-        "different");
+        ", since bodies are very slender or stiffnesses very different");
     if (first > ill_conditioned)
       warnings.push_back(
-        "solve.ill-conditioned: the assembled matrix is ill-conditioned (first "
-        "refinement correction " +
-        to_text(first, 2) + "); iterative refinement reduced it to " +
-        to_text(state.free_corrections.back(), 2));
+        "solve.ill-conditioned: the stiffness matrix is ill-conditioned: the "
+        "first solution had the relative error " +
+        to_text(first, 2) + ". Iterative refinement reduced this error to " +
+        to_text(state.free_corrections.back(), 2) +
+        ", the accuracy of the displacements");
     return warnings;
   }
 } // namespace lamella

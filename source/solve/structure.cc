@@ -105,8 +105,9 @@ namespace lamella
           arithmetic::rounding_of_results * at_start.linfty_norm())
       resultants.back().notes.push_back(
         "solve.load-on-supports: load " + load.name +
-        ": all DoFs that it acts on are supported, so it causes reactions but "
-        "no displacements. Check the positions of load and supports (On, At)");
+        ": supports prescribe all displacements of the region where this load "
+        "acts, so it causes reactions but no deformation. Check the positions "
+        "of load and supports (On, At)");
     for (const Region &region : load.on)
       if (depends_on_state(load, *all_bodies[region.body]))
         {
@@ -175,10 +176,11 @@ namespace lamella
         throw InputError(
           "Support " + names[row.support],
           "",
-          "solve.supports-contradict: prescribes another displacement than "
-          "other supports of the same point, at " +
+          "solve.supports-contradict: this support and another prescribe "
+          "different displacements of the same point, at " +
             to_text(row.position),
-          "Give them the same Factors, or remove one of them.");
+          "Write the same Factors and displacements in both, or remove one of "
+          "the supports.");
     return u;
   }
 
@@ -216,10 +218,10 @@ namespace lamella
           throw InputError(
             "Body " + all_bodies[b]->name(),
             "",
-            "solve.unconstrained-motion: can move freely: " +
+            "solve.unconstrained-motion: the body can move freely: " +
               (free.size() == 6 ? "it has no support" : joined(free, "; ")),
-            "Add a support that prevents this, or, if contact constrains it, a "
-            "Stabilization (Body " +
+            "Add a support that prevents this motion or, if contact is to "
+            "prevent it, Stabilization (Body " +
               all_bodies[b]->name() + "/Stabilization = 1e-6).");
       }
   }

@@ -71,7 +71,7 @@ namespace lamella
       entry.refuse("shape.count-of-ply-values: there are " +
                      std::to_string(items.size()) + " values for " +
                      std::to_string(n) + " plies",
-                   "Give one for all plies, or one per ply.");
+                   "Write one value for all plies, or one for each ply.");
     return items;
   }
 } // namespace lamella
