@@ -15,11 +15,11 @@ from .pictures import are_up_to_date, draw_missing
 def check_target(target):
     """Throws InputError unless a page may be put there."""
     if os.path.isdir(target):
-        raise InputError(f"--output {target}: that is a folder. Name a file, as in "
+        raise InputError(f"--output {target}: this path is a folder. Name a file, as in "
                          f"{target}/report.html. [report.target-is-folder]")
     if os.path.splitext(target)[1] not in (".html", ".htm"):
-        raise InputError(f"--output {target}: a report is a page of HTML. Give its name the "
-                         "ending .html. [report.target-not-html]")
+        raise InputError(f"--output {target}: the report is an HTML page. Write a name that "
+                         "ends in .html, as in report.html. [report.target-not-html]")
 
 
 @contextlib.contextmanager
@@ -33,8 +33,8 @@ def output_file(target):
             yield file
         os.replace(beside, target)
     except OSError:
-        raise InputError(f"--output {target}: the report cannot be written there. Name a file in "
-                         "a folder that can be written, by --output FILE.html. "
+        raise InputError(f"--output {target}: the report cannot be written into this file. Write "
+                         "--output FILE.html with a file in a folder that you may write to. "
                          "[report.cannot-write]") from None
     finally:
         with contextlib.suppress(OSError):

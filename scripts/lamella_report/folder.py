@@ -130,18 +130,18 @@ class RunFolder:
     def require_results(self):
         place = f"report {self.path}: "
         if not os.path.exists(self.path):
-            raise InputError(place + "there is no such folder. Name the one that a run has "
-                             "left its results in, as in results/cantilever. [report.no-folder]")
+            raise InputError(place + "there is no folder of this name. Name the folder with the "
+                             "results of a run, as in results/cantilever. [report.no-folder]")
         if not os.path.isdir(self.path):
-            raise InputError(place + "that is not a folder. Name the one that a run has left "
-                             "its results in: a scene is run first, by lamella SCENE.prm. "
+            raise InputError(place + "this is a file, not a folder. Name the folder with the "
+                             "results of a run; lamella SCENE.prm runs a scene. "
                              "[report.not-a-folder]")
         for name in ("summary.json", "scene.prm"):
             if not os.path.isfile(self.file(name)):
                 raise InputError(
-                    f"{place}the folder holds no results of a run: there is no {name} in it. A "
-                    "run that failed in its first load step leaves none; the variants of a trade "
-                    "have theirs in variants/NN_NAME/run. [report.no-results]")
+                    f"{place}the folder has no results of a run, since it has no {name}. Name the "
+                    "folder of a run that completed a load step; for a variant of a trade, name "
+                    "variants/NN_NAME/run. [report.no-results]")
 
     def table(self, name):
         return Table.read(self.file(f"{name}.csv"))

@@ -320,8 +320,8 @@ namespace lamella
     {
       const Theory &theory = description.theory;
       if (!why.empty())
-        notes.push_back("adapt.all-fields: body " + beam.name() + ", theory " +
-                        theory.name() + ": " + why +
+        notes.push_back("adapt.all-fields: body " + beam.name() + ": for " +
+                        theory.name() + ", " + why +
                         (body.facts.is_unsolved ?
                            "." :
                            ", so reducing its DoFs saves nothing.") +

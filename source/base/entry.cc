@@ -128,7 +128,7 @@ namespace lamella
     const std::vector<double> x = part.numbers();
     if (x.size() != 3)
       refuse("entry.not-a-point: " +
-             std::string(part.text() == what ? "" : "'" + part.text() + "' ") +
+             (part.text() == what ? "the value " : "'" + part.text() + "' ") +
              "must be three numbers x, y, z with commas between, as in 0.05, "
              "1, 0.106");
     return {x[0], x[1], x[2]};
@@ -148,7 +148,7 @@ namespace lamella
   Entry::boolean() const
   {
     if (what != "true" && what != "false")
-      refuse("entry.not-boolean: write true or false");
+      refuse("entry.not-boolean: the value must be true or false");
     return what == "true";
   }
 

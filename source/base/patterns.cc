@@ -159,11 +159,12 @@ namespace lamella
           "\\[Integer range (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]"),
           range("\\[Double (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]");
         if (std::regex_match(pattern, part, whole))
-          entry.refuse("entry.not-whole: write a whole number from " +
-                       part[1].str() + " to " + part[2].str() + ", as in 4");
+          entry.refuse(
+            "entry.not-whole: the value must be a whole number from " +
+            part[1].str() + " to " + part[2].str() + " (inclusive)");
         if (std::regex_match(pattern, part, range))
           entry.refuse(rule_of_range(part[1], part[2]));
-        entry.refuse("entry.pattern-mismatch: the value has not the form " +
+        entry.refuse("entry.pattern-mismatch: the value must have the form " +
                      pattern + ", in the notation of deal.II's Patterns");
       }
 
@@ -207,7 +208,8 @@ namespace lamella
           catch (const InputError &error)
             {
               // A fault of spelling stays one, whatever else could stand there.
-              const bool is_bound = error.rule().rfind("must", 0) == 0;
+              const bool is_bound =
+                error.rule().rfind("the value must", 0) == 0;
               entry.refuse(error.marked(error.rule()) +
                              (word.empty() || !is_bound ? "" : ", or " + word),
                            error.remedy());
@@ -216,8 +218,9 @@ namespace lamella
       if (std::regex_match(pattern, part, list))
         refuse_list(entry, part);
       if (std::regex_match(pattern, part, choice))
-        entry.refuse("entry.unknown-choice: the value must be " +
-                     alternatives(part[1]) + " (spelled as here)");
+        entry.refuse(
+          "entry.unknown-choice: the value must be one of the words " +
+          alternatives(part[1]));
       if (pattern == "[Bool]")
         entry.boolean();
       // Errors of spelling, empty texts and several numbers precede bounds.

@@ -308,7 +308,7 @@ def check_refusals(program, output, folder):
             ([strange], ["summary.json", "not what a run writes"]),
             ([], ["no folder is given"]),
             ([output, output], ["one folder at a time"]),
-            ([output, "--set", "Theory=LE-1"], ["--set", "belong to a run"]),
+            ([output, "--set", "Theory=LE-1"], ["--set", "[run.option-not-for-report]"]),
             ([output, "--output", folder / "summary.json"], ["ending .html"]),
             ([output, "--output", folder / "empty"], ["that is a folder"]),
             ([output, "--output", "/dev/null/report.html"], ["cannot be written"])):

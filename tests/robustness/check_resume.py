@@ -245,10 +245,10 @@ def check_refused(program, scene, work):
     def refused(what, words, *arguments):
         status, _, err = run(program, scene, *arguments)
         check(status == 1 and words in err, f"{what}: {status} {err[:120]}")
-    refused("a finished run", "is finished", work / "whole", "--resume")
-    refused("another scene", "of another scene", work / "whole", "--resume", "--set",
+    refused("a finished run", "[report.restart-finished]", work / "whole", "--resume")
+    refused("another scene", "[report.restart-of-other-scene]", work / "whole", "--resume", "--set",
             "Title=another")
-    refused("no folder", "no run of Lamella", work / "nowhere", "--resume")
+    refused("no folder", "[report.no-restart]", work / "nowhere", "--resume")
     check(not (work / "nowhere").exists(), "and none is made")
     (work / "strange").mkdir()
     (work / "strange/restart").write_text("of somebody else")

@@ -110,19 +110,19 @@ def check_kind(program, kind, folder):
 def check_refused(program, folder):
     (folder / "mine.prm").write_text("my own work\n")
     for words, fragments in (
-            (["mine"], ["mine.prm is there already"]),
-            (["mine.prm"], ["mine.prm is there already"]),
-            (["other", "--kind", "threepoint"], ["no template of that kind", "three-point"]),
+            (["mine"], ["[run.scene-exists]"]),
+            (["mine.prm"], ["[run.scene-exists]"]),
+            (["other", "--kind", "threepoint"], ["[run.unknown-kind]", "three-point"]),
             (["/dev/null/other"], ["cannot be written"]),
-            ([], ["no name is given"]),
-            (["other", "--validate"], ["takes --kind only"])):
+            ([], ["[run.no-name]"]),
+            (["other", "--validate"], ["[run.option-not-for-new]"])):
         done = lamella(program, folder, "new", *words)
         expect(done.returncode == 1 and all(f in done.stderr for f in fragments),
                f"refused: {words} ({done.stderr.strip()})")
     expect((folder / "mine.prm").read_text() == "my own work\n" and
            [p.name for p in folder.iterdir()] == ["mine.prm"], "nothing is overwritten or left")
     done = lamella(program, folder, "mine.prm", "--kind", "three-point")
-    expect(done.returncode == 1 and "--kind belongs to lamella new" in done.stderr,
+    expect(done.returncode == 1 and "[run.option-of-new]" in done.stderr,
            "a run has no kind")
 
 

@@ -240,7 +240,7 @@ def check_other_questions(trade):
     expect(done.returncode == 0 and "Errors are against LE-2." in done.stdout,
            "a reference that is the same as another variant is that one")
     done = trade.run("Trade/Quantities=interface/9: syy")
-    expect(done.returncode == 1 and "does not lie in this ply" in done.stderr and
+    expect(done.returncode == 1 and "[recover.wrong-ply]" in done.stderr and
            not (trade.folder / "trade.csv").exists(),
            "a ply that is not there: no table of an earlier trade stays")
 

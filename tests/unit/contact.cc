@@ -424,7 +424,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_do_not_pair)
                 bodies,
                 {"Contact middle",
                  "no surface 'botom'",
-                 "nearest is 'bottom'"});
+                 "'bottom'"});
   check_refused(between("bottom", "roof"),
                 bodies,
                 {"Contact middle", "'lower'", "no surface 'roof'"});

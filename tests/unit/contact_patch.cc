@@ -572,8 +572,8 @@ BOOST_AUTO_TEST_CASE(surfaces_that_look_away)
         [&] {
           make_interface(pair_of("top", "bottom", discretization), bodies);
         },
-        {"the surface 'top' of First lies 1.21 behind 'bottom' of Second",
-         "look at each other"});
+        {"'top' in First lies 1.21 behind 'bottom' in Second",
+         "[contact.surface-behind]"});
       // A block 0.6 deep in a block is no overlap to resolve.
       Bodies    inside = two_blocks(Placement(), layer_wise(2), 0.);
       Placement deep;
@@ -595,7 +595,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_look_away)
   ContactPair near = pair_of("bottom", "top", Discretization::node_to_surface);
   near.search_distance = 0.009;
   check_says([&] { make_interface(near, bodies); },
-             {"within Search distance 0.009", "0.01 apart"});
+             {"within the search distance 0.009", "0.01 apart"});
 }
 
 

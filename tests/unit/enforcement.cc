@@ -302,7 +302,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_settle_is_named)
                         NumericsError,
                         [](const NumericsError &error) {
                           const std::string text = error.what();
-                          return text.find("rows keep changing (point ") !=
+                          return text.find("inactive (point ") !=
                                    std::string::npos &&
                                  text.find("Try ") != std::string::npos;
                         });

@@ -106,28 +106,30 @@ BOOST_AUTO_TEST_CASE(values_of_an_entry)
          {"", "'' is not a number"},
          {"0x10", "'0x10' is not a number"},
          {"nan", "'nan' is not a number"},
-         {"1e40", "'1e40' is beyond what can be computed with"}})
+         {"1e40", "'1e40' is out of range"}})
     BOOST_TEST(
       refused([text = text] { Entry("e", text).number(); }).rule().find(rule) ==
       0);
   BOOST_TEST(refused([] { Entry("e", "-1").positive(); }).rule() ==
-             "must be positive");
+             "the value must be positive");
   BOOST_TEST(refused([] { Entry("e", "").positive(); }).rule() == "is missing");
   BOOST_TEST(refused([] { Entry("e", "1.5").whole(1, 3); }).rule() ==
-             "must be a whole number from 1 to 3");
+             "write whole numbers only, from 1 to 3, as in 4");
   BOOST_TEST(refused([] { Entry("e", "1, 2").whole(1, 3); }).rule() ==
-             "must be one whole number");
-  BOOST_TEST(refused([] { Entry("e", "1, 2").point(); }).rule() ==
-             "must be three numbers between commas, as in 0.05, 1, 0.106");
+             "write one whole number, as in 4");
+  BOOST_TEST(
+    refused([] { Entry("e", "1, 2").point(); }).rule() ==
+    "the value must be three numbers x, y, z with commas between, as in "
+    "0.05, 1, 0.106");
   BOOST_TEST(refused([] { Entry("e", "yes").boolean(); }).rule() ==
-             "must be true or false");
+             "the value must be true or false");
   BOOST_TEST(refused([] { Entry("e", "fast").choice<Strategy>(); }).rule() ==
-             "must be condensed or full");
+             "the value must be one of the words condensed or full");
   const InputError nearest = refused([] {
     Entry("e", "tpo").among({"left", "top"}, "side", "Sides");
   });
   BOOST_TEST(nearest.rule() == "there is no side 'tpo'");
-  BOOST_TEST(nearest.remedy() == "The nearest of Sides is 'top'.");
+  BOOST_TEST(nearest.remedy() == "The most similar name in Sides is 'top'.");
 }
 
 
@@ -168,20 +170,20 @@ BOOST_AUTO_TEST_CASE(patterns_in_words)
   for (const auto &[name, value, rule] :
        std::vector<std::array<std::string, 3>>{
          {{"number", "1 mm", "'1 mm' is not a number"}},
-         {{"number", "1e31", "'1e31' is beyond what can be computed with"}},
-         {{"positive", "-1", "must be positive"}},
-         {{"positive", "0", "must be positive"}},
-         {{"maybe", "0", "must be positive"}},
-         {{"auto", "-1", "must be positive, or auto"}},
+         {{"number", "1e31", "'1e31' is out of range"}},
+         {{"positive", "-1", "the value must be positive"}},
+         {{"positive", "0", "the value must be positive"}},
+         {{"maybe", "0", "the value must be positive"}},
+         {{"auto", "-1", "the value must be positive, or auto"}},
          {{"auto", "some", "'some' is not a number"}},
-         {{"three", "1, 2", "must be three numbers between commas"}},
+         {{"three", "1, 2", "the value must be three numbers"}},
          {{"three", "1, 2, x", "'x' is not a number"}},
-         {{"two", "1", "there are 1 values, and it takes 2"}},
-         {{"share", "0.7", "must lie between 0 and 0.5"}},
-         {{"whole", "0", "must be a whole number from 1 to 9"}},
-         {{"whole", "1.5", "must be a whole number from 1 to 9"}},
-         {{"truth", "no", "must be true or false"}},
-         {{"choice", "fast", "must be condensed or full"}}})
+         {{"two", "1", "there are 1 values"}},
+         {{"share", "0.7", "the value must lie between 0 and 0.5"}},
+         {{"whole", "0", "the value must be a whole number from 1 to 9"}},
+         {{"whole", "1.5", "the value must be a whole number from 1 to 9"}},
+         {{"truth", "no", "the value must be true or false"}},
+         {{"choice", "fast", "the value must be one of the words condensed"}}})
     {
       const InputError error = refused([&] { set(name, value); });
       BOOST_TEST(error.rule().find(rule) == 0,

@@ -430,7 +430,7 @@ BOOST_AUTO_TEST_CASE(built_in_materials_convert)
   BOOST_TEST(*library_material("steel-S355", m).density == 7850.);
   BOOST_TEST(std::abs(comb.core->shear_13 - 1.25) < 1e-12);
   check_refused([&] { library_material("im7/8552", m); },
-                {"im7/8552", "nearest is 'IM7-8552'"});
+                {"im7/8552", "'IM7-8552'"});
   check_refused(
     [] {
       Units::parse({"Units", "cm, N"});
@@ -523,13 +523,13 @@ BOOST_AUTO_TEST_CASE(strength_entries)
     [&] {
       read({{"Puck inclinations", "0.3, 0.3, 0.3, 1"}});
     },
-    {"from 0 to less than 1"});
+    {"[material.inclination-out-of-range]"});
   check_refused(
     [&] {
       parsed<MaterialParameters>(
         "Material a", Settings{{"Library", "IM7-8552"}, {"Yield", "3"}}, mm);
     },
-    {"Material a/Yield = 3: is of isotropic materials", "Give Strengths"});
+    {"Material a/Yield = 3: ", "[material.yield-not-isotropic]"});
 }
 
 
@@ -545,33 +545,34 @@ BOOST_AUTO_TEST_CASE(material_entries)
     read({{"Engineering constants", "1,2,3,4,5,6, 0.1,0.2,0.3"}}).elastic.G13 ==
     5.);
   BOOST_TEST(read({{"Library", "foam-35"}}).elastic.E1 == 35e6);
-  check_refused([&] { read({}); }, {"Material a: give exactly one", "none is"});
+  check_refused([&] { read({}); },
+                {"Material a: ", "[material.not-one-source]"});
   check_refused(
     [&] {
       read({{"Library", "foam-35"}, {"Isotropic", "1, 0"}});
     },
-    {"Material a: give exactly one", "several are"});
+    {"Material a: ", "[material.not-one-source]"});
   check_refused(
     [&] {
       read({{"Library", "foam"}});
     },
-    {"Material a/Library = foam: no such built-in material",
-     "nearest is 'foam-35'"});
+    {"Material a/Library = foam: ", "'foam-35'"});
   check_refused(
     [&] {
       read({{"Engineering constants", "1,2,3"}});
     },
-    {"Material a/Engineering constants = 1,2,3: must be nine "
-     "numbers",
-     "there are 3"});
+    {"Material a/Engineering constants = 1,2,3: ", "[material.wrong-count]"});
   for (const std::string numbers : {"10, 0.5", "10, -1", "10, 0.7"})
     check_refused(
       [&] {
         read({{"Isotropic", numbers}});
       },
-      {"Material a/Isotropic = " + numbers +
-       ": nu must lie between -1 and 0.5"});
-  check_refused([&] { read({{"Isotropic", "10"}}); }, {"must be two numbers"});
+      {"Material a/Isotropic = " + numbers, "nu must lie between -1 and 0.5"});
+  check_refused(
+    [&] {
+      read({{"Isotropic", "10"}});
+    },
+    {"[material.wrong-count]"});
   check_refused(
     [&] {
       read({{"Isotropic", "10, nu"}});
@@ -589,7 +590,7 @@ BOOST_AUTO_TEST_CASE(material_entries)
     [&] {
       parsed<MaterialParameters>("Material a", {{"Library", "IM7-8552"}}, none);
     },
-    {"Material a/Library = IM7-8552: its constants have units"});
+    {"Material a/Library = IM7-8552: ", "[material.library-without-units]"});
   BOOST_TEST(
     parsed<MaterialParameters>("Material a", {{"Library", "hertz-200"}}, none)
       .elastic.E1 == 200.);

@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(a_number_without_limit_leaves_and_keeps_no_other)
   passes.add(pass_of({met, goal_without_bar(1.2)}), {{Source::axis}});
   BOOST_REQUIRE(passes.dropped_goals().size() == 1u);
   BOOST_TEST(passes.dropped_goals().front() ==
-             "no further pass is made for tip: uz: it grows");
+             "no further refinement pass is made for tip: uz: it grows");
   BOOST_TEST(passes.active_goals().size() == 1u);
   BOOST_TEST(passes.open_goals().empty());
   BOOST_TEST(!passes.all_goals_met());
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(a_number_without_limit_leaves_and_keeps_no_other)
   first.add(pass_of({open, known}));
   BOOST_REQUIRE(first.dropped_goals().size() == 1u);
   BOOST_TEST(first.dropped_goals().front() ==
-             "no further pass is made for tip: uz: below a load");
+             "no further refinement pass is made for tip: uz: below a load");
   BOOST_TEST(first.active_goals().size() == 1u);
 
   // What settles may have its bar yet.

@@ -304,9 +304,10 @@ BOOST_AUTO_TEST_CASE(places_of_names_that_begin_alike)
 BOOST_AUTO_TEST_CASE(files)
 {
   check_refused([] { SceneText::read("no/such/scene.prm", {}); },
-                {"no/such/scene.prm: cannot read"});
+                {"no/such/scene.prm: ", "[scene.cannot-read]"});
   // A folder is no scene, either.
-  check_refused([] { SceneText::read(".", {}); }, {".: cannot read"});
+  check_refused([] { SceneText::read(".", {}); },
+                {".: ", "[scene.cannot-read]"});
 }
 
 
@@ -329,7 +330,7 @@ BOOST_AUTO_TEST_CASE(messages_have_one_place)
     },
     {"a.prm:5: Material m/Isotropic = 1, 0.5"});
   check_refused([&] { read_scene(scene(head + "set Loads = 2nd\n")); },
-                {"a.prm:4: Loads = 2nd", "'2nd' is not a name"});
+                {"a.prm:4: Loads = 2nd", "'2nd' is not a valid name"});
   check_refused([&] { read_scene(scene(head + "set Loads = a, b, a\n")); },
                 {"a.prm:4: Loads = a, b, a", "'a' stands there twice"});
   check_refused([&] { read_scene(scene(head, {"Materials=m, m"})); },

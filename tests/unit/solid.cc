@@ -378,9 +378,8 @@ BOOST_AUTO_TEST_CASE(a_section_with_hanging_nodes_does_not_extrude)
   mesh->mesh.begin_active()->set_refine_flag();
   mesh->mesh.execute_coarsening_and_refinement();
   const auto says_why = [](const InputError &error) {
-    return std::string(error.what())
-             .find("the section's mesh has hanging nodes, so it does not "
-                   "extrude") != std::string::npos;
+    return std::string(error.what()).find("[body.hanging-nodes]") !=
+           std::string::npos;
   };
   BOOST_CHECK_EXCEPTION(Solid("solid", mesh, axis_mesh(1.3, 2), Placement(), 2),
                         InputError,
