@@ -8,7 +8,7 @@
 
 namespace lamella
 {
-  /// Nodes at the start or the end of an undeformed body.
+  /// Search for the nodes at the start and the end of an undeformed body.
   class BodyEnds
   {
   public:

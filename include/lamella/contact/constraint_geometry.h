@@ -11,32 +11,33 @@
 
 namespace lamella
 {
-  /**
-   * Geometry of the gap rows on one side of a contact, independent of the
-   * discretization of the body: row r is
-   *   sum_k w_rk . u(X_k)
-   * over the places X_k, for any displacement field u. B is W times the
-   * displacement rows of Body::rows(), so another discretization of the same
-   * body can use the same gaps and contact forces, as can a displaced body. For
-   * pairs of points a row has one place, with the weight -n on First or n on
-   * Second; for weighted gaps the places are the trace nodes of the facets
-   * around, with the weights 1/A_i int phi_i psi_k n dA, psi_k their functions.
-   */
+  /// Weights and points of the gap constraints on one side of a contact,
+  /// independent of the discretization of the body. Constraint r is the
+  /// functional
+  ///   sum_k w_rk . u(X_k)
+  /// of any displacement field u at the points X_k. Its matrix row is the
+  /// product of the weights w_rk and the displacement rows of Body::rows(), so
+  /// another discretization of the same body, or the deformed body, can use the
+  /// same gaps and contact forces. A node pair has one point, with the weight
+  /// -n on First or n on Second. A weighted gap has the trace nodes of the
+  /// facets in its support, with the weights 1/A_i int phi_i psi_k n dA, where
+  /// phi_i is the multiplier function, A_i its integral and psi_k the shape
+  /// function of trace node k.
   struct ConstraintGeometry
   {
-    /// Pairs of k and w_rk of one row (no unit, scene axes).
+    /// Pairs of k and w_rk of one constraint (no unit, scene axes).
     using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
 
-    /// Places X_k, in cells of the body that the contact was made from.
+    /// Points X_k in cells of the body for which the contact was created.
     std::vector<Location> places;
-    /// Weights of each row, by numbers of places; empty for an obstacle.
+    /// Weights of each constraint, by index of X_k; empty for an obstacle.
     std::vector<Weights> weights;
   };
 
-  /// Returns the rows of @p side as functionals of the DoFs of body number @p
-  /// index,
+  /// Returns the constraints of @p side as functionals of the DoFs of body
+  /// number @p index,
   ///   B = W R,  row r: sum_k sum_c w_rk,c R_kc,
-  /// with the three displacement rows R_k of each place in @p at, from
+  /// with the three displacement rows R_k of each point X_k in @p at, from
   /// Body::rows() of any discretization of the body.
   std::vector<BodyFunctional>
   body_rows(const unsigned int                                index,

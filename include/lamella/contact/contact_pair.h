@@ -13,8 +13,8 @@
 
 namespace lamella
 {
-  /// Discretization of the gap (Eq. 16). Only `surface to surface` passes patch
-  /// tests with any meshes (doc/theory/contact.md).
+  /// Discretization of the gap function (Eq. 16). Only `surface to surface`
+  /// passes patch tests on arbitrary meshes (doc/theory/contact.md).
   enum class Discretization
   {
     undefined,
@@ -41,8 +41,8 @@ namespace lamella
       {Discretization::line_to_roller, "line to roller"}};
   };
 
-  /// Treatment of initial overlap, g_init < 0. An overlap deeper than a cell is
-  /// always an InputError.
+  /// Treatment of an initial overlap of the bodies (negative initial gap). An
+  /// overlap deeper than a cell is always an InputError.
   enum class Overclosure
   {
     undefined,
@@ -60,8 +60,8 @@ namespace lamella
       {Overclosure::refuse, "error"}};
   };
 
-  /// Slave (nonmortar) side, with the points of `node to surface`, the hat
-  /// functions of `surface to surface` or the edges of `edge to surface`.
+  /// Slave (nonmortar) side, with the nodes of `node to surface`, the
+  /// multiplier functions of `surface to surface`or `edge to surface` ends.
   enum class SlaveSide
   {
     undefined,
@@ -79,9 +79,9 @@ namespace lamella
                                                 {SlaveSide::second, "second"}};
   };
 
-  /// A contact between two named surfaces, as read by
-  /// ContactParameters::parse(). First and Second determine signs only: n of
-  /// Eq. 16 is the outward normal of First.
+  /// Parameters of a contact between two named surfaces, as read by
+  /// ContactParameters::parse(). The order of the surfaces determines signs
+  /// only: the normal n of Eq. 16 is the outward normal of the first.
   struct ContactPair
   {
     /// Name in `subsection Contact NAME`, used in messages, tables and files.
@@ -92,28 +92,30 @@ namespace lamella
     /// to node`, `edge to surface` and a slave side are excluded.
     std::shared_ptr<const Obstacle> obstacle;
 
-    /// Mandatory: `undefined` fails an assertion.
+    /// Must be set: `undefined` fails an assertion.
     Discretization discretization = Discretization::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
     Overclosure    overclosure    = Overclosure::resolve;
     SlaveSide      slave_side     = SlaveSide::automatic;
-    /// Penalty; with multipliers it affects their convergence only.
+    /// Penalty parameter. For multiplier methods it affects convergence only.
     Penalty penalty;
-    /// Largest tangential offset of paired nodes over the root of their
-    /// tributary area, for `node to node` (pair_node_to_node()).
+    /// Largest tangential offset of a node pair over the root of its tributary
+    /// area, for `node to node` (pair_node_to_node()).
     double tolerance = 1e-6;
-    /// Largest distance of paired points [length]; else automatic.
+    /// Largest distance of paired points [length]; if empty,
+    /// automatic_search_distance().
     std::optional<double> search_distance;
-    /// Coulomb friction coefficient mu; 0 without friction.
+    /// Coulomb friction coefficient mu; 0 for frictionless contact.
     double friction = 0.;
-    /// Marks a choice of `auto`. `surface to surface` replaces a `line to
-    /// roller` beyond a line; `edge to surface` joins it at body ends.
+    /// True if the discretization was chosen by `auto`: `line to roller` then
+    /// becomes `surface to surface` once contact extends beyond a line, and an
+    /// `edge to surface` contact is added at body ends.
     bool is_automatic = false;
-    /// Number of the contact that this one complements at body ends.
+    /// Number of the contact that this contact complements at body ends.
     std::optional<unsigned int> part_of;
   };
 
-  /// Returns true if matching nodes of both sides are or would be paired.
+  /// Returns true if the contact pairs, or `auto` may pair, matching nodes.
   inline bool
   may_pair_nodes(const ContactPair &contact)
   {

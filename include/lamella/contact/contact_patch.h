@@ -11,49 +11,49 @@
 
 namespace lamella
 {
-  /// Returns the scene axis of the largest component of sum A n over @p points.
+  /// Returns the scene axis most normal to the contact: that of the largest
+  /// component of the area-weighted normals, sum A n over @p points.
   unsigned int
   facing_axis(const std::vector<ContactInterface::Point> &points);
 
-  /// Returns the range of @p points along the scene axis @p axis [length].
+  /// Returns the smallest and largest coordinate of @p points along the scene
+  /// axis @p axis [length].
   std::pair<double, double>
   search_radius_along(const std::vector<ContactInterface::Point> &points,
                       const unsigned int                          axis);
 
-  /**
-   * Loaded area of a contact: mean pressure and width of all of it or a strip,
-   * from its ContactTraction, whose points are the rows with their forces
-   * lambda_i and tributary areas A_i.
-   *
-   * *Lines.* Normal to the facing axis, points are grouped into lines along one
-   * of the other two axes: chains of neighbors on the grid of the slave surface
-   * (SlaveSurface::lines()). Runs of points with a force on a line are loaded,
-   * up to an edge on either side:
-   * - the last point, where the contact itself ends there;
-   * - else the zero s* of the pressure, by its moments over points s_b in the
-   *   run. The forces of a line are integrals of the pressure with functions
-   *   that sum up to linear ones, so
-   *     M_b = sum lambda_i max(0, s_i - s_b) = int p max(0, s - s_b) ds,
-   *   and where p falls as the root of s* - s, as it does at the edge of smooth
-   *   surfaces, M_b grows as (s* - s_b)^(5/2). Two of them, two and four points
-   *   inside the edge (a fourth and half of the run if it is shorter), give
-   *     s* = (r s_2 - s_4) / (r - 1),   r = (M_4 / M_2)^(2/5),
-   *   at least the last loaded point but one and at most the first open one;
-   * - halfway from the last loaded to the first open point if the run has fewer
-   *   than four points or the pressure does not fall towards its edge.
-   *
-   * If points are not on lines (on average fewer than three per line), widths
-   * are the extent of the loaded points, each with the root of its area.
-   */
+  /// Loaded area of a contact or of a strip of it: its width and mean pressure,
+  /// from the ContactTraction. Contact points have forces lambda_i and
+  /// tributary areas A_i.
+  ///
+  /// Points are grouped into lines along one of the two axes normal to
+  /// facing_axis(): chains of neighbors on the grid of the slave surface
+  /// (SlaveSurface::lines()). On a line, a run is a sequence of adjacent points
+  /// with a force. On either side the loaded area ends at
+  /// - the last point of the run if the contact ends there;
+  /// - else the zero s* of the pressure p(s), from moments of the forces about
+  ///   points s_b of the run. As the multiplier functions reproduce linear
+  ///   functions, M_b = sum lambda_i max(0, s_i - s_b) = int p max(0, s - s_b)
+  ///   ds, and where p falls as the root of s* - s, as at the edge of Hertzian
+  ///   contact, M_b grows as (s* - s_b)^(5/2). The moments M_2 and M_4 about
+  ///   s_2 and s_4, two and four points inside the edge (a fourth and half of a
+  ///   shorter run), give s* = (r s_2 - s_4) / (r - 1), r = (M_4 / M_2)^(2/5),
+  ///   limited to the interval from the last but one loaded point to the first
+  ///   open point;
+  /// - midway between the last loaded and the first open point if the run has
+  ///   fewer than four points or the pressure does not fall towards its edge.
+  ///
+  /// If there are on average fewer than three points per line, widths are the
+  /// extent of the loaded points, each with a side of the root of its area.
   class ContactPatch
   {
   public:
-    /// Refers to @p traction.
+    /// Keeps a reference to @p traction, which must outlive this object.
     ContactPatch(const ContactTraction             &traction,
                  const std::optional<ContactStrip> &strip = {});
 
-    /// Returns the largest extent of the loaded part along @p axis [length]:
-    /// the runs of a line in the strip. 0 along the facing axis.
+    /// Returns the largest extent of the loaded area along @p axis [length]:
+    /// the sum of a line's runs in the strip. 0 along facing_axis().
     double
     width(const unsigned int axis) const;
 
@@ -63,9 +63,10 @@ namespace lamella
 
     /// Returns the mean pressure over the loaded area,
     ///   sum w_i lambda_i / sum w_i v_i A_i    [force / length^2],
-    /// with the share w_i of the row in the strip (ContactTraction::shares()),
-    /// and the share v_i in a run of the point's interval, halfway to its
-    /// neighbors on the line along the axis of width(). 0 without load.
+    /// with the fraction w_i of point i that lies in the strip
+    /// (ContactTraction::shares()) and the fraction v_i of its interval that
+    /// lies in a loaded run. The interval extends halfway to the neighbors on
+    /// the line along the axis of width(). 0 if there is no load.
     double
     pressure() const;
 
@@ -84,8 +85,8 @@ namespace lamella
       }
     };
 
-    /// Points of a line by coordinate, those at one node combined: force,
-    /// tributary area, share of the strip; and all loaded runs.
+    /// Points of a line by ascending coordinate, one per node: force, tributary
+    /// area, fraction in the strip; and the loaded runs.
     struct Line
     {
       std::vector<double>   s, force, area, share;
@@ -95,14 +96,15 @@ namespace lamella
     /// Returns the lines along @p axis.
     std::vector<Line>
     lines_along(const unsigned int axis) const;
-    /// Returns the runs of @p line up to their edges.
+    /// Returns the loaded runs of @p line, extended to their edges.
     static std::vector<Interval>
     loaded_intervals(const Line &line);
     /// Returns the loaded area of @p line in the strip.
     static double
     loaded_area(const Line &line);
-    /// Returns the pressure's edge beyond the last of the ascending coordinates
-    /// @p s with positive @p force; @p next is the first open point.
+    /// Returns the coordinate of the pressure's edge beyond the last of the
+    /// ascending coordinates @p s of loaded points with the forces @p force and
+    /// areas @p area; @p next is the coordinate of the first open point.
     static double
     edge(const std::vector<double> &s,
          const std::vector<double> &force,
@@ -111,10 +113,10 @@ namespace lamella
     /// Returns true if the points lie on lines along @p axis.
     static bool
     are_lines(const std::vector<Line> &lines);
-    /// Returns the extent along @p axis of points that lie on no lines.
+    /// Returns the extent along @p axis of points that do not form lines.
     double
     extent(const unsigned int axis) const;
-    /// Returns the strip, or everything, as an interval along @p axis.
+    /// Returns the interval of the strip along @p axis, or an unbounded one.
     Interval
     limits(const unsigned int axis) const;
 
@@ -127,7 +129,7 @@ namespace lamella
     const ContactTraction            &traction;
     const std::optional<ContactStrip> strip;
     unsigned int                      facing = 2;
-    /// Shares w_i of the rows.
+    /// Fractions w_i of the contact points in the strip.
     std::vector<double> shares;
   };
 } // namespace lamella

@@ -14,17 +14,17 @@
 
 namespace lamella
 {
-  /// The two surfaces of a contact in a state: undeformed, or displaced by u
-  /// and the load factor of an obstacle. Provides the geometry for pairing and
-  /// rows, each part on first use, in scene axes. Refers to the bodies.
+  /// Geometry of the two surfaces of a contact, undeformed or deformed, for
+  /// pairing and constraints. Each surface is created at first use, in scene
+  /// axes. Keeps references to the bodies, which must outlive this object.
   class ContactSides
   {
   public:
     /// Creates the undeformed sides, with the obstacle at its initial position.
     ContactSides(const ContactPair &contact, const Bodies &bodies);
 
-    /// Displaces @p undeformed, which must outlive this object, by @p u at the
-    /// trace nodes of all facets, with the obstacle at load factor @p factor.
+    /// Creates the sides displaced by @p u from @p undeformed, which must
+    /// outlive this object, with the obstacle at load factor @p factor.
     ContactSides(const ContactSides &undeformed,
                  const BlockVector  &u,
                  const LoadFactor   &factor);
@@ -40,7 +40,7 @@ namespace lamella
       return all_bodies;
     }
 
-    /// Sets the `automatic` discretization and slave side, also for copies.
+    /// Sets the discretization and slave side that `automatic` has chosen.
     void
     set_discretization(const Discretization discretization,
                        const SlaveSide      slave_side)
@@ -49,7 +49,7 @@ namespace lamella
       pair.slave_side     = slave_side;
     }
 
-    /// Returns true for edge contact, with gaps along the other side's normals.
+    /// Returns true for edge contact, with gaps along the master normals.
     bool
     is_edge_contact() const
     {
@@ -62,7 +62,8 @@ namespace lamella
       return undeformed != nullptr;
     }
 
-    /// Returns the surface of a side; null where Second is an obstacle.
+    /// Returns the surface of the first or second side; null if the second side
+    /// is an obstacle.
     const MeshSurface *
     surface(const bool second) const;
 
@@ -74,28 +75,30 @@ namespace lamella
     }
 
     /// Returns Body::surface_points() of a side with current positions and
-    /// normals, locations and tributary areas being undeformed. Empty for an
-    /// obstacle. For edge contact only points at body ends.
+    /// normals; locations and tributary areas are undeformed. Empty for an
+    /// obstacle. For edge contact, only points at body ends are returned.
     std::vector<SurfacePoint>
     points(const bool second) const;
 
-    /// Returns the points at the ends of the body, for any discretization.
+    /// Returns the surface points at the ends of the body, for any
+    /// discretization.
     std::vector<SurfacePoint>
     end_points(const bool second) const;
 
-    /// Returns the location of each trace node of surface() in its body, and
-    /// its displacement rows: undeformed, or at the state if rows rotate.
+    /// Returns the location of each trace node of surface() in its body. Below:
+    /// its displacement rows at the undeformed body, or at the state if rows
+    /// depend on rotations.
     const std::vector<Location> &
     trace_locations(const bool second) const;
     const std::vector<std::vector<LinearFunctional>> &
     trace_rows(const bool second) const;
-    /// Returns the displacement rows of the nodes @p numbers only.
+    /// Returns the displacement rows of the trace nodes @p numbers only.
     std::vector<std::vector<LinearFunctional>>
     trace_rows(const bool                       second,
                const std::vector<unsigned int> &numbers) const;
 
   private:
-    /// Returns @p points of a side at their current positions.
+    /// Returns @p points of a side, moved to their current positions.
     std::vector<SurfacePoint>
     displaced_points(const bool second, std::vector<SurfacePoint> points) const;
 

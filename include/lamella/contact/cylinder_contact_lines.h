@@ -13,8 +13,8 @@
 
 namespace lamella
 {
-  /// Place on the undeformed surface that penetrates a roller or a body, with
-  /// its depth [length] and side.
+  /// Point on the undeformed surface of a body that penetrates a roller or the
+  /// other body, with its depth [length] and body number.
   struct CylinderPenetration
   {
     dealii::Point<3> position;
@@ -22,9 +22,9 @@ namespace lamella
     bool             of_second = false;
   };
 
-  /// Returns whether points @p spacing apart along a beam are too coarse for a
-  /// roller of @p radius [lengths]. Half a spacing beside the contact line,
-  /// normal and force are off by 0.5 spacing / radius.
+  /// Returns true if a point spacing @p spacing along a beam is too coarse for
+  /// contact with a roller of @p radius [both lengths]. Half a spacing off the
+  /// contact line, normal and force have an error of 0.5 spacing / radius.
   inline bool
   are_too_coarse_for(const double spacing, const double radius)
   {
@@ -33,13 +33,14 @@ namespace lamella
     return 0.5 * spacing > coarse_angle * radius;
   }
 
-  /// Active points on a roller along the body: spacing and extent [length].
+  /// Arc of active contact points on a roller, in the direction of the beam
+  /// axis: point spacing and arc length [length].
   struct ContactArc
   {
     double spacing = 0., length = 0.;
 
-    /// Returns whether the contact is a line: two points share its force, and
-    /// averages may activate a third.
+    /// Returns true if the contact is a line: its force is shared by two
+    /// points, and weighted gaps may activate a third.
     bool
     is_line() const
     {
@@ -47,56 +48,60 @@ namespace lamella
     }
   };
 
-  /// Returns the arc of the rows @p active of @p interface, against a roller.
+  /// Returns the contact arc of the active constraints @p active of
+  /// @p interface with a roller.
   ContactArc
   contact_arc(const ContactInterface          &interface,
               const std::vector<unsigned int> &active);
 
-  /// Contact lines between a beam and a roller: material lines of the surface
-  /// along the beam, one at each station along the roller axis, with the point
-  /// nearest to that axis, which moves as the beam bends. There the gap
+  /// Contact lines between a beam and a roller. At each station along the
+  /// roller axis, a material line of the surface runs along the beam; its
+  /// contact point is the one nearest to the roller axis, which moves as the
+  /// beam bends. At this point the gap
   ///   g = |r| - R,   r the part of x - c normal to the axis through c,
-  /// is stationary along the line, so the point's motion does not enter its
-  /// gradient. At a fixed point at a distance d, the normal is off by d / R.
+  /// is stationary along the line, so the motion of the point does not enter
+  /// the gradient of g. At a distance d from it, the normal is off by d / R.
   class CylinderContactLines
   {
   public:
-    /// Creates lines through the points of @p interface, nodal rows of @p
-    /// surface against @p roller. Keeps the row per line nearest to it.
+    /// Creates lines through the contact points of @p interface, nodal
+    /// constraints of @p surface against @p roller. On each line, removes all
+    /// constraints except the one nearest to the roller.
     CylinderContactLines(const MeshSurface &surface,
                          const Obstacle    &roller,
                          ContactInterface  &interface);
 
-    /// Moves the slave places of @p points, one per line, to the points of the
-    /// surface @p now nearest to the axis of @p roller. A place remains on its
-    /// facet up to 5 % of its length beyond a side with an adjacent facet. The
-    /// end of a line is used if no point is stationary.
+    /// Moves the slave points of @p points, one per line, to the points of the
+    /// deformed surface @p now nearest to the axis of @p roller. A point
+    /// remains on its facet up to 5 % of the facet length outside a side with
+    /// an adjacent facet. If no point of a line is stationary, its end is used.
     void
     follow(const MeshSurface     &now,
            const Obstacle        &roller,
            std::vector<GapPoint> &points) const;
 
-    /// Returns the largest curvature of @p surface, deformed as @p now, over
-    /// that of @p roller, on the active lines through @p places, from the gaps
-    /// one node spacing before and behind the closest point. From 1 on the
-    /// surface wraps around the roller, and no equilibrium has a single contact
-    /// line.
+    /// Returns the largest curvature of the deformed surface @p now over that
+    /// of @p roller, on the active lines through the undeformed points
+    /// @p places of @p surface, from the gaps one node spacing before and
+    /// behind the closest point. From a value of 1 on, the surface wraps around
+    /// the roller, and no equilibrium has a single contact line.
     static double
     curvature(const Obstacle                      &roller,
               const MeshSurface                   &surface,
               const MeshSurface                   &now,
               const std::vector<dealii::Point<3>> &places);
 
-    /// Returns the deepest place in @p roller on the lines through all nodes of
-    /// @p surface, currently @p now, with the axis ahead. Empty without
-    /// penetration, and if the roller is along the body.
+    /// Returns the deepest penetration into @p roller on the lines through all
+    /// nodes of @p surface, deformed as @p now, among points whose outward
+    /// normal points to the roller axis. Empty if nothing penetrates, and if
+    /// the roller axis is along the body.
     static std::optional<CylinderPenetration>
     deepest_in(const Obstacle    &roller,
                const MeshSurface &surface,
                const MeshSurface &now);
 
   private:
-    /// A facet crossed by a line, along t, at this s.
+    /// A facet crossed by a line along t at constant s.
     struct Piece
     {
       unsigned int facet;
@@ -104,13 +109,15 @@ namespace lamella
     };
     using Line = std::vector<Piece>;
 
-    /// Returns the pieces of @p surface at @p station of the axis of @p roller.
+    /// Returns the line on @p surface at the coordinate @p station along the
+    /// axis of @p roller, as facets in sequence.
     static Line
     line_at(const MeshSurface &surface,
             const Obstacle    &roller,
             const double       station);
 
-    /// Returns the place of @p line nearest to the axis, after @p last.
+    /// Returns the point of @p line on the deformed surface @p now nearest to
+    /// the axis, starting from the previous point @p last.
     static MeshSurface::FacetPoint
     nearest_point_on_line(const Line                    &line,
                           const MeshSurface             &now,

@@ -9,22 +9,22 @@
 
 namespace lamella
 {
-  /// Node of a body behind the surface of the other body.
+  /// A node of a body that penetrates the surface of the other body.
   struct EndPenetration
   {
-    /// True if the node is on the second side.
+    /// True if the node is on the second body.
     bool second = false;
-    /// Penetration [length], and the depth of the cell that it faces.
+    /// Penetration [length], and depth of the penetrated cell.
     double depth = 0., cell = 0.;
     /// Closest-point projection of the node.
     MeshSurface::FacetPoint at = {};
   };
 
-  /// Returns the deepest node of either body, or of its ends alone, behind the
-  /// other surface in the configuration @p now. Projections are at most @p
-  /// search_radius away [length], on the sides as @p paired. Faces that slide
-  /// over an end have no constraint for its nodes unless these are contact
-  /// points.
+  /// Returns the node of either body with the deepest penetration into the
+  /// other surface in the configuration @p now. If @p of_ends, only nodes at
+  /// body ends are considered: a face that slides over an end has no constraint
+  /// at the end's nodes unless these are contact points. Projections are at
+  /// most @p search_radius away [length], on the sides as @p paired.
   std::optional<EndPenetration>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,

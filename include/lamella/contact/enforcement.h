@@ -7,9 +7,9 @@
 
 namespace lamella
 {
-  /// Enforcement of the contact constraints by one law, g + a lambda = 0, with
-  /// the compliance a = 1 / eps [length / force] for `penalty` and a = 0 for
-  /// the other two (doc/theory/contact.md).
+  /// Enforcement of the contact constraints by the law g + a lambda = 0 of an
+  /// active constraint, with the compliance a = 1 / eps [length / force] for
+  /// `penalty` and a = 0 for the other two methods (doc/theory/contact.md).
   enum class Enforcement
   {
     undefined,
@@ -28,8 +28,9 @@ namespace lamella
       {Enforcement::exact, "exact"}};
   };
 
-  /// Unit of a penalty. If too small, bodies penetrate; if too large, stiffness
-  /// drowns in rounding (Eq. 24; doc/theory/penalty.md).
+  /// Unit of a penalty parameter. If it is too small, bodies penetrate; if it
+  /// is too large, the stiffness is lost to rounding (Eq. 24;
+  /// doc/theory/penalty.md).
   enum class PenaltyKind
   {
     undefined,
@@ -49,14 +50,14 @@ namespace lamella
   /// The penalty parameter epsilon_N of Eq. 20, as given in a scene.
   struct Penalty
   {
-    /// Mandatory: row_penalty() asserts it.
+    /// Must be set: row_penalty() asserts it.
     PenaltyKind kind = PenaltyKind::undefined;
-    /// Penalty in the unit of its kind, or its multiple; positive.
+    /// Positive penalty in the unit of its kind; the multiple if `automatic`.
     double value = 0.;
   };
 
-  /// Stiffness E_n A / h [force / length] of the cell below one side of a pair:
-  /// a bar of section A and length h.
+  /// Stiffness E_n A / h [force / length] of the cell behind one side of a
+  /// contact constraint: a bar of cross section A and length h.
   struct LocalStiffness
   {
     /// E_n = n.n : C : n.n of the ply [force/length^2]; tributary area A
@@ -64,20 +65,21 @@ namespace lamella
     double normal_modulus = 0., area = 0., depth = 0.;
   };
 
-  /// Returns epsilon_N of one row [force / length]:
+  /// Returns the penalty parameter epsilon_N of one contact constraint [force /
+  /// length]:
   ///   automatic   value * min over both sides of E_n A / h
   ///   per_node    value
   ///   per_area    value * A, A that of @p first (both sides have the same)
-  /// `automatic` is defined for floating bodies and exceeds the stiffness of
-  /// the bodies behind the row. Depths must not be zero.
+  /// `automatic` is defined also for unsupported bodies, and exceeds the
+  /// stiffness of the bodies behind the constraint. h must not be zero.
   double
   row_penalty(const Penalty        &penalty,
               const LocalStiffness &first,
               const LocalStiffness &second);
 
-  /// Returns the contact force lambda = epsilon max(0, -g) of a gap @p g with
-  /// the penalty @p epsilon (magnitude of Eq. 25), along n of the row on the
-  /// second body, and along -n on the first.
+  /// Returns the contact force lambda = epsilon max(0, -g) for the gap @p g and
+  /// the penalty @p epsilon (magnitude of Eq. 25). It acts along the normal n
+  /// on the second body, and along -n on the first.
   double
   contact_force(const double epsilon, const double g);
 } // namespace lamella

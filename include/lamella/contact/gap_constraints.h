@@ -26,16 +26,18 @@ namespace lamella
 {
   class ContactSides;
 
-  /// Relative displacement of a pair of points along a direction, or a mean.
+  /// Relative displacement of two facing points along a direction, or a
+  /// weighted average of it, as a functional of the DoFs of both bodies.
   struct ContactConstraint
   {
-    /// Parts, one per deformable body: -sum w . u_1, then +sum v . u_2.
+    /// One functional per deformable body: first -sum w . u_1, then +sum v .
+    /// u_2, with weights w and v along the direction.
     std::vector<BodyFunctional> parts;
-    /// Load history that multiplies the motion of an obstacle.
+    /// Number of the load history that multiplies the motion of an obstacle.
     unsigned int history = 0;
 
     /// Returns the relative displacement u_2 - u_1 along the direction
-    /// [length]; @p u has a block per body.
+    /// [length]; @p u has one block per body.
     double
     jump(const BlockVector &u) const
     {
@@ -45,7 +47,7 @@ namespace lamella
       return sum;
     }
 
-    /// Adds @p factor (the contact force) times the transposed row to @p f.
+    /// Adds the transposed functional times the force @p factor to @p f.
     void
     add_to(BlockVector &f, const double factor) const
     {
@@ -54,18 +56,19 @@ namespace lamella
     }
   };
 
-  /// Slip of a pair of points along a tangent t at load factor f,
+  /// Slip of two facing points along a tangent t at load factor f,
   ///   s(u, f) = t . (u_2(X_2) - u_1(X_1)) + s_init + f s_rate,
-  /// with the weights of its gap: from the undeformed bodies, or for moving
-  /// rows from the beginning of the step. lambda_t loads the second side along
-  /// t.
+  /// averaged with the weights of the gap constraint. It is measured from the
+  /// undeformed bodies, or for moving contacts from the beginning of the load
+  /// step. The shear force lambda_t acts on the second side along t.
   struct SlipConstraint : ContactConstraint
   {
-    /// Tangent t, a unit vector of the scene.
+    /// Tangent t, a unit vector in scene axes.
     dealii::Tensor<1, 3> tangent;
-    /// Slip due to the motion of a rigid obstacle at load factor 1 [length].
+    /// s_rate: slip due to the motion of an obstacle at load factor 1 [length].
     double rate = 0.;
-    /// Constant that makes this the slip at the state of moving rows [length].
+    /// s_init: constant that makes slip() exact at the state of a moving
+    /// contact [length].
     double initial = 0.;
 
     double
@@ -75,35 +78,33 @@ namespace lamella
     }
   };
 
-  /**
-   * Linearized gap function of one pair of points (Eq. 16),
-   *   g(u, t) = n . (u_2(X_2) - u_1(X_1)) + g_init + t g_rate,
-   * or a weighted average: a row b of the matrix B over the DoFs of the bodies
-   * (with the sign of each side), a constant, and the motion of an obstacle at
-   * load factor t. Each row satisfies the Hertz-Signorini-Moreau conditions
-   * (Eq. 18),
-   *   g >= 0,  lambda >= 0,  g lambda = 0,
-   * regularized by `penalty` (enforcement.h). lambda [force] is positive in
-   * compression: over the area of the row it is -p_N of the paper. It loads the
-   * bodies with lambda b^T, lambda n on the second side and -lambda n on the
-   * first.
-   */
+  /// Linearized gap function of two facing points (Eq. 16),
+  ///   g(u, t) = n . (u_2(X_2) - u_1(X_1)) + g_init + t g_rate,
+  /// or a weighted average of it: a row b of the matrix B on the DoFs of both
+  /// bodies, the initial gap, and the motion of an obstacle at load factor t.
+  /// Each gap constraint satisfies the Hertz-Signorini-Moreau conditions (Eq.
+  /// 18),
+  ///   g >= 0,  lambda >= 0,  g lambda = 0,
+  /// which `penalty` regularizes (enforcement.h). The contact force lambda
+  /// [force] is positive in compression: divided by the tributary area it is
+  /// -p_N of the paper. It loads the bodies with lambda b^T, which is lambda n
+  /// on the second side and -lambda n on the first.
   struct GapConstraint : ContactConstraint
   {
-    /// (X_2 - X_1) . n of the undeformed bodies (Eq. 17 with the averaged
-    /// normal), or its average [length].
+    /// g_init: (X_2 - X_1) . n of the undeformed bodies (Eq. 17 with the
+    /// averaged normal), or its weighted average [length].
     double initial_gap = 0.;
-    /// Gap due to the motion of a rigid obstacle at load factor 1 [length].
+    /// g_rate: gap due to the motion of an obstacle at load factor 1 [length].
     double      gap_rate    = 0.;
     Enforcement enforcement = Enforcement::penalty;
-    /// epsilon_N [force / length] of row_penalty(), not zero.
+    /// Penalty parameter epsilon_N [force / length] of row_penalty(), not zero.
     double penalty = 0.;
 
-    /// Friction coefficient mu, and with friction slips along two tangents.
+    /// Friction coefficient mu; if positive, the slips along two tangents.
     double                      friction = 0.;
     std::vector<SlipConstraint> slips    = {};
 
-    /// Returns g at load factor @p factor [length]; negative for penetration.
+    /// Returns g at load factor @p factor [length]; negative if penetrating.
     double
     gap(const BlockVector &u, const LoadFactor &factor) const
     {
@@ -111,28 +112,29 @@ namespace lamella
     }
   };
 
-  /**
-   * Discretized contact of one ContactPair: gap rows and their geometry,
-   * created by make_interface() from the undeformed bodies. In linear
-   * kinematics the initially facing points remain paired (assumptions.h checks
-   * this); for finite motion Contact pairs anew and moves the rows. rows[k] and
-   * points[k] belong together. Bodies are indices into Bodies; `places` refer
-   * to cells of the bodies of its creation. Every process holds all of it.
-   */
+  /// Discretized contact of one ContactPair: gap constraints, contact points
+  /// and weights, created from the undeformed bodies by make_interface(). In
+  /// linear kinematics the initially facing points remain paired (assumptions.h
+  /// checks this); for finite motion, Contact pairs the surfaces anew and
+  /// updates the constraints. rows[k] and points[k] belong together. Bodies are
+  /// given by their indices in Bodies, and points by cells of the bodies for
+  /// which the interface was created. Every process has all constraints.
   struct ContactInterface
   {
-    /// Position of a row for tables and pictures, scene axes.
+    /// Contact point of a constraint, for output, in scene axes.
     struct Point
     {
-      /// X_1 and X_2; for `surface to surface` a slave node and what it faces.
+      /// Facing points X_1 and X_2; for `surface to surface` a slave node and
+      /// the point opposite.
       dealii::Point<3> first, second;
-      /// Normal n of the row, outward from First: its force is lambda n on the
-      /// second side. For `surface to surface` the mean of n over the area.
+      /// Normal n of the constraint, outward from the first side: the force on
+      /// the second side is lambda n. For `surface to surface`, the average of
+      /// n over the tributary area.
       dealii::Tensor<1, 3> normal;
-      /// Tributary area A [length^2]: the smaller one of both nodes, that of
-      /// the node, or A_i = int phi_i dA over the part facing the other side.
+      /// Tributary area A [length^2]: the smaller of both nodes' areas, that of
+      /// the slave node, or A_i = int phi_i dA over the facing area.
       double area = 0.;
-      /// Angle between n_1 and -n_2 [rad], for averages at the node.
+      /// Angle between n_1 and -n_2 [rad], for weighted gaps at the node.
       double angle = 0.;
       /// Point spacing [length], the root of the full tributary area.
       double spacing = 0.;
@@ -154,48 +156,49 @@ namespace lamella
     bool points_on_second = false;
     /// Name of the slave surface.
     std::string slave_surface;
-    /// Number of nodes of either side that face nothing (`node to node`: no
-    /// node) and may pass through the other body.
+    /// Number of nodes of either side that face no part of the other surface
+    /// (`node to node`: no node) and may pass through the other body.
     unsigned int unpaired = 0, unpaired_second = 0;
-    /// Unpaired nodes of `node to node` that face the other surface.
+    /// Number of unpaired nodes of `node to node` that face the other surface.
     unsigned int nonmatching_nodes = 0, nonmatching_nodes_second = 0;
-    /// Rows, one per pair of nodes or per slave node that faces something.
+    /// Gap constraints, one per node pair or facing slave node.
     std::vector<GapConstraint> rows;
     std::vector<Point>         points;
-    /// Geometry of the rows: on First weights along -n, on Second along n.
+    /// Points and weights on the first side (along -n) and second (along n).
     ConstraintGeometry first, second;
-    /// Slave surface with the rows' functions (ContactTraction), never null.
+    /// Slave surface with the functions phi_i of the constraints, never null.
     std::shared_ptr<const SlaveSurface> surface = {};
-    /// Integration points of `surface to surface`, from which gaps move.
+    /// Integration points of `surface to surface`, where gaps are measured.
     std::vector<GapPoint> sampled;
-    /// Notes on this pairing for the user, one sentence each.
+    /// Messages about this pairing for the user, one sentence each.
     std::vector<std::string> notes;
   };
 
-  /// Returns the undeformed slave node of @p point, or its place on First.
+  /// Returns the undeformed slave node of @p point, or if unknown its point on
+  /// the first side.
   inline const dealii::Point<3> &
   place_of(const ContactInterface::Point &point)
   {
     return point.node.places.empty() ? point.first : point.node.position;
   }
 
-  /// Rows of several contacts in sequence, the matrix B of all contacts,
-  /// numbered from 0 contact by contact, as their forces are. A view: the rows
-  /// must outlive it at fixed addresses.
+  /// Gap constraints of several contacts in sequence, numbered from 0 contact
+  /// by contact: the rows of the matrix B and the entries of the vector of
+  /// contact forces. A view: constraints must outlive it in place.
   class GapConstraints
   {
   public:
     /// Creates an empty view, for size(), empty() and the iterators only.
     GapConstraints() = default;
-    /// Views the rows of @p contacts, which keep their numbers.
+    /// Views the gap constraints of @p contacts, which must not be renumbered.
     GapConstraints(const std::vector<ContactInterface> &contacts);
-    /// Views rows without a contact; they count as contact 0.
+    /// Views constraints without a contact; they count as contact 0.
     GapConstraints(const std::vector<GapConstraint> &rows);
-    /// Deleted for temporaries, which the view would outlive.
+    /// Deleted for temporaries, which would not outlive the view.
     GapConstraints(std::vector<ContactInterface> &&contacts) = delete;
     GapConstraints(std::vector<GapConstraint> &&rows)        = delete;
 
-    /// Returns the number of gap rows of all contacts.
+    /// Returns the number of gap constraints of all contacts.
     unsigned int
     size() const
     {
@@ -208,35 +211,37 @@ namespace lamella
       return rows.empty();
     }
 
-    /// Returns @p row, which must be below size(); not checked.
+    /// Returns gap constraint number @p row, below size(); not checked.
     const GapConstraint &
     operator[](const unsigned int row) const
     {
       return *rows[row];
     }
 
-    /// Returns the number of a slip of @p row, size() or above.
+    /// Returns the number, size() or above, of the slip of constraint @p row
+    /// along @p tangent (0 or 1).
     unsigned int
     slip(const unsigned int row, const unsigned int tangent) const
     {
       return size() + 2 * row + tangent;
     }
 
-    /// Returns one past the largest possible number of a gap or slip.
+    /// Returns one more than the largest possible number of a gap or slip.
     unsigned int
     end_of_slips() const
     {
       return 3 * size();
     }
 
-    /// Returns the row of the gap or slip @p number.
+    /// Returns the number of the gap constraint to which the gap or slip
+    /// @p number belongs.
     unsigned int
     row_of(const unsigned int number) const
     {
       return number < size() ? number : (number - size()) / 2;
     }
 
-    /// Returns the gap or slip @p number.
+    /// Returns the functional of the gap or slip @p number.
     const ContactConstraint &
     constraint(const unsigned int number) const
     {
@@ -245,11 +250,11 @@ namespace lamella
       return rows[row_of(number)]->slips[(number - size()) % 2];
     }
 
-    /// Returns true if any row has friction.
+    /// Returns true if any contact has friction.
     bool
     has_friction() const;
 
-    /// Iterators over the rows, not over pointers.
+    /// Iterators over the constraints, not over pointers.
     auto
     begin() const
     {
@@ -262,11 +267,11 @@ namespace lamella
       return boost::make_indirect_iterator(rows.end());
     }
 
-    /// Returns the contact of @p row and its number there, by binary search.
+    /// Returns the contact of constraint @p row, and its number within it.
     std::pair<unsigned int, unsigned int>
     contact_of_row(const unsigned int row) const;
 
-    /// Returns a view of the entries of @p values that belong to @p contact.
+    /// Returns a view of the entries of @p values for contact @p contact.
     template <typename T>
     dealii::ArrayView<const T>
     of_contact(const unsigned int contact, const std::vector<T> &values) const
@@ -278,58 +283,56 @@ namespace lamella
               firsts[contact + 1] - firsts[contact]};
     }
 
-    /// Returns those of @p some rows in @p contact, by their numbers there.
+    /// Returns those of the constraints @p some that belong to @p contact, by
+    /// their numbers within it.
     std::vector<unsigned int>
     local_rows_of(const unsigned int               contact,
                   const std::vector<unsigned int> &some) const;
 
   private:
     std::vector<const GapConstraint *> rows;
-    /// First row of each contact, and one past the last row; may be empty.
+    /// First constraint of each contact, and one past the last; may be empty.
     std::vector<unsigned int> firsts;
   };
 
   /// Returns the default search distance [length]: twice Body::size() of the
-  /// smaller body, with an obstacle that of First's body.
+  /// smaller body, or with an obstacle of the first body.
   double
   automatic_search_distance(const ContactPair &contact, const Bodies &bodies);
 
-  /// Returns the given or automatic search distance of @p contact [length].
-  /// Throws InputError if one of its surfaces does not exist.
+  /// Returns the scene's search distance of @p contact, or the automatic one
+  /// [length]. Throws InputError if a surface does not exist.
   double
   search_radius_of(const ContactPair &contact, const Bodies &bodies);
 
-  /**
-   * Creates the gap rows of @p contact on the undeformed @p bodies:
-   *   1. surfaces with normals and search trees (MeshSurface);
-   *   2. Discretization::automatic: `node to node` if every node that faces the
-   *      other surface faces one of its nodes;
-   *   3. the slave side by SlaveSide; `automatic`: the side with more grid
-   * cells where the two face each other (count_facing_cells()), if equal the
-   *      first body of the scene;
-   *   4. gaps, normals, areas and weights: pair_node_to_node(),
-   *      pair_node_to_surface() or weighted_gaps();
-   *   5. weights times displacement rows; penalties from local stiffnesses;
-   *   6. overlaps by Overclosure; gaps of rounding become zero.
-   *
-   * Throws InputError if a surface does not exist, if nothing faces the other
-   * side within the search distance (the message gives the nearest distance of
-   * nodes), if the surfaces face away from each other or the bodies overlap by
-   * more than the depth of the cells, and for any overlap under
-   * Overclosure::refuse. Places that overlap by more are omitted if they face
-   * away through their own bodies (the upper half of a roller).
-   */
+  /// Creates the gap constraints of @p contact on the undeformed @p bodies:
+  ///   1. surfaces with normals and search trees (MeshSurface);
+  ///   2. `automatic` discretization: `node to node` if every node that faces
+  /// the other surface faces one of its nodes, else `surface to surface`;
+  ///   3. `automatic` slave side: the side with more grid cells where the two
+  ///      face each other (count_facing_cells()), if equal the first body;
+  ///   4. gaps, normals, areas and weights: pair_node_to_node(),
+  ///      pair_node_to_surface() or weighted_gaps();
+  ///   5. weights times displacement rows; penalties from local stiffnesses;
+  ///   6. overlaps by Overclosure; gaps within rounding become zero.
+  ///
+  /// Throws InputError if a surface does not exist, if no points face each
+  /// other within the search distance (the message gives the nearest distance
+  /// of nodes), if the surfaces face away from each other or the bodies overlap
+  /// by more than the depth of the cells, and for any overlap under
+  /// Overclosure::refuse. Points that overlap by more are omitted if they face
+  /// away through their own body (the upper half of a roller).
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies);
 
-  /// Creates the interface as make_interface() does, with the search radius @p
-  /// search_radius [length]; the names of the surfaces must be valid.
+  /// Creates the interface as make_interface() does, with @p search_radius in
+  /// place of the search distance [length]. The surfaces must exist.
   ContactInterface
   make_interface_within(const ContactPair &contact,
                         const Bodies      &bodies,
                         const double       search_radius);
 
-  /// Creates the interface on @p sides, without checks of overlap if displaced.
+  /// Creates the interface on @p sides; checks overlap if undeformed.
   ContactInterface
   make_interface_within(const ContactSides &sides, const double search_radius);
 } // namespace lamella

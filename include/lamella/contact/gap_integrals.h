@@ -15,21 +15,23 @@
 
 namespace lamella
 {
-  /// Averages of a row over its points (GapPoint) with the weights a_q
-  /// phi_i(X_q) / A_i: the mortar integrals of a weighted gap. psi_k are the
-  /// functions of trace nodes on either surface; n is outward from the slave
-  /// side.
+  /// Mortar integrals of one weighted gap i: averages over the contact points
+  /// X_q (GapPoint) with the weights a_q phi_i(X_q) / A_i, where a_q is the
+  /// area of the point and phi_i the multiplier function. psi_k are the shape
+  /// functions of the trace nodes of either surface; n is the normal outward
+  /// from the slave side.
   struct GapIntegrals
   {
-    /// A_i = sum a_q phi_i over points with a projection [length^2].
+    /// Area A_i = sum a_q phi_i over points with a projection [length^2].
     double area = 0.;
-    /// Averages of g [length] and of n.
+    /// Averages of the gap g [length] and of the normal n.
     double               gap = 0.;
     dealii::Tensor<1, 3> normal;
-    /// Average of slide(), if reference points are held.
+    /// Average slip since the beginning of the step (slip_increment_of()), if
+    /// reference points are given.
     dealii::Tensor<1, 3> slip_increment;
-    /// Averages of psi_k n and psi_k (I - n n) for a node. The latter times any
-    /// tangent t is the weight of the slip along t.
+    /// Averages of psi_k n and psi_k (I - n n) for trace node k. The latter
+    /// times a tangent t is the weight of the slip along t.
     struct OfNode
     {
       dealii::Tensor<1, 3>          normal;
@@ -38,30 +40,29 @@ namespace lamella
     boost::container::flat_map<unsigned int, OfNode> slave, master;
   };
 
-  /// Determination of the place opposite a material point.
+  /// How the point opposite a slave point is determined.
   enum class MasterPoints
   {
     paired,   ///< the paired place; n is the averaged normal
     projected ///< current closest-point projection (closest_point_projection())
   };
 
-  /**
-   * Returns the integrals of the @p n_rows rows of a contact with the gap
-   * points @p points, on the current surfaces @p sides; the slave is the second
-   * if @p on_second. @p functions are those of the rows, null if row k is point
-   * k.
-   *
-   * MasterPoints::projected replaces the opposite places in @p points by
-   * projections within @p search_radius [length], and omits points without one.
-   * The gap is g = n_2 . (x_1 - x_2) with the exact gradient n . (delta x_2 -
-   * delta x_1), n = -n_2; its average is the gradient of the averaged gap,
-   * since the weights are constant. MasterPoints::paired uses n = (n_1 - n_2) /
-   * |n_1 - n_2| and g = n . (x_2 - x_1), whose gradient this is if x_2 - x_1 is
-   * along n.
-   *
-   * If reference points @p held since the beginning of a step are given, slips
-   * are included. Points that newly face the surface are added to them.
-   */
+  /// Returns the mortar integrals of the @p n_rows constraints of a contact at
+  /// the contact points @p points, on the current surfaces @p sides; the slave
+  /// is the second side if @p on_second. @p functions are the multiplier
+  /// functions; if null, constraint k has point k only.
+  ///
+  /// MasterPoints::projected replaces the opposite points in @p points by
+  /// closest-point projections within @p search_radius [length], and omits
+  /// points without a projection. The gap is g = n_2 . (x_1 - x_2) with the
+  /// exact gradient n . (delta x_2 - delta x_1), n = -n_2; averages of
+  /// gradients are gradients of averages, since the weights are constant.
+  /// MasterPoints::paired uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 -
+  /// x_1); this gradient is exact if x_2 - x_1 is along n.
+  ///
+  /// If the reference points @p held of the beginning of the step are given,
+  /// slips are computed, and reference points are added for points that face
+  /// the other surface for the first time.
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides    &sides,
                  const bool             on_second,
@@ -72,8 +73,8 @@ namespace lamella
                  std::vector<GapPoint> &points,
                  SlipReferencePoints   *held = nullptr);
 
-  /// Returns slip_reference_point() of each of @p points, which are projected
-  /// on @p sides. Arguments as in integrate_gaps().
+  /// Returns slip_reference_point() of each of the contact points @p points,
+  /// which are projected on @p sides. Arguments as in integrate_gaps().
   SlipReferencePoints
   slip_reference_points(const ContactSides    &sides,
                         const bool             on_second,
@@ -81,8 +82,8 @@ namespace lamella
                         const double           search_radius,
                         std::vector<GapPoint> &points);
 
-  /// Returns the rows to which @p point, with number @p number, contributes,
-  /// and its weight a_q phi_i(X_q) in each; see integrate_gaps().
+  /// Returns the constraints to which contact point @p point number @p number
+  /// contributes, with its weight a_q phi_i(X_q) in each (integrate_gaps()).
   std::vector<std::pair<unsigned int, double>>
   shares_of(const SlaveSurface *functions,
             const unsigned int  number,

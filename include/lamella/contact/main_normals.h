@@ -9,27 +9,27 @@
 
 namespace lamella
 {
-  /// Row number of a contact, and the unit main direction of contact there.
+  /// Main direction in which a contact acts: a unit normal, and the number of a
+  /// constraint with this normal.
   struct MainNormal
   {
     unsigned int         row = 0;
     dealii::Tensor<1, 3> normal;
   };
 
-  /**
-   * Returns the main normals of those rows of @p interface, made of @p contact,
-   * whose gaps are less than @p depth above the smallest one. One main normal
-   * stands for all rows whose own normal is within 60 degrees of that of the
-   * closest row; the remaining rows are treated likewise. A roller on a flat
-   * face has one, across the face; a groove has one for each side. The contact
-   * does not restrain motions along other normals.
-   *
-   * A main normal is common to both surfaces in contact: that of a flat
-   * surface, or the normal across the generators of two curved ones (sides of
-   * bodies and cylinders are ruled). It does not depend on the mesh. For two
-   * flat surfaces at an angle, an edge on a face, it is that of the closest
-   * row.
-   */
+  /// Returns the main normals of those constraints of @p interface, created
+  /// from @p contact, whose gaps are less than @p depth above the smallest one.
+  /// The normal at the smallest gap represents all constraints whose own normal
+  /// is within 60 degrees of it; the remaining constraints are treated in the
+  /// same way. A roller on a flat face has one main normal, normal to the face;
+  /// a groove has one for each side. The contact does not restrain motions
+  /// normal to all main normals.
+  ///
+  /// A main normal is common to both surfaces in contact: the normal of a flat
+  /// surface, or the direction normal to the generators of two curved surfaces
+  /// (sides of bodies and cylinders are ruled). It does not depend on the mesh.
+  /// For two flat surfaces at an angle (an edge on a face), it is the
+  /// constraint's own normal.
   std::vector<MainNormal>
   main_normals(const ContactPair      &contact,
                const ContactInterface &interface,

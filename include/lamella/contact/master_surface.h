@@ -10,63 +10,61 @@
 
 namespace lamella
 {
-  /// Intersection of a ray with a surface, with MeshSurface::smooth_normal().
-  /// `facet` is invalid_unsigned_int for an obstacle.
+  /// Intersection of a line with a surface, with MeshSurface::smooth_normal().
+  /// For an obstacle, `facet` is invalid_unsigned_int.
   struct SurfaceHit : public Hit
   {
     unsigned int facet = dealii::numbers::invalid_unsigned_int;
-    /// Point on the unit square of the facet, up to 1e-7 outside.
+    /// Coordinates on the unit square of the facet, up to 1e-7 outside it.
     dealii::Point<2> st;
   };
 
-  /// Interface of a master surface for the projection of points
-  /// (find_master_point()): the mesh of a body, a subset of its facets or a
-  /// rigid obstacle, in undeformed scene axes.
+  /// Interface of a master surface for find_master_point(): a body's mesh, some
+  /// of its facets, or an obstacle, undeformed, in scene axes.
   class MasterSurface
   {
   public:
     virtual ~MasterSurface() = default;
 
-    /// Returns the nearest intersection, in either direction and at most @p
-    /// search_radius away, of the line x + t d, with unit d, and the surface,
-    /// entered against its normal. Its distance is t, negative for overlap.
+    /// Returns the nearest intersection of the surface with the line x + t d,
+    /// |t| <= @p search_radius and unit vector d, entering the body (d against
+    /// the outward normal). `distance` is t, negative for overlap.
     virtual std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
          const double                search_radius) const = 0;
 
-    /// Returns the outward normal near the point nearest to @p x, a first guess
+    /// Returns approximately the outward normal nearest to @p x, a first guess
     /// for find_master_point() (0 on the axis of a cylinder).
     virtual dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const = 0;
   };
 
-  /// Facing points of a gap function: the place opposite X_1 with normal n_1.
+  /// Point of the master surface opposite a slave point X_1 with normal n_1.
   struct MasterPoint
   {
     SurfaceHit hit;
     /// Unit normal n of find_master_point(); the initial gap is hit.distance.
     dealii::Tensor<1, 3> normal;
-    /// Angle between n_1 and -n_2 [rad]; 0 if opposed.
+    /// Angle between n_1 and -n_2 [rad]; 0 for parallel surfaces.
     double angle = 0.;
   };
 
-  /// Smallest cosine of facing normals, cos 60 degrees; at an edge, where a
-  /// surface ends, 0.
+  /// Smallest cosine of the angle between n_1 and -n_2 of facing points: cos 60
+  /// degrees, and 0 at an edge where a surface ends.
   constexpr double min_facing_cosine = 0.5, min_facing_cosine_edge = 0.;
 
-  /**
-   * Returns the place X_2 of @p other that the point @p x with outward normal
-   * @p n1 faces: the intersection of @p other with the line from X_1 along
-   *   n = (n_1(X_1) - n_2(X_2)) / |n_1(X_1) - n_2(X_2)|.
-   * This is symmetric: the place opposite X_2 is X_1 with normal -n, and
-   * between mirrored bodies n is the mirror normal. A fixed-point iteration
-   * starts from n = n_1, or from a normal nearby if that line misses. @p
-   * opposed is the smallest cosine of the angle between n_1 and -n_2. Empty if
-   * the normals are not opposed, if the other surface is farther than @p
-   * search_radius along n, or without convergence to 1e-11 in 50 steps (usually
-   * two or three).
-   */
+  /// Returns the point X_2 of @p other that the point @p x = X_1 with outward
+  /// normal @p n1 faces: the intersection of @p other with the line from X_1
+  /// along the averaged normal
+  ///   n = (n_1(X_1) - n_2(X_2)) / |n_1(X_1) - n_2(X_2)|.
+  /// The relation is symmetric: the point opposite X_2 is X_1, with the normal
+  /// -n, and between mirrored bodies n is the mirror normal. A fixed-point
+  /// iteration starts from n = n_1, or from normal_near() if the line along n_1
+  /// misses the surface. @p opposed is the smallest permitted cosine of the
+  /// angle between n_1 and -n_2. Empty if the normals are not opposed, if
+  /// @p other is farther than @p search_radius along n, or if the iteration
+  /// does not converge to 1e-11 in 50 steps (usually two or three).
   std::optional<MasterPoint>
   find_master_point(const MasterSurface        &other,
                     const dealii::Point<3>     &x,

@@ -19,31 +19,30 @@
 
 namespace lamella
 {
-  /**
-   * A named surface of a body, undeformed or displaced. Each facet keeps its
-   * map X(s, t) (FacetMap), with which rays are intersected, curved or not.
-   *
-   * At smooth joints, facet normals differ by the interpolation error of
-   * curves. Contact uses a continuous field: the average normal
-   *   n_i ~ sum over facets int L_i n dA
-   * at each node i of the Gauss-Lobatto grids of the facets, as
-   * Body::surface_points() gives it, interpolated in between. At edges sharper
-   * than 45 degrees each side keeps its own.
-   *
-   * Displacements of a facet are polynomials determined by their values at its
-   * trace nodes, a Gauss-Lobatto grid. SurfaceTopology gives shared and hanging
-   * nodes. Facets, normals and a box tree over the facets are created once;
-   * later only locations are requested from the body. Scene axes.
-   */
+  /// Surface mesh of a named surface of a body, undeformed or deformed, for
+  /// contact. Each facet, one side of a cell, has an exact map X(s, t)
+  /// (FacetMap), with which lines are intersected.
+  ///
+  /// At smooth joints, normals of adjacent facets differ by the interpolation
+  /// error of curves. Contact therefore uses a continuous normal field: the
+  /// average normal
+  ///   n_i ~ sum over facets int L_i n dA
+  /// at each node i of the Gauss-Lobatto grids of the facets, as in
+  /// Body::surface_points(), interpolated by the functions L_i of the grid. At
+  /// edges sharper than 45 degrees, each side has its own normals.
+  ///
+  /// Displacements of a facet are polynomials determined by their values at its
+  /// trace nodes, a Gauss-Lobatto grid. SurfaceTopology gives shared and
+  /// hanging nodes. All coordinates are in scene axes.
   class MeshSurface : public MasterSurface
   {
   public:
     /// Creates the undeformed surface; @p surface is one of Body::surfaces().
     MeshSurface(const Body &body, const std::string &surface);
 
-    /// Displaces the trace nodes of @p undeformed by @p u [length], and with
-    /// them the control points of all maps and the normals. Numbers, edges and
-    /// hanging nodes are kept; locations are those of the undeformed body.
+    /// Creates the deformed surface from @p undeformed with the displacements
+    /// @p u of its trace nodes [length]. Node numbers, edges and hanging nodes
+    /// are the same; locations refer to the undeformed body.
     MeshSurface(const MeshSurface                       &undeformed,
                 const std::vector<dealii::Tensor<1, 3>> &u);
 
@@ -59,25 +58,25 @@ namespace lamella
 
       SurfaceFacet side;
       FacetMap     map;
-      /// Bases of the grid of nodes, and of the traces; static lifetime.
+      /// 1D bases of the grid and trace nodes; static lifetime.
       const GaussLobattoBasis *grid_s = nullptr, *grid_t = nullptr,
                               *trace_s = nullptr, *trace_t = nullptr;
-      /// Bounding ball of the facet [length], the coarse test of
-      /// intersect_facet(), and the outward unit normal at its center.
+      /// Bounding ball of the facet [length], for the coarse test of
+      /// intersect_facet(), and outward unit normal at the center.
       dealii::Point<3>     center;
       double               radius = 0.;
       dealii::Tensor<1, 3> normal;
-      /// Numbers of its trace nodes, the first coordinate running fastest.
+      /// Numbers of the trace nodes, the first coordinate running fastest.
       std::vector<unsigned int> trace_nodes;
-      /// Numbers of its grid nodes in grid_nodes(), the first coordinate
-      /// running fastest, and in SurfaceTopology.
+      /// Numbers of the grid nodes in MeshSurface::grid_nodes(), the first
+      /// coordinate running fastest, and in SurfaceTopology.
       std::vector<unsigned int> grid_nodes, nodes_of_body;
-      /// Existence of an adjacent facet, and of an end of the body, beyond the
+      /// True if there is an adjacent facet, or the end of the body, beyond the
       /// sides s = 0, s = 1, t = 0 and t = 1.
       std::array<bool, 4> has_neighbor{}, at_body_end{};
-      /// True for a plane parallelogram whose nodes all have its normal. E_n =
-      /// n.n : C : n.n of the ply at the center [force/length^2], and the depth
-      /// of the cell below [length].
+      /// True for a plane parallelogram all of whose nodes have its normal. E_n
+      /// = n.n : C : n.n of the ply at the center [force/length^2], and the
+      /// depth of the cell behind the facet [length].
       bool   is_flat        = false;
       double normal_modulus = 0., depth = 0.;
     };
@@ -95,7 +94,8 @@ namespace lamella
       return all_facets;
     }
 
-    /// Returns the unit normal at @p place, +- d_s x d_t normalized.
+    /// Returns the outward unit normal at @p place, along the product of the
+    /// tangents X_,s x X_,t.
     dealii::Tensor<1, 3>
     outward_normal(const Facet &facet, const Place &place) const;
 
@@ -104,15 +104,15 @@ namespace lamella
     dealii::Tensor<1, 3>
     smooth_normal(const Facet &facet, const dealii::Point<2> &st) const;
 
-    /// A grid node, common to facets that join smoothly; at a sharp edge there
-    /// is one for each side. @p normal is the unit n_i.
+    /// A grid node, shared by facets that join smoothly; at a sharp edge there
+    /// is one for each side. @p normal is the unit normal n_i.
     struct GridNode
     {
       dealii::Point<3>     position;
       dealii::Tensor<1, 3> normal;
     };
 
-    /// Returns the nodes of weighted gaps: each mortar row belongs to one.
+    /// Returns the grid nodes: each weighted gap belongs to one of them.
     const std::vector<GridNode> &
     grid_nodes() const
     {
@@ -125,34 +125,34 @@ namespace lamella
 
     using HangingNode = SurfaceTopology::HangingNode;
 
-    /// Returns the hanging nodes by numbers of grid_nodes(); nodes that others
-    /// hang on come after them. No node hangs on ends across a sharp edge.
+    /// Returns the hanging nodes by numbers of grid_nodes(). If an end node
+    /// hangs itself, it comes later.
     const std::vector<HangingNode> &
     hanging_nodes() const
     {
       return hanging;
     }
 
-    /// Sets @p values to the trace functions of @p facet at @p st, in the order
-    /// of trace_nodes: tensor products of Gauss-Lobatto bases, so that u is the
-    /// sum of @p values times u at the trace nodes.
+    /// Sets @p values to the trace shape functions of @p facet at @p st, in the
+    /// order of trace_nodes: tensor products of Gauss-Lobatto bases, so that
+    /// u(s, t) is the sum of @p values times trace displacements.
     void
     evaluate_trace(const Facet            &facet,
                    const dealii::Point<2> &st,
                    std::vector<double>    &values) const;
 
-    /// Returns the number of trace nodes; shared ones count once.
+    /// Returns the number of trace nodes; shared nodes count once.
     unsigned int
     n_trace_nodes() const
     {
       return trace_locations.size();
     }
 
-    /// Returns the location of trace node @p node on the first facet with it.
+    /// Returns the location in the body of trace node @p node.
     Location
     trace_location(const unsigned int node) const;
 
-    /// A point on a facet, given by its number.
+    /// A point (s, t) on the facet of the given number.
     struct FacetPoint
     {
       unsigned int     facet = 0;
@@ -160,48 +160,48 @@ namespace lamella
     };
 
     /// Returns the point of the surface at @p location, on the facet whose
-    /// normal is closest to @p normal. Empty if on none.
+    /// normal is closest to @p normal. Empty if the location is on no facet.
     std::optional<FacetPoint>
     place_of(const Location             &location,
              const dealii::Tensor<1, 3> &normal) const;
 
-    /// Returns the intersection of the line x + t d with one @p facet, with d
-    /// against its outward normal. Newton's method on the two components of
-    /// X(s, t)
-    /// - x normal to d, from the center; an affine facet takes one step. Empty
-    /// if the line misses the bounding ball, if the iteration leaves the facet
-    /// far behind, or if d does not enter by both normals.
+    /// Returns the intersection of the line x + t d with facet number @p facet,
+    /// with d against its outward normal. Newton's method solves for the
+    /// components of X(s, t) - x normal to d, from the center; an affine facet
+    /// takes one step. Empty if the line misses the bounding ball, if the
+    /// iteration diverges from the facet, or if d enters the body by neither
+    /// the facet normal nor the smooth normal.
     std::optional<SurfaceHit>
     intersect_facet(const unsigned int          facet,
                     const dealii::Point<3>     &x,
                     const dealii::Tensor<1, 3> &d) const;
 
-    /// Returns the nearest intersection with the @p facets, at most @p
-    /// search_radius away in either direction.
+    /// Returns the nearest intersection with the facets @p facets, at most
+    /// @p search_radius away in either direction.
     std::optional<SurfaceHit>
     intersect_facets(const std::vector<unsigned int> &facets,
                      const dealii::Point<3>          &x,
                      const dealii::Tensor<1, 3>      &d,
                      const double                     search_radius) const;
 
-    /// Returns the nearest intersection, by the boxes that meet the segment x
-    /// +- @p search_radius d.
+    /// Returns the nearest intersection, among facets whose boxes meet the
+    /// segment from x - search_radius d to x + search_radius d.
     std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
          const double                search_radius) const override;
 
-    /// Returns the normal at the center of the nearest facet.
+    /// Returns the normal at the center of the facet nearest to @p x.
     dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const override;
 
-    /// Returns the facets whose boxes meet the bounding box of @p points,
-    /// ascending: a superset of the facets within their convex hull.
+    /// Returns the facets (ascending) whose boxes meet the bounding box of
+    /// @p points: a superset of those within their convex hull.
     std::vector<unsigned int>
     facets_near(const std::vector<dealii::Point<3>> &points) const;
 
   private:
-    /// Adds a facet; its trace nodes keep the numbers of the body.
+    /// Adds a facet with the trace node numbers of the body.
     void
     make_facet(const SurfaceTopology::Facet &from);
     /// Sets the bounding ball of the facet from its map.
@@ -210,22 +210,24 @@ namespace lamella
     /// Finds the adjacent facets and the ends of the body.
     void
     find_neighbors();
-    /// Numbers the grid nodes, separately on the sides of edges sharper than 45
-    /// degrees, and finds those that hang.
+    /// Numbers the grid nodes, separately on the two sides of edges sharper
+    /// than 45 degrees, and finds the hanging nodes.
     void
     split_at_edges(const SurfaceTopology &topology);
-    /// Returns the grid node among @p numbers, of one node, near @p normal.
+    /// Returns the grid node among @p numbers, the grid nodes at one node of
+    /// the body, whose normal is close to @p normal.
     std::optional<unsigned int>
     on_side(const std::vector<unsigned int> &numbers,
             const dealii::Tensor<1, 3>      &normal) const;
-    /// Adopts the hanging nodes of the body, whose numbers here are @p sides.
+    /// Sets the hanging nodes from those of the body. @p sides are the grid
+    /// nodes at each node of the body.
     void
     find_hanging_nodes(const SurfaceTopology                        &topology,
                        const std::vector<std::vector<unsigned int>> &sides);
-    /// Sets the n_i, for hanging nodes the mean of their ends, and is_flat.
+    /// Sets the normals n_i (end nodes' mean at hanging nodes) and is_flat.
     void
     average_normals();
-    /// Creates the boxes of the facets in axes along the first one.
+    /// Creates the boxes of the facets in axes aligned with the first facet.
     void
     make_search();
     /// Returns @p x in the axes of the boxes.
@@ -246,8 +248,8 @@ namespace lamella
     BoxSearch            boxes;
   };
 
-  /// A subset of the facets of a surface as a master surface. Refers to both;
-  /// normal_near() uses the whole surface.
+  /// Some of the facets of a surface as a master surface. Both arguments must
+  /// outlive this object; normal_near() uses the whole surface.
   class SurfacePart : public MasterSurface
   {
   public:

@@ -13,14 +13,15 @@
 
 namespace lamella
 {
-  /// Hat functions on the grid of the slave nodes, and their integrals for
-  /// weighted_gaps(). Grid cells lie between Gauss-Lobatto points within a
-  /// facet; phi_i is bilinear in (s, t) on each. For one cell at a time, call
-  /// add() at each of its points, then close().
+  /// Multiplier functions phi_i (hat functions) on the grid of the slave nodes,
+  /// with their mortar integrals for weighted_gaps(). Grid cells lie between
+  /// adjacent Gauss-Lobatto points of a facet; phi_i is bilinear in (s, t) on
+  /// each cell. Process one cell at a time: call add() at each of its
+  /// integration points, then close().
   class MultiplierBasis
   {
   public:
-    /// A cell of the grid of nodes: part of a facet.
+    /// A grid cell, a part of a facet between adjacent nodes.
     struct Cell
     {
       unsigned int                number;
@@ -44,36 +45,39 @@ namespace lamella
       return grid;
     }
 
-    /// Adds the integrals over all of @p cell, whatever it faces.
+    /// Adds the integrals over the whole @p cell, facing or not.
     void
     add_full_areas(const Cell &cell);
 
-    /// Adds @p st of @p cell with area @p weight and place @p opposite.
+    /// Adds the integration point @p st of @p cell with the area @p weight,
+    /// which faces @p opposite.
     void
     add(const Cell             &cell,
         const dealii::Point<2> &st,
         const double            weight,
         const MasterPoint      &opposite);
 
-    /// Completes @p cell; no more points may be added.
+    /// Completes the integrals on @p cell; no more points may be added.
     void
     close(const Cell &cell);
 
-    /// Computes the averages in the order of the grid nodes and fills all of @p
-    /// result but its points. @p parts of each facet face the other side.
+    /// Computes the weighted gaps in the order of the grid nodes and sets all
+    /// of @p result except its points. @p parts are the parts of each facet
+    /// that face the other side.
     void
     finish(std::vector<std::vector<Polygon>> parts, Gaps &result);
 
   private:
-    /// Sums of a hat function.
+    /// Sums of the integrals of one hat function.
     struct Node
     {
       WeightedGap sums;
-      /// Largest value of the function where it faces the other side.
+      /// Largest value of the function at points that face the other side.
       double nearest = 0.;
-      /// Integral over all of its cells, whatever they face.
+      /// Integral over all of its cells, facing the other side or not.
       double full_area = 0.;
-      /// Rows to which the function contributes, with its shares.
+      /// Weighted gaps to which the function contributes, with factors (1/2 for
+      /// hanging nodes).
       std::vector<std::pair<unsigned int, double>> rows;
     };
 
@@ -98,8 +102,8 @@ namespace lamella
     std::vector<Cell>         grid;
     std::vector<Node>         nodes;
 
-    /// Integrals of hat times trace function times n on the current cell (on
-    /// the master side facet by facet).
+    /// Integrals of hat function times trace function times n on the current
+    /// cell (on the master side for one facet at a time).
     std::vector<dealii::Tensor<1, 3>> slave_sums, master_sums;
     unsigned int                      master_facet;
     std::vector<double>               trace;

@@ -8,14 +8,15 @@
 
 namespace lamella
 {
-  /// Returns the discretization: for `automatic` node to node if every node
-  /// that faces the other surface within @p search_radius faces one of its
-  /// nodes, else surface to surface.
+  /// Returns the discretization of the contact @p sides. `automatic` becomes
+  /// node to node if every node that faces the other surface within
+  /// @p search_radius faces one of its nodes, else surface to surface.
   Discretization
   choose_discretization(const ContactSides &sides, const double search_radius);
 
-  /// Returns node pairs (pair_node_to_node()) as weighted gaps: one place per
-  /// side, w = v = n, and the smaller area. Unpaired nodes are counted.
+  /// Returns node pairs (pair_node_to_node()) as gaps with one point per side,
+  /// both weighted by n, and the smaller of both areas. Stores the numbers of
+  /// unpaired nodes in @p interface.
   Gaps
   node_to_node(const ContactSides &sides,
                const double        search_radius,

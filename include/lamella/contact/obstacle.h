@@ -14,12 +14,12 @@
 
 namespace lamella
 {
-  /// A rigid obstacle: a floor (the half space behind a plane) or a roller (a
-  /// circular cylinder without ends), without DoFs and with prescribed motion,
-  /// as the second side of contacts.
+  /// A rigid obstacle as the second side of contacts: a floor (the half space
+  /// behind a plane) or a roller (an infinite circular cylinder), without DoFs
+  /// and with prescribed motion.
   struct Obstacle
   {
-    /// Shape; `undefined` fails an assertion in meet().
+    /// Shape; it must be set: `undefined` fails an assertion in meet().
     enum class Shape
     {
       undefined,
@@ -27,7 +27,7 @@ namespace lamella
       cylinder
     };
 
-    /// Name in `subsection Obstacle NAME`, and in the `Second` of contacts.
+    /// Name in `subsection Obstacle NAME`, and in `Second` of contacts.
     std::string name;
     Shape       shape = Shape::undefined;
     /// Initial position of a point of the plane or of the cylinder axis.
@@ -48,7 +48,8 @@ namespace lamella
       return factor.of(history) * displacement;
     }
 
-    /// Returns the largest depth at which the surface is nearest.
+    /// Returns the largest depth in the obstacle at which a point still has a
+    /// unique nearest surface point.
     double
     depth() const
     {
@@ -72,25 +73,25 @@ namespace lamella
       {Obstacle::Shape::cylinder, "cylinder"}};
   };
 
-  /// Intersection of a ray with a surface, with the outward unit normal there.
+  /// Intersection of a line with a surface; `normal` is the outward unit normal
+  /// at the intersection.
   struct Hit
   {
     dealii::Point<3>     position;
     dealii::Tensor<1, 3> normal;
-    /// Distance along the ray [length], negative behind its origin: a gap.
+    /// Distance along the line [length], negative against its direction: a gap.
     double distance = 0.;
   };
 
-  /**
-   * Returns the nearest intersection, in either direction, of the line x + t d,
-   * with unit d, and the surface of @p obstacle, entered against its outward
-   * normal:
-   *   plane:     t = (p - x) . N / (d . N),
-   *   cylinder:  |r + t e| = R, the smaller root t,
-   * with point p, direction N and radius R of the obstacle, and the parts r and
-   * e of x - p and d normal to the axis. Empty if the line is parallel, leaves
-   * the half space, or misses. The obstacle is at its initial position.
-   */
+  /// Returns the nearest intersection, in either direction, of the line x + t
+  /// d, with unit vector d, and the surface of @p obstacle, at which the line
+  /// enters the obstacle against its outward normal:
+  ///   plane:     t = (p - x) . N / (d . N),
+  ///   cylinder:  |r + t e| = R, the smaller root t,
+  /// with point p, direction N and radius R of the obstacle, and the parts r
+  /// and e of x - p and d normal to the axis. Empty if the line is parallel to
+  /// the surface, leaves the half space, or misses the cylinder. The obstacle
+  /// is at its initial position.
   std::optional<Hit>
   meet(const Obstacle             &obstacle,
        const dealii::Point<3>     &x,

@@ -8,16 +8,17 @@
 
 namespace lamella
 {
-  /// Throws InputError of a contact without any pair within @p search_radius,
-  /// with the nearest distance of nodes or tangential offset of node pairs.
+  /// Throws InputError for a contact without any pair within @p search_radius.
+  /// The message gives the nearest distance of nodes, or tangential offset.
   [[noreturn]] void
   throw_no_pairs(const ContactPair &contact,
                  const Bodies      &bodies,
                  const double       search_radius);
 
-  /// Throws InputError if a point of @p gaps that is too deep lies inside the
-  /// other body, or if all points are too deep. Others face away through their
-  /// own bodies. The second side is the slave if @p on_second.
+  /// Throws InputError if a point of Gaps::deep_penetrations lies inside the
+  /// other body, or if all points of @p gaps are such points. Points outside
+  /// the other body are accepted: they face away through their own body. The
+  /// second side is the slave if @p on_second.
   void
   check_no_penetration(const ContactPair &contact,
                        const Bodies      &bodies,

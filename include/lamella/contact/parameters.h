@@ -12,11 +12,11 @@
 
 namespace lamella
 {
-  /// Obstacles in the order of the scene, none null; shared with contacts.
+  /// Obstacles in the order of the scene, none null; contacts share ownership.
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
 
   /// Entries of a `subsection Contact NAME`: surfaces, discretization, search
-  /// distance, overclosure, enforcement, tolerance of nodes, and friction.
+  /// distance, overclosure, enforcement, node tolerance, and friction.
   struct ContactParameters
   {
     /// Declares the entries with their defaults, patterns and documentation.
@@ -24,11 +24,11 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Reads the contact @p name between two of @p bodies, or a body and one of
-    /// @p obstacles. make_interface() checks surfaces. `Penalty = auto` becomes
-    /// 1e6 times the local stiffness. Throws InputError, among others for an
-    /// obstacle in First, two surfaces of one body, an obstacle with `node to
-    /// node` or as the slave, a Tolerance of 0.5 or more, and a Friction below
-    /// 0 or above 10.
+    /// @p obstacles; make_interface() checks that the surfaces exist. `Penalty
+    /// = auto` becomes 1e6 times the local stiffness. Throws InputError for an
+    /// unknown body or obstacle, an obstacle as First, two surfaces of one
+    /// body, an obstacle with `node to node` or as the slave, a Tolerance of
+    /// 0.5 or more, and a Friction below 0 or above 10.
     static ContactPair
     parse(const Entries                  &in,
           const std::string              &name,
@@ -45,8 +45,8 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Reads the obstacle @p name, with a unit direction; never null. Throws
-    /// InputError without a shape, for a zero direction, a cylinder without a
-    /// positive radius and a plane with one.
+    /// InputError if the shape is missing, for a zero direction, for a cylinder
+    /// without a positive radius and for a plane with a radius.
     static std::shared_ptr<Obstacle>
     parse(const Entries &in, const std::string &name);
   };

@@ -11,12 +11,11 @@
 
 namespace lamella
 {
-  /// Corners of a convex polygon, counterclockwise, in a chord plane [length]
-  /// or the unit square of a facet. May be empty.
+  /// Corners of a convex polygon, counterclockwise, in a plane [length] or in
+  /// the unit square of a facet. May be empty.
   using Polygon = std::vector<dealii::Point<2>>;
 
-  /// Returns the area, 0 for fewer than three corners, negative if clockwise,
-  /// as a sum of triangles from the first corner.
+  /// Returns the area, 0 for fewer than three corners, negative if clockwise.
   double
   area(const Polygon &polygon);
 
@@ -25,20 +24,21 @@ namespace lamella
   centroid(const Polygon &polygon);
 
   /// Returns the part of @p polygon inside @p window, both convex and
-  /// counterclockwise (Sutherland and Hodgman); may be empty.
+  /// counterclockwise (Sutherland-Hodgman clipping); may be empty.
   Polygon
   clipped(const Polygon &polygon, const Polygon &window);
 
-  /// Returns the part of the convex @p polygon on which @p height >= 0, taken
-  /// as linear along its sides. Both parts share an edge bitwise.
+  /// Returns the part of the convex @p polygon on which @p height >= 0,
+  /// interpolated linearly along its sides. With -height it returns the
+  /// complement, bitwise with the same edge.
   Polygon
   part_above(const Polygon                                         &polygon,
              const std::function<double(const dealii::Point<2> &)> &height);
 
   /// Returns a quadrature rule on the triangle (0, 0), (1, 0), (0, 1), exact
-  /// for polynomials of @p degree, with positive weights that sum to 1/2:
-  /// Witherden and Vincent up to degree 13, above it Gauss points of the square
-  /// collapsed onto the triangle. The cache of rules is not thread-safe.
+  /// for polynomials of degree @p degree, with positive weights that sum to
+  /// 1/2: Witherden and Vincent's up to degree 13, above it Gauss points of the
+  /// square collapsed onto the triangle. Its cache is not thread-safe.
   const dealii::Quadrature<2> &
   triangle_rule(const unsigned int degree);
 } // namespace lamella

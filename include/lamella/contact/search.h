@@ -14,7 +14,7 @@
 namespace lamella
 {
   /// Nearest-neighbor search in a fixed set of points with Boost's packed
-  /// R-tree. Copies the points; numbers are indices in their list.
+  /// R-tree. Copies the points; they are numbered by their indices in the list.
   class PointSearch
   {
   public:
@@ -29,20 +29,21 @@ namespace lamella
     dealii::RTree<Numbered> tree;
   };
 
-  /// Search in a fixed set of axis-parallel boxes, with Boost's packed R-tree:
-  /// the coarse phase of contact search. Copies the boxes.
+  /// Search in a fixed set of axis-parallel boxes with Boost's packed R-tree,
+  /// the coarse phase of contact search. Copies the boxes; they are numbered by
+  /// their indices in the list.
   class BoxSearch
   {
   public:
-    /// Creates an empty set; nearest() must not be called then.
+    /// Creates an empty set, for which nearest() must not be called.
     BoxSearch() = default;
     explicit BoxSearch(const std::vector<dealii::BoundingBox<3>> &boxes);
 
-    /// Returns the numbers of the boxes that meet or touch @p box, ascending.
+    /// Returns the numbers of all boxes that meet @p box, ascending.
     std::vector<unsigned int>
     meeting(const dealii::BoundingBox<3> &box) const;
 
-    /// Returns the number of a box nearest to @p x, at distance 0 around it.
+    /// Returns the number of a box nearest to @p x, or that contains x.
     unsigned int
     nearest(const dealii::Point<3> &x) const;
 

@@ -14,7 +14,7 @@
 
 namespace lamella
 {
-  /// Part of a contact between two values of a scene coordinate.
+  /// Strip of a contact between two values of a scene coordinate.
   struct ContactStrip
   {
     /// Axis: 0, 1, 2 for x, y, z.
@@ -23,18 +23,16 @@ namespace lamella
     double from = 0., to = 0.;
   };
 
-  /**
-   * The slave (nonmortar) surface of a contact, restricted to the support of
-   * its rows, with their functions phi_i:
-   * - `trace`: node pairs and nodes against a surface. phi_i is the nodal
-   *   function of the grid, L_a(s) L_b(t) of the expansion degree; its integral
-   *   is the tributary area of the node.
-   * - `hats`: weighted gaps. phi_i is the multiplier function, bilinear on the
-   *   cells between neighboring nodes, restricted to the part that faces the
-   *   other side.
-   * Facets share a node if they have the same number in SurfaceTopology.
-   * Undeformed geometry without reference to a body, from make_interface().
-   */
+  /// The slave (nonmortar) surface of a contact, restricted to the support of
+  /// the contact constraints, with their functions phi_i:
+  /// - `trace`: nodal contact. phi_i is the nodal function L_a(s) L_b(t) of the
+  ///   grid of the expansion degree; its integral is the tributary area of the
+  ///   node.
+  /// - `hats`: weighted gaps. phi_i is the multiplier function, bilinear on the
+  ///   cells between neighboring nodes, restricted to the part that faces the
+  ///   other side.
+  /// Facets share a node if it has the same number in SurfaceTopology. The
+  /// geometry is undeformed and does not refer to a body.
   class SlaveSurface
   {
   public:
@@ -47,44 +45,46 @@ namespace lamella
     struct Facet
     {
       FacetMap map;
-      /// Degrees of the grid of nodes, which are Gauss-Lobatto points.
+      /// Degrees of the grid of Gauss-Lobatto nodes in s and t.
       unsigned int degree_s = 1, degree_t = 1;
       /// Node numbers of SurfaceTopology; the first coordinate runs fastest.
       std::vector<unsigned int> nodes;
-      /// Rows to which each node's function contributes: its own with 1; for a
-      /// hanging node those of its ends with halves; none if it faces nothing.
+      /// Constraints to which each node's function contributes, with factors:
+      /// its own with 1; for a hanging node those of the end nodes with 1/2;
+      /// none if the node faces no part of the other surface.
       std::vector<std::vector<std::pair<unsigned int, double>>> rows;
-      /// Parts of the unit square in the functions' support: convex,
-      /// counterclockwise, each within a grid cell for hats.
+      /// Parts of the unit square in the support of the functions: convex,
+      /// counterclockwise, for hats each within a grid cell.
       std::vector<Polygon> parts;
     };
 
-    /// Creates the surface with @p n_rows rows, which @p facets refer to.
+    /// Creates the surface of a contact with @p n_rows constraints, to which
+    /// @p facets refer.
     SlaveSurface(const Functions    functions,
                  const unsigned int n_rows,
                  std::vector<Facet> facets);
 
-    /// Integrals of a row's function [length^2], and of it times position.
+    /// Integral of a constraint's function phi_i [length^2], and of x phi_i.
     struct Integrals
     {
       double               area = 0.;
       dealii::Tensor<1, 3> moment;
     };
 
-    /// Returns int phi_i dA and int x phi_i dA over the surface for each row.
+    /// Returns int phi_i dA and int x phi_i dA of each constraint.
     const std::vector<Integrals> &
     integrals() const
     {
       return whole;
     }
 
-    /// Returns the integrals() over the part in @p strip, exact to rounding on
-    /// plane parallelograms. On curved facets a strip ends on straight lines in
-    /// (s, t) between points of its boundary on a 4 x 4 grid.
+    /// Returns the integrals over the part of the surface in @p strip, exact to
+    /// rounding on plane parallelograms. On curved facets, the boundary of the
+    /// strip is approximated by straight lines in (s, t) on a 4 x 4 grid.
     std::vector<Integrals>
     integrals(const ContactStrip &strip) const;
 
-    /// A point on a facet, given by its number.
+    /// A point (s, t) on the facet of the given number.
     struct Place
     {
       unsigned int     facet = 0;
@@ -98,15 +98,15 @@ namespace lamella
             const dealii::Tensor<1, 3> &d,
             const double                search_radius) const;
 
-    /// Returns the facet's nodal functions at @p place, a partition of unity.
+    /// Returns the facet's nodal functions at @p place (partition of unity).
     std::vector<double>
     functions_at(const Place &place) const;
 
-    /// Returns chains of neighboring nodes that have rows, along the grid
-    /// lines, by ascending coordinate @p axis at constant coordinate @p across
-    /// (to 1e-6 of the surface extent). Each entry lists the rows of a node,
-    /// two at a sharp edge. On a grid oblique to the scene axes each node is a
-    /// chain.
+    /// Returns chains of neighboring nodes with constraints, along grid lines
+    /// on which the coordinate @p across is constant (to 1e-6 of the surface
+    /// extent), by ascending coordinate @p axis. Each entry lists the
+    /// constraints of a node, two at a sharp edge. On a grid oblique to the
+    /// scene axes each node is a chain.
     std::vector<std::vector<std::vector<unsigned int>>>
     lines(const unsigned int axis, const unsigned int across) const;
 
@@ -129,7 +129,7 @@ namespace lamella
     }
 
   private:
-    /// Adds the integrals over @p part of @p facet to @p sums.
+    /// Adds the integrals over the polygon @p part of @p facet to @p sums.
     void
     add_integrals(const Facet            &facet,
                   const Polygon          &part,
@@ -147,36 +147,35 @@ namespace lamella
     BoxSearch              boxes;
   };
 
-  /// A node with a row: its location, and the row's normal of either sign.
+  /// A node with a contact constraint: its location, and the constraint's
+  /// normal with either sign.
   struct SlaveNode
   {
     Location             location;
     dealii::Tensor<1, 3> normal;
   };
 
-  /**
-   * Returns the slave surface with a row k at each node @p nodes[k] of the
-   * grids of @p surface of @p body.
-   *
-   * If @p whole, rows have support on facets all of whose nodes have a row, as
-   * for node pairs, where the smaller area counts. Rows without such a facet,
-   * and all rows otherwise, have support on every facet of their node. Of
-   * several rows at one node, a facet takes the one with the closest normal,
-   * within 60 degrees of its own. Nodes between others that have rows, where
-   * the body has an expansion of lower degree, share their functions with
-   * these.
-   */
+  /// Returns the slave surface of nodal contact on @p surface of @p body, with
+  /// constraint k at node @p nodes[k] of the facet grids.
+  ///
+  /// If @p whole, as for node pairs, constraints have support on facets all of
+  /// whose nodes have a constraint. Constraints without such a facet, and all
+  /// constraints otherwise, have support on every facet of their node. If
+  /// several constraints are at one node, a facet uses the one with the closest
+  /// normal, within 60 degrees of its own. If the body has a lower expansion
+  /// degree, the functions of nodes between nodes with constraints are added to
+  /// the functions of the latter.
   SlaveSurface
   make_nodal_slave_surface(const Body                   &body,
                            const std::string            &surface,
                            const std::vector<SlaveNode> &nodes,
                            const bool                    whole);
 
-  /// Returns the intersection (s, t) of the line x + t d, unit @p d, with @p
-  /// map, up to 1e-7 outside the unit square. Newton's method, from the center,
-  /// on the two components of X(s, t) - x normal to d; an affine map takes one
-  /// step. Empty if the line misses or the iteration leaves the facet far
-  /// behind.
+  /// Returns the intersection (s, t) of the line x + t d, with unit vector
+  /// @p d, and a facet with the map @p map, up to 1e-7 outside the unit square.
+  /// Newton's method solves for the components of X(s, t) - x normal to d, from
+  /// the center; an affine map takes one step. Empty if the line misses the
+  /// facet or the iteration diverges from it.
   std::optional<dealii::Point<2>>
   line_intersection(const FacetMap             &map,
                     const dealii::Point<3>     &x,

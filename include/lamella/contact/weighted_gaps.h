@@ -7,41 +7,39 @@
 
 namespace lamella
 {
-  /**
-   * Returns surface-to-surface gaps, averaged with hat functions as in mortar
-   * methods. The slave nodes (Gauss-Lobatto grids of the expansion degree) form
-   * a grid of quadrilateral cells, and phi_i is the bilinear hat function of
-   * node i: nonnegative, with sum 1. Row i is
-   *   g_i = 1/A_i int phi_i n . (u_2(X_2) - u_1(X_1)) dA,
-   *   A_i = int phi_i dA,
-   * over the part of the surface that faces the other side, with the place X_2
-   * opposite X_1 and the averaged normal n there (find_master_point()). The row
-   * forces lambda_i are the continuous pressure
-   *   p = sum_i (lambda_i / A_i) phi_i,
-   * positive everywhere if the forces are.
-   *
-   * Integrands have kinks between master facets. Each cell is therefore cut in
-   * its chord plane into segments with the facets opposite, and these into
-   * triangles with Gauss points: exact to rounding if both sides are flat. The
-   * weights of a row are the mortar integrals
-   *   w_j = 1/A_i int phi_i psi_j n dA,   v_k = 1/A_i int phi_i chi_k n dA
-   * with the trace functions psi_j of the slave and chi_k of the master side,
-   * which sum to the same mean normal: action and reaction balance.
-   *
-   * - A segment faces the other side entirely or not at all, as its centroid
-   *   does within the search radius. The nearest of several facets counts.
-   * - Points behind the other side by more than the depth of the cells are
-   *   omitted and returned in Gaps::deep_penetrations.
-   * - A node is unpaired if its hat function faces the other side on less than
-   *   1e-12 of its own integral.
-   * - The hat function of a hanging node is distributed in halves to the nodes
-   *   between which it hangs; it has no row.
-   * - Against an obstacle there are no kinks: Gauss points on the cells, two
-   *   degrees higher, and no master weights.
-   *
-   * Rows are in the order of the slave grid nodes. 2401 rows with about 10^5
-   * points, each projected by a fixed-point iteration, took 0.25 s.
-   */
+  /// Returns the weighted gaps of surface-to-surface contact, averaged with hat
+  /// functions as in mortar methods. The slave nodes (Gauss-Lobatto grids of
+  /// the expansion degree) form a grid of quadrilateral cells, and phi_i is the
+  /// bilinear hat function of node i: nonnegative, with sum 1. Weighted gap i
+  /// is
+  ///   g_i = 1/A_i int phi_i n . (u_2(X_2) - u_1(X_1)) dA,
+  ///   A_i = int phi_i dA,
+  /// over the part of the surface that faces the other side, with the point X_2
+  /// opposite X_1 and the averaged normal n there (find_master_point()). The
+  /// contact forces lambda_i represent the continuous pressure
+  ///   p = sum_i (lambda_i / A_i) phi_i,
+  /// positive everywhere if all forces are.
+  ///
+  /// Integrands have kinks between master facets. Each cell is therefore cut in
+  /// its chord plane into segments with the facets opposite, and the segments
+  /// into triangles with Gauss points: exact to rounding if both sides are
+  /// flat. The weights of a gap are the mortar integrals
+  ///   w_j = 1/A_i int phi_i psi_j n dA,   v_k = 1/A_i int phi_i chi_k n dA
+  /// with the trace functions psi_j of the slave and chi_k of the master side.
+  /// Both sum to the same average normal: action equals reaction.
+  ///
+  /// - A segment faces the other side if its centroid does within the search
+  ///   radius. If several facets are opposite, the nearest counts.
+  /// - Points behind the other side by more than the depth of the cells are
+  ///   omitted and returned in Gaps::deep_penetrations.
+  /// - A node is unpaired if its hat function faces the other side on less than
+  ///   1e-12 of its integral.
+  /// - The hat function of a hanging node is distributed in halves to the nodes
+  ///   between which it hangs; it has no gap of its own.
+  /// - Against an obstacle there are no kinks: cells have Gauss points, two
+  ///   degrees higher, and there are no master weights.
+  ///
+  /// Gaps are in the order of the slave grid nodes.
   Gaps
   weighted_gaps(const ContactSurfacePair &sides);
 } // namespace lamella
