@@ -10,32 +10,31 @@
 
 namespace lamella
 {
-  /**
-   * Active constraints against obstacles, used to make the tangent definite for
-   * bodies that only they keep from buckling (a column behind a stop, a sheet
-   * between a pressure and a floor). The tangent K is not definite, but with a
-   * spring rho in each constraint, S = K + rho B^T B, it is.
-   *
-   * With shifted forces lambda' = lambda + rho g, the increment x from a state
-   * with gaps g_0,
-   *   K x = r + B^T (lambda - lambda_0),   lambda = -eps g,
-   * is that of
-   *   S x = r + B^T (lambda' - lambda'_0),   lambda' = -(eps - rho) g,
-   * as long as the constraint is active: a contact problem whose S has a
-   * Cholesky factor. If a constraint opens, x is off by the spring force, which
-   * the next iteration corrects. rho is a share of the penalty eps; a smaller
-   * one leaves less rounding in the forces. Constraints without a penalty law
-   * keep their numerical penalty. A definite S implies that the state is stable
-   * as long as these constraints are active.
-   */
+  /// Regularization of an indefinite tangent by springs in the active
+  /// constraints, for bodies that only contact with obstacles keeps from
+  /// buckling (a column behind a stop, a sheet between a pressure and a floor).
+  /// The tangent K is not definite, but S = K + rho B^T B is, with a spring of
+  /// stiffness rho in each active constraint and their rows B.
+  ///
+  /// With the shifted forces lambda' = lambda + rho g, the increment x from a
+  /// state with gaps g_0 and residual forces r,
+  ///   K x = r + B^T (lambda - lambda_0),   lambda = -eps g,
+  /// equals that of
+  ///   S x = r + B^T (lambda' - lambda'_0),   lambda' = -(eps - rho) g,
+  /// as long as the constraint is active: a contact problem whose S has a
+  /// Cholesky factor. If a constraint opens, x has an error due to the spring
+  /// force, which the next iteration corrects. rho is a fraction of the penalty
+  /// eps; a smaller fraction leaves less rounding in the forces. Constraints
+  /// without a penalty law keep their numerical penalty. If S is definite, the
+  /// state is stable as long as these constraints are active.
   class ActiveConstraintShift
   {
   public:
     /// Springs of each body.
     using Springs = std::vector<std::vector<SpringTerm>>;
 
-    /// Selects active constraints of @p state among the rows of @p contacts for
-    /// @p n_bodies bodies, with rho = @p share times eps.
+    /// Selects the active constraints of @p state among those of @p contacts
+    /// for @p n_bodies bodies, with rho = @p share times the penalty eps.
     ActiveConstraintShift(const std::vector<ContactInterface> &contacts,
                           const State                         &state,
                           const unsigned int                   n_bodies,
@@ -53,15 +52,16 @@ namespace lamella
       return of_bodies;
     }
 
-    /// Returns all rows; shifted ones have the remaining penalty.
+    /// Returns all constraints; if shifted, with the penalty eps - rho.
     GapConstraints
     rows() const
     {
       return GapConstraints(softened);
     }
 
-    /// Replaces the forces of @p state, displaced to @p u at @p factor, by
-    /// lambda', and back; tensile rows are deactivated.
+    /// Replaces the forces of @p state, with the displacements @p u at load
+    /// factor @p factor, by lambda', and apply_shift() replaces lambda' by
+    /// lambda again. Tensile constraints are deactivated.
     void
     remove_shift(const BlockVector &u,
                  const LoadFactor  &factor,

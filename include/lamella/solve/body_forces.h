@@ -13,33 +13,34 @@
 
 namespace lamella
 {
-  /// A force and its moment about the origin of the scene, scene components.
+  /// A force and its moment about the scene origin, in scene components.
   struct Wrench
   {
     dealii::Tensor<1, 3> force, moment;
   };
 
-  /// A force and its moment about a given point, scene components.
+  /// A force and its moment about a given point, in scene components.
   struct Resultant
   {
     dealii::Tensor<1, 3> force, moment;
-    /// Reference point of the moment, in the scene; not the point of action.
+    /// Reference point of the moment in the scene; not the point of action.
     dealii::Point<3> about;
-    /// The point on the line of action nearest to `about`, if any.
+    /// Point on the line of action nearest to `about`, if any.
     std::optional<dealii::Point<3>> center_of_pressure = {};
   };
 
-  /// Sum of all forces on one body with their moments about its center, and the
-  /// largest single force, or couple over the size of the body, from the work
-  /// of the forces on the rigid motions.
+  /// Sum of all forces on one body and of their moments about its center, for
+  /// the check of equilibrium. Forces are obtained from their work on the rigid
+  /// motions of the body. The largest single force (or couple divided by the
+  /// body size) is the reference.
   class BodyForces
   {
   public:
-    /// Creates an empty sum for the body @p of, displaced by @p u.
+    /// Creates an empty sum for the body @p of with the displacements @p u.
     BodyForces(const Body &of, const Vector &u);
 
-    /// Returns the force, and moment about the center, of the load that does
-    /// the work work(m) on a motion m of the DoFs.
+    /// Returns the force of a load, and its moment about the body center, where
+    /// work(m) is the work of the load on the vector m of a motion.
     template <typename Work>
     Wrench
     resultant_of_work(const Work &work) const
@@ -53,18 +54,18 @@ namespace lamella
       return about_center;
     }
 
-    /// Returns @p about_center with its moment about the origin of the scene.
+    /// Returns @p about_center with the moment about the scene origin.
     Wrench
     about_origin(const Wrench &about_center) const;
 
     void
     add(const Wrench &about_center);
 
-    /// Sets a lower bound of the force by which unbalanced() divides.
+    /// Sets @p force as lower bound of the reference force of unbalanced().
     void
     at_least(const double force);
 
-    /// Returns the summed force and moment relative to the largest force.
+    /// Returns the summed force and moment relative to the reference force.
     std::pair<double, double>
     unbalanced() const;
 

@@ -11,49 +11,53 @@
 
 namespace lamella
 {
-  /// Checks of a load step: equilibrium, energy, the contact law and the range
-  /// of linear kinematics, with internal forces from strains, not from the
-  /// matrix. The forces of a body are skipped if its strain energy is within
-  /// the rounding of its displacements.
+  /// Results of the checks of a load step: equilibrium, energy, the contact law
+  /// and the range of linear kinematics. Internal forces are computed from
+  /// strains, not from the matrix. The balance of a body is skipped if its
+  /// strain energy is within the rounding of its displacements.
   struct Checks
   {
-    /// Reactions of the supports on the bodies; moments are about the center of
-    /// the bounding box of the supported points.
+    /// Reaction forces of the supports on the bodies; moments are about the
+    /// center of the bounding box of the supported points.
     std::vector<Resultant> reactions;
-    /// Contact law of each contact, in the order of the scene.
+    /// Residual of the contact law of each contact, in the order of the scene.
     std::vector<KktResidual> contacts;
     /// Largest sum of all forces on one body (loads, reactions, contacts,
-    /// springs), over the largest single force, or couple over the body size.
+    /// springs), over the largest single force, or couple over body size.
     double force_balance = 0.;
-    /// Largest sum of all moments about the center of a body, over its size and
-    /// the largest force of `force_balance`: errors of lever arms and of
-    /// rotations that a row does not follow.
+    /// Largest sum of all moments about the center of a body, relative to its
+    /// size times the reference force of `force_balance`. It contains errors of
+    /// lever arms and of rotations that a contact constraint does not follow.
     double moment_balance = 0.;
-    /// |G^T (t f + B^T lambda - internal)| / |internal|, maximum norms, with
-    /// the spring forces in `internal`.
+    /// Equilibrium residual |G^T (t f + B^T lambda - internal)| / |internal| in
+    /// the maximum norm, with external loads t f, contact forces B^T lambda,
+    /// the condensation G of the supports, and spring forces in `internal`.
     double residual = 0.;
-    /// Strain energy 1/2 integral (e - e_0)^T C (e - e_0) dV, e_0 thermal, and
-    /// half the work of loads and reactions, the external work.
+    /// Strain energy 1/2 integral (e - e_0)^T C (e - e_0) dV with the thermal
+    /// strain e_0, and external work, half the work of loads and reactions.
     double energy = 0., external_work = 0.;
-    /// Strain energy of each body; zero where it is rounding.
+    /// Strain energy of each body; zero if it is within rounding.
     std::vector<double> energies;
-    /// Energy in the stabilizing springs, and its share of the total, once they
-    /// are released only rounding.
+    /// Energy of the stabilizing springs, and its ratio to the total energy;
+    /// both are rounding once the springs are released.
     double stabilization_energy = 0., stabilization_share = 0.;
     /// |energy - external_work - half the contact forces times displacements|
     /// over the larger of the first two, springs included: zero by Clapeyron's
-    /// theorem. With heat, `energy` is that of total strains, plus f_0's work.
+    /// theorem. For heated bodies, `energy` is that of the total strains, and
+    /// the work of the thermal load is included.
     double energy_balance = 0.;
     /// Largest rotation [rad]; Eq. 5 neglects about half its square.
     double max_rotation = 0.;
-    /// True for finite rotations: reactions, moments and balances refer to
-    /// current positions, without work and energy balance.
+    /// True for finite rotations: reactions, moments and balances refer to the
+    /// current configuration, and there is no work and energy balance. Below:
+    /// largest strain, mean strain, rotation of an element, and change of a
+    /// section's shape (Deformation).
     bool   is_large   = false;
     double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.,
            shape_change = 0.;
-    /// Effects of large deflections; not set by check_state().
+    /// Estimated effects of large deflections; not set by check_state().
     NonlinearityEstimate beyond;
-    /// Largest component of all displacements, including those of obstacles.
+    /// Largest displacement component of all bodies and obstacles.
     double max_displacement = 0.;
   };
 
@@ -65,7 +69,7 @@ namespace lamella
   /// @p tangent bounds the rounding of an energy. @p contacts have the
   /// constraints of the forces of the state, contact by contact. Supports are
   /// numbered from 0 to @p n_supports - 1. Costs two loops over all elements;
-  /// collective. Does not throw on a failed check: see check_solution().
+  /// collective. A failed check does not throw: see check_solution().
   Checks
   check_state(const TangentOperator               &tangent,
               const std::vector<ContactInterface> &contacts,

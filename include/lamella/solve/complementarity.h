@@ -10,54 +10,52 @@ namespace lamella
   /// The linear complementarity problem
   ///   s = M lambda + q >= 0,  lambda >= 0,  s_i lambda_i = 0
   /// with a dense symmetric positive definite M. Its unique solution minimizes
-  /// 1/2 lambda^T M lambda + q^T lambda over lambda >= 0. With the regularized
-  /// compliance M of the contact constraints and their gaps q without contact
-  /// forces, s are the gaps under the forces lambda (Eq. 18).
+  /// 1/2 lambda^T M lambda + q^T lambda over lambda >= 0. In contact, M is the
+  /// regularized compliance of the contact constraints, q their gaps without
+  /// contact forces, and s those under the forces lambda (Eq. 18).
   struct ComplementarityProblem
   {
-    /// Entries of M, n x n, column by column, with a positive diagonal; length
-    /// over force if s is a gap.
+    /// Entries of M, n x n, column by column, with a positive diagonal; unit
+    /// length/force if s is a gap.
     std::vector<double> matrix;
     /// The n entries of q: s at lambda = 0.
     std::vector<double> q;
-    /// Any s_i above -tolerance (plus rounding) counts as zero, in q's unit.
+    /// Tolerance in the unit of q; any s_i above -tolerance counts as zero.
     double tolerance = 0.;
   };
 
-  /// Solution of a ComplementarityProblem, with the effort.
+  /// Solution of a ComplementarityProblem, with numbers of iterations.
   struct ComplementaritySolution
   {
     /// The n entries of lambda, none negative.
     std::vector<double> lambda;
     /// True where lambda_i > 0.
     std::vector<bool> active;
-    /// Number of active sets solved for, and of interior-point iterations; zero
-    /// if no q_i is negative.
+    /// Number of active sets tried, and of interior-point iterations; zero if
+    /// no q_i is negative.
     unsigned int pivot_rounds = 0, interior_iterations = 0;
   };
 
-  /**
-   * Solves @p problem, starting from the active set @p start (one entry per
-   * constraint). An active set A gives lambda_A = -M_AA^-1 q_A, zero elsewhere,
-   * and s = M lambda + q. It is correct if no lambda_i in A and no s_i outside
-   * A is negative.
-   *
-   * Block principal pivoting comes first: constraints with lambda_i < 0 are
-   * deactivated, those with s_i < 0 activated (Kostreva, 1978; the primal-dual
-   * active set method). If it does not converge in ten rounds, an
-   * interior-point method finds the set in 10 to 25 iterations, independent of
-   * the size (Mehrotra, 1992), and pivoting finishes. If the number of wrong
-   * constraints then does not fall for three rounds, only the one with the
-   * largest index changes (Murty's rule), which cannot cycle for a positive
-   * definite M (Judice and Pires, 1994). It stops after 10 n + 100 sets and
-   * returns the last one.
-   *
-   * M and q are scaled first. A lambda_i that is zero, or negative by rounding,
-   * deactivates its constraint, which changes s_i by rounding only. Costs:
-   * |A|^3 / 3 for the Cholesky factor of a set and n |A| for s; n^3 / 3 for an
-   * interior-point iteration. Throws NumericsError if a factorized block of M
-   * is not positive definite. Not collective.
-   */
+  /// Solves @p problem, starting from the active set @p start (one entry per
+  /// constraint). An active set A gives lambda_A = -M_AA^-1 q_A, zero
+  /// elsewhere, and s = M lambda + q. It is correct if no lambda_i in A and no
+  /// s_i outside A is negative.
+  ///
+  /// First, block principal pivoting is used: constraints with lambda_i < 0 are
+  /// deactivated, those with s_i < 0 activated (Kostreva, 1978; the primal-dual
+  /// active set method). If it does not converge in ten rounds, an
+  /// interior-point method finds the set in 10 to 25 iterations, independent of
+  /// the size (Mehrotra, 1992), and pivoting finishes. If the number of wrong
+  /// constraints then does not fall for three rounds, only the one with the
+  /// largest index changes (Murty's rule), which cannot cycle for a positive
+  /// definite M (Judice and Pires, 1994). The search stops after 10 n + 100
+  /// sets and returns the last one.
+  ///
+  /// M and q are scaled initially. A lambda_i that is zero, or negative by
+  /// rounding, deactivates its constraint, which changes s_i by rounding only.
+  /// Costs in operations: |A|^3 / 3 for the Cholesky factor of a set and n |A|
+  /// for s; n^3 / 3 for an interior-point iteration. Throws NumericsError if a
+  /// factorized block of M is not positive definite. Not collective.
   ComplementaritySolution
   solve_complementarity(const ComplementarityProblem &problem,
                         const std::vector<bool>      &start);

@@ -13,32 +13,35 @@
 
 namespace lamella
 {
-  /**
-   * Static condensation onto the contact forces, the dual form of the problem.
-   * K is factorized once per body, and contact is solved with the compliance C
-   * of the working set of rows. A linear solution takes one solution with K,
-   * one small dense system
-   *   (C + d) dlambda = r_lambda - B K^-1 r_u,
-   * and one backward substitution K^-1 B^T dlambda. The penalty enters as the
-   * compliance d beside C, never as K + K^p, so a hard penalty loses no digits.
-   *
-   * Row generation finds the active set. The complementarity problem of the
-   * working set is solved exactly (solve_complementarity()); the gaps of all
-   * other rows are evaluated; the most penetrating of these join, at most as
-   * many as the set has. If most of the set stays open, such as in a stack of
-   * bodies that close one after the other, idle rows are removed, each at most
-   * once. Termination: the energy grows in every round, since a removed row has
-   * no force, and a row that returns stays. Multiplier rows that close because
-   * others have closed join last. Dependent rows (more contact points than
-   * surface DoFs) share the force as in the least-squares solution. Without
-   * removals, the working set at least doubles per round, so there are at most
-   * about 2 + log2(rows / 8) rounds. For n rows, a round costs a few dense
-   * factorizations (n^3 / 3) and the gaps of all rows.
-   */
+  /// Contact solver by static condensation onto the contact forces, the dual
+  /// form of the problem. The stiffness K is factorized once per body, and
+  /// contact is solved with the compliance C (Compliance) of a working set of
+  /// constraints. A linear solution takes one solution with K, one small dense
+  /// system
+  ///   (C + d) dlambda = r_lambda - B K^-1 r_u,
+  /// and one backward substitution K^-1 B^T dlambda, with the residuals r_u of
+  /// equilibrium and r_lambda of the contact law. The penalty enters as the
+  /// compliance d added to C, not as a stiffness added to K, so a hard penalty
+  /// loses no digits.
+  ///
+  /// The active set is found by constraint generation. In each round, the
+  /// complementarity problem of the working set is solved exactly
+  /// (solve_complementarity()), and the gaps of all other constraints are
+  /// evaluated. Those that penetrate most are added: at most as many as the set
+  /// has, or eight if these are more. The working set therefore at most doubles
+  /// in a round. Constraints of multiplier methods that close without force
+  /// since others have closed are added at the end. If most of the set is idle
+  /// (open), as in a stack of bodies that close one after the other, idle
+  /// constraints are removed, each at most once. The search terminates since
+  /// the energy grows in every round: a removed constraint has no force, and
+  /// one that is added again stays. Dependent constraints (more contact points
+  /// than surface DoFs) share the force as in the least-squares solution. For n
+  /// constraints, a round costs a few dense factorizations (n^3 / 3) and the
+  /// evaluation of all gaps.
   class CondensedStrategy : public ContactStrategy
   {
   public:
-    /// Refers to @p tangent_operator, which must have solvers.
+    /// Keeps a reference to @p tangent_operator, which must have solvers.
     CondensedStrategy(const TangentOperator &tangent_operator,
                       const GapConstraints  &rows);
 
@@ -53,11 +56,11 @@ namespace lamella
           BlockVector             &du,
           Vector                  &dlambda) override;
 
-    /// Returns the increase of the penalty and the groups of included rows.
+    /// Returns the penalty factor and the constraints in the compliance.
     StrategyHistory
     memory() const override;
 
-    /// Includes the groups of @p memory again, which solves for them.
+    /// Includes the groups of constraints of @p memory in the compliance.
     void
     restore(const StrategyHistory &memory) override;
 
@@ -74,43 +77,45 @@ namespace lamella
     }
 
   private:
-    /// Returns d of an included gap or slip, at least 1e-10 of the row's
-    /// compliance, so that C + d is definite for dependent rows, and 1e-8 of
-    /// NumericalCompliance. `exact` takes this lower bound.
+    /// Returns the compliance d of an included gap or slip, at least 1e-10 of
+    /// the constraint's compliance C_ii, so that C + d is definite for
+    /// dependent constraints, and 1e-8 of NumericalCompliance. `exact` uses
+    /// this lower bound.
     double
     compliance_of_law(const unsigned int number) const;
 
-    /// Returns the rows @p part, each followed by its slips if it has friction.
+    /// Returns the constraints @p part, each followed by its slips, if any.
     std::vector<unsigned int>
     with_slips(const std::vector<unsigned int> &part) const;
 
-    /// Returns R K^-1 C + d of @p closed, column by column.
+    /// Returns the matrix R K^-1 C + d of @p closed, column by column, with the
+    /// constraint rows R and force columns C (ContactStrategy::solve()).
     std::vector<double>
     contact_system(const ActiveConstraints &closed);
     /// Replaces @p lambda by (R K^-1 C + d)^-1 lambda. The Cholesky factor is
-    /// kept if nothing slips. Throws NumericsError if the matrix is singular.
+    /// stored if no point slips. Throws NumericsError if singular.
     void
     solve_on_active_set(const ActiveConstraints &closed,
                         std::vector<double>     &lambda);
 
-    /// Pairs of negative gap and row, the smallest gap first.
+    /// Penetration and constraint number, the deepest penetration first.
     using Violations = std::vector<std::pair<double, unsigned int>>;
 
-    /// Returns the initial working set: rows that are active or have a force,
-    /// and those included, unless most would be idle.
+    /// Returns the initial working set: constraints that are active or have a
+    /// force, and those in the compliance, unless most would be idle.
     std::vector<unsigned int>
     initial_working_set(const ContactProblem &problem) const;
 
-    /// Returns the rows outside @p part without compliance (a = 0) that close
-    /// under the gaps @p g, to a hundred times the tolerance.
+    /// Returns the constraints outside @p part of multiplier methods (a = 0)
+    /// that are closed by the gaps @p g, to a hundred times the tolerance.
     Violations
     touching_rows(const ContactProblem            &problem,
                   const std::vector<unsigned int> &part,
                   const std::vector<double>       &g) const;
 
-    /// Solves @p problem on the rows @p part (included, ascending), from their
-    /// active rows in @p solution; other rows keep their forces. Sets du, the
-    /// forces of @p part and the active rows.
+    /// Solves @p problem on the constraints @p part (included, ascending),
+    /// starting from their active set in @p solution; other constraints keep
+    /// their forces. Sets du, the forces of @p part and the active set.
     void
     solve_working_set(const ContactProblem            &problem,
                       const std::vector<unsigned int> &part,
@@ -118,28 +123,29 @@ namespace lamella
 
     /// Solves @p problem as solve_working_set() does, with Coulomb's law
     /// (solve_coulomb()) and the compliance of the contact law only. Throws
-    /// NumericsError without (stable) forces that satisfy the law.
+    /// NumericsError if no stable forces satisfy the law.
     void
     solve_with_friction(const ContactProblem            &problem,
                         const std::vector<unsigned int> &part,
                         ContactSolution                 &solution);
-    /// Returns the Coulomb problem on @p part about the state with @p forces.
+    /// Returns the Coulomb problem of the constraints @p part about the state
+    /// with @p forces.
     CoulombProblem
     coulomb_problem(const ContactProblem            &problem,
                     const std::vector<unsigned int> &part,
                     const std::vector<double>       &forces) const;
 
-    /// Moves idle rows without force from @p part to @p left, if they are most
-    /// of it. Rows that were removed before stay.
+    /// Moves idle constraints without force from @p part to @p left if most of
+    /// @p part is idle. Constraints that are in @p left stay in @p part.
     static void
     remove_idle_rows(const ContactProblem      &problem,
                      const ContactSolution     &solution,
                      std::vector<unsigned int> &part,
                      std::set<unsigned int>    &left);
 
-    /// Compliance of all rows that were ever in the working set.
+    /// Compliance of all constraints that were ever in the working set.
     Compliance compliance;
-    /// Factor of C + d of the last linear solution, its active rows, and d.
+    /// Last factor of C + d, with its active constraints and d.
     std::optional<DenseCholesky> factor;
     std::vector<unsigned int>    factorized_for;
     std::vector<double>          factorized_with;

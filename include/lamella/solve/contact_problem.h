@@ -15,9 +15,9 @@ namespace lamella
 {
   /// Returns the compliance a [length / force] of the contact law
   ///   g + a lambda >= 0,  lambda >= 0,  (g + a lambda) lambda = 0
-  /// of a constraint with gap g and force lambda, positive in compression.
-  /// `penalty`: a = 1/eps, which is Eq. 25, lambda = eps max(0, -g). `augmented
-  /// lagrangian` and `exact`: a = 0, the Kuhn-Tucker conditions of Eq. 18.
+  /// of the constraint @p row with gap g and force lambda, positive in
+  /// compression. `penalty`: a = 1/eps, lambda = eps max(0, -g) (Eq. 25).
+  /// Otherwise a = 0: the Kuhn-Tucker conditions of Eq. 18.
   double
   law_compliance(const GapConstraint &row);
 
@@ -31,15 +31,15 @@ namespace lamella
     /// Gap g_state [length] and force lambda_state of each constraint.
     std::vector<double> gap, force;
     /// Estimates lambda_bar of the multipliers (method of multipliers), or
-    /// zero. A good one leaves less penetration due to the compliance d.
+    /// zero. Better estimates reduce the penetration due to d.
     std::vector<double> estimate;
-    /// Ascending constraints expected to be active, which affect rounds only.
+    /// Constraints expected to be active, ascending; affects rounds only.
     std::vector<unsigned int> start;
-    /// Slip of the step, s(u) - s_0, and shear force of the state, along the
-    /// tangents; forces to start from. Empty without friction.
+    /// Slip in the load step, s(u) - s_0, and shear force of the state, along
+    /// the tangents; initial forces of the iteration. Empty without friction.
     std::vector<dealii::Tensor<1, 2>> slip = {}, shear = {};
     std::vector<dealii::Tensor<1, 3>> first_forces = {};
-    /// Gaps above -closed [length] are rounding and count as closed.
+    /// Gaps above -closed [length] are within rounding of zero.
     double closed = 0.;
   };
 
@@ -54,15 +54,16 @@ namespace lamella
     std::vector<unsigned int> active;
     /// Shear force of each constraint, and its unit direction where it slips.
     std::vector<dealii::Tensor<1, 2>> shear = {}, direction = {};
-    /// True if no load path leads to this solution with friction, which must
-    /// then be rejected (CoulombSolution::stability).
+    /// True if the friction solution is unstable (CoulombSolution::stability):
+    /// no load path leads to it, and it must be rejected.
     bool is_unstable = false;
   };
 
-  /// The constraint equations of a linear system with contact: each gap or slip
-  /// listed by number has an equation for its zero velocity and a force lambda.
-  /// In a slipping one the force acts along B_n^T + sum_a c_a B_t,a^T, c = mu
-  /// e, e the direction of its shear force.
+  /// Active constraints of a linear system with contact: each listed gap or
+  /// slip has an equation for its zero velocity and a force lambda. The force
+  /// of a slipping constraint acts along B_n^T + sum_a c_a B_t,a^T, with the
+  /// rows B_n of the gap and B_t,a of the slips, c = mu e and the direction e
+  /// of the shear force.
   struct ActiveConstraints
   {
     ActiveConstraints() = default;
@@ -71,55 +72,57 @@ namespace lamella
       : numbers(std::move(active))
     {}
 
-    /// Numbers of the closed gaps in ascending order, then of the slips.
+    /// Numbers of the closed gaps, ascending, then of the sticking slips.
     std::vector<unsigned int> numbers;
-    /// Slipping constraints: numbers of their gaps among `numbers`, with c.
+    /// Slipping constraints: numbers of their gaps, with the factors c.
     std::vector<std::pair<unsigned int, dealii::Tensor<1, 2>>> sliding = {};
   };
 
-  /// Outcome of one round of the active-set search with one active set.
+  /// Outcome of one round of the active-set search.
   struct Round
   {
     /// Number of active constraints.
     std::size_t active = 0;
-    /// Constraints that violate the law (penetrating; with `full` also
+    /// Constraints that violate the contact law (penetrating; with `full` also
     /// tensile), and the largest violation [length].
     std::vector<unsigned int> changed;
     double                    violation = 0.;
   };
 
-  /// Data of a strategy that a resumed run needs beside the last state, for
-  /// bitwise equal results.
+  /// Data of a contact strategy that a restarted run needs in addition to the
+  /// last state, for bitwise equal results.
   struct StrategyHistory
   {
-    /// Factor of NumericalCompliance: a power of ten from 1 to 1000.
+    /// Penalty factor of NumericalCompliance: a power of ten from 1 to 1000.
     double stiffening = 1.;
-    /// `condensed`: the rows of the compliance (Compliance::row_groups()).
-    /// `full`: one list, the rows in the matrix pattern.
+    /// `condensed`: constraints in the compliance (Compliance::row_groups()).
+    /// `full`: one list, the constraints in the matrix pattern.
     std::vector<std::vector<unsigned int>> rows;
   };
 
-  /// Callback for each round; its exceptions end the search.
+  /// Callback for each round of the search; an exception ends the search.
   using Monitor = std::function<void(const Round &)>;
 
-  /// The numerical compliance d >= a of a constraint (length over force), the
+  /// The numerical compliance d >= a [length / force] of a constraint, the
   /// proximal term of the method of multipliers:
-  ///   lambda = max(0, ((d - a) lambda_bar - g) / d),
-  /// a function of the gap even for a = 0, the law for lambda_bar = lambda.
+  ///   lambda = max(0, ((d - a) lambda_bar - g) / d).
+  /// The force is a function of the gap g even for a = 0, and satisfies the
+  /// contact law if the estimate lambda_bar equals lambda.
   class NumericalCompliance
   {
   public:
     /// Returns d of @p row: 1/eps for `penalty`, otherwise 1 / (eps s) with the
-    /// row's penalty eps and the factor s (less for `exact` if condensed).
+    /// penalty eps of the constraint and the factor s `stiffening` (less for
+    /// `exact` in the condensed strategy).
     double
     operator()(const GapConstraint &row) const;
 
-    /// Raises the penalty tenfold, so that the estimates converge faster.
-    /// Returns false, without effect, at a factor of 1000.
+    /// Multiplies the penalty by ten, so that the estimates converge faster.
+    /// Returns false, without effect, if the factor is 1000.
     bool
     increase_penalty();
 
-    /// Current factor s of the penalty; no effect on `penalty`.
+    /// Current factor s of the penalty; no effect for `penalty`.
     double stiffening = 1.;
   };
 } // namespace lamella

@@ -14,63 +14,62 @@
 
 namespace lamella
 {
-  /// Tolerances and limits of ContactSolver. Values without a unit are relative
-  /// to ContactSolver::displacement_scale().
+  /// Tolerances and limits of ContactSolver. Quantities without a unit are
+  /// relative to ContactSolver::displacement_scale().
   struct SolverParameters
   {
-    /// Limit of the contact iterations; more are a failure.
+    /// Maximum number of contact iterations; exceeding it is a failure.
     unsigned int max_iterations = 50;
 
-    /// Relative correction that ends the refinement.
+    /// Relative correction below which iterative refinement ends.
     double refinement_tolerance = arithmetic::rounding_of_sums;
-    /// Limit of corrections beyond the mandatory ones; one above half the
-    /// previous one ends the refinement, too.
+    /// Maximum number of corrections in addition to the mandatory ones.
+    /// Refinement also ends if a correction exceeds half the previous one.
     unsigned int max_refinements = 6;
 
-    /// Gaps above minus this share, or the last correction, are rounding.
+    /// Relative penetration that counts as rounding.
     double rounding = arithmetic::rounding;
-    /// Tolerance of the law in active constraints, and a weaker one that is
-    /// accepted if a further round hardly improves it.
+    /// Tolerance of the contact law in active constraints, and a weaker
+    /// tolerance that is accepted if a further round hardly improves the error.
     double law_tolerance      = arithmetic::rounding_of_results,
            weak_law_tolerance = arithmetic::rounding_of_solutions;
-    /// A round is slow if it leaves more than this share of the violation.
+    /// A round is slow if more than this fraction of the violation remains.
     double slow = 0.1;
-    /// Limit of the rounds of ContactSolver::correct_active_set().
+    /// Maximum number of rounds of ContactSolver::correct_active_set().
     unsigned int max_set_corrections = 20;
 
-    /// Relative change of the spring offsets that ends their release, or
-    /// remaining spring force over the largest load or contact force.
+    /// Release of stabilizing springs ends if the relative change of the spring
+    /// offsets, or the spring force over the largest load or contact force, is
+    /// below these tolerances. Below: maximum number of rounds.
     double spring_offset_tolerance = arithmetic::rounding_of_results,
            spring_force_tolerance  = arithmetic::rounding_of_sums;
     unsigned int max_releases      = 60;
   };
 
-  /**
-   * Solver of one load step: first the linear solution, then contact, then the
-   * release of stabilizing springs. A ContactStrategy finds the active set; the
-   * result is refined against the residual evaluated from strains and the
-   * contact law. Equations at load factor t, with the gap rows B:
-   *   f_int(u) + f_springs(u) = t f + B^T lambda   (in the free DoFs)
-   *   g(u) + a lambda >= 0,  lambda >= 0,  one of them zero in each row.
-   * f_int is linear in u; the active set is the only nonlinearity.
-   *
-   * Iterative refinement: both residuals are evaluated at the state, f_int from
-   * strains (Structure::residual()), and corrected with the inverse of the
-   * strategy. The residuals determine the accuracy, the matrix only the rate of
-   * convergence. Refers to the structure and views the gap rows. Collective,
-   * with the same arguments and states on all processes.
-   */
+  /// Solver of one load step: first the linear solution, then contact, then the
+  /// release of stabilizing springs. A ContactStrategy finds the active set;
+  /// the result is refined against the residual evaluated from strains and the
+  /// contact law. Equations at load factor t, with the gap rows B:
+  ///   f_int(u) + f_springs(u) = t f + B^T lambda   (in the free DoFs)
+  ///   g(u) + a lambda >= 0,  lambda >= 0,  and in each constraint one is zero.
+  /// f_int is linear in u; the active set is the only nonlinearity.
+  ///
+  /// Iterative refinement: both residuals are evaluated at the state, f_int
+  /// from strains (Structure::residual()), and corrected with the factorization
+  /// of the strategy. The residuals determine the accuracy, the matrix only the
+  /// rate of convergence. Keeps references to the structure and the gap
+  /// constraints. Collective, with equal arguments.
   class ContactSolver
   {
   public:
     /// Callback for a line of text.
     using Progress = std::function<void(const std::string &)>;
-    /// Function that describes the gap row of a given number.
+    /// Function that describes the gap constraint of a given number.
     using Describe = std::function<std::string(const unsigned int)>;
 
-    /// Creates a solver about the state of @p tangent_operator with the
-    /// strategy @p which (make_strategy()). Refers to structure and rows;
-    /// solves nothing.
+    /// Creates a solver for the tangent @p tangent_operator with the strategy
+    /// @p which (make_strategy()), without solving. The structure and @p rows
+    /// must outlive this object.
     ContactSolver(std::shared_ptr<const TangentOperator> tangent_operator,
                   const GapConstraints                  &rows,
                   const SolverParameters &parameters = SolverParameters(),
@@ -78,52 +77,47 @@ namespace lamella
 
     /// Callback for a line of text per iteration; no output by default.
     Progress progress;
-    /// Description of a gap row; by default its number.
+    /// Description of a gap constraint in messages; by default its number.
     Describe describe;
 
-    /// Returns the linear solution at load factor @p factor without active
-    /// constraints, with the springs free of force at @p rest: u = t u_p, then
-    /// at least two corrections. Throws NumericsError if it is not finite.
+    /// Returns the linear solution at load factor @p factor without contact,
+    /// refined by at least two corrections. Springs have no force at the
+    /// offsets @p rest. Throws NumericsError if it is not finite.
     State
     solve_free(const LoadFactor &factor, const SpringOffsets &rest = {});
 
-    /**
-     * Returns the solution with contact, starting from @p free, the state of
-     * solve_free() at the same @p factor, and from the forces and active set of
-     * the @p previous load step, if any. The problem is convex: the start
-     * affects the number of rounds only, and displacements and gaps are unique
-     * (forces if the constraints are independent). Returns @p free if no
-     * constraint penetrates there. Throws NumericsError, naming the constraints
-     * that still change, if the active set does not converge.
-     *
-     * Each round determines the active set about the current state for
-     * estimates of the forces, refines the state, and checks the contact law.
-     * `exact` and `augmented lagrangian` use the same loop: each refinement and
-     * round takes the current forces as estimates (proximal point iteration,
-     * method of multipliers). The loop ends if no active constraint is tensile,
-     * no other penetrates beyond rounding, and active constraints satisfy the
-     * law to law_tolerance, or to weak_law_tolerance after a slow round. Each
-     * round counts as at least one of the max_iterations. Convergence: the
-     * forces solve a strictly convex problem, refinement changes only the
-     * estimates, and each proximal step reduces the distance to the solution.
-     */
+    /// Returns the solution with contact, starting from @p free, the result of
+    /// solve_free() at the same @p factor, and from the forces and active set
+    /// of the @p previous load step, if any. The problem is convex: the start
+    /// affects the number of rounds only. Displacements and gaps are unique,
+    /// and so are forces if the constraints are independent. Returns @p free if
+    /// no constraint penetrates there. Throws NumericsError, naming the
+    /// constraints that still change, if the active set does not converge.
+    ///
+    /// Each round determines the active set for the current estimates of the
+    /// forces, refines the state, and checks the contact law. In each
+    /// refinement and round of `exact` and `augmented lagrangian`, the current
+    /// forces are the estimates (proximal point iteration, method of
+    /// multipliers). The loop ends if no active constraint is tensile, no
+    /// inactive constraint penetrates beyond rounding, and active constraints
+    /// satisfy the law to law_tolerance, or to weak_law_tolerance after a slow
+    /// round. A round counts as one or more of the max_iterations. Convergence:
+    /// the forces solve a strictly convex problem, refinement changes only the
+    /// estimates, and each proximal step reduces the distance to the solution.
     State
     solve_contact(const State      &free,
                   const LoadFactor &factor,
                   const State      &previous = State());
 
-    /**
-     * Returns @p state, a result of solve_contact(), without the influence of
-     * the stabilizing springs. Each round calls solve_free() and
-     * solve_contact() with the spring offsets at the previous state (proximal
-     * point method), and leaves the share s / (s + k) of the spring forces,
-     * with the stiffness s of the springs and k of the contact that constrains
-     * the body. Ends if the offsets change by less than 1e-12 of the
-     * displacements, or the springs carry less than 1e-13 of the largest load
-     * or contact force. Throws NumericsError after 60 rounds: nothing
-     * constrains the body, or the springs are too stiff, in which case the
-     * message gives the Stabilization to use.
-     */
+    /// Returns @p state, a result of solve_contact(), without the influence of
+    /// the stabilizing springs. Each round solves with spring offsets at the
+    /// previous state (proximal point method). The spring forces decrease by
+    /// the factor s / (s + k), with the stiffness s of the springs and k of the
+    /// contact that constrains the body. Ends if the offsets change by less
+    /// than 1e-12 of the displacements, or the spring forces are below 1e-13 of
+    /// the largest load or contact force. Throws NumericsError after 60 rounds:
+    /// the body is unconstrained, or the springs are too stiff; the message
+    /// then gives the Stabilization to use.
     State
     release_springs(State state, const LoadFactor &factor);
 
@@ -132,7 +126,8 @@ namespace lamella
     std::vector<double>
     gaps(const BlockVector &u, const LoadFactor &factor) const;
 
-    /// Solves the linear system of one correction (ContactStrategy::solve()).
+    /// Solves the linear system of one correction with the active constraints
+    /// @p closed (ContactStrategy::solve()).
     void
     solve_linear(const ActiveConstraints &closed,
                  const BlockVector       &r_u,
@@ -143,12 +138,13 @@ namespace lamella
       strategy->solve(closed, r_u, r_lambda, du, dlambda);
     }
 
-    /// Returns the closed gaps of @p state with all slips, for a symmetric
-    /// matrix: a sliding point resists small disturbances until it reverses.
+    /// Returns the closed gaps of @p state with all slips constrained, for a
+    /// symmetric matrix: a slipping point also sticks under small disturbances
+    /// until its slip reverses.
     ActiveConstraints
     sticking_equations(const State &state) const;
 
-    /// Returns the data of the strategy that a resumed run needs.
+    /// Returns the data of the strategy that a restarted run needs.
     StrategyHistory
     memory() const
     {
@@ -161,21 +157,21 @@ namespace lamella
       strategy->restore(memory);
     }
 
-    /// Returns the linearization.
+    /// Returns the tangent operator.
     const TangentOperator &
     tangent() const
     {
       return *tangent_operator;
     }
 
-    /// Returns the tangent operator for another solver with other rows.
+    /// Returns the tangent operator for another solver with other constraints.
     std::shared_ptr<const TangentOperator>
     shared_tangent() const
     {
       return tangent_operator;
     }
 
-    /// Returns warnings about penalties and rounding, one sentence each.
+    /// Returns warnings of the strategy, one sentence each.
     std::vector<std::string>
     warnings() const
     {
@@ -186,12 +182,13 @@ namespace lamella
     /// Violations of the contact law in a refined state.
     struct ContactViolations
     {
-      /// Active constraints that are tensile, and others that penetrate.
+      /// Active constraints that are tensile, and inactive ones that penetrate.
       std::vector<unsigned int> tensile, penetrating;
-      /// Sticking constraints beyond mu lambda_n, and slipping ones whose slip
-      /// is along their shear force.
+      /// Sticking constraints with a shear force beyond mu lambda_n, and
+      /// slipping ones whose slip is along their shear force.
       std::vector<unsigned int> friction_violations;
-      /// Largest |g + a lambda| of the others, |v| of sticking ones.
+      /// Largest |g + a lambda| of the remaining active constraints, and slip
+      /// |v| of sticking ones.
       double gap = 0.;
 
       bool
@@ -202,14 +199,14 @@ namespace lamella
       }
     };
 
-    /// Returns the violations of @p state; gaps above -@p closed are closed.
+    /// Returns the violations in @p state; gaps above -@p closed are zero.
     ContactViolations
     violations(const State      &state,
                const LoadFactor &factor,
                const double      closed) const;
 
-    /// Adds to @p found the violation of Coulomb's law in row @p r, with forces
-    /// below @p small and lengths below @p closed as rounding.
+    /// Adds the violation of Coulomb's law in constraint @p r to @p found.
+    /// Forces below @p small and lengths below @p closed are rounding.
     void
     add_friction_violations(const State       &state,
                             const LoadFactor  &factor,
@@ -218,25 +215,26 @@ namespace lamella
                             const double       small,
                             ContactViolations &found) const;
 
-    /// Returns the residual of the contact law for each number of @p closed.
+    /// Returns the residual of the contact law for each number in @p closed.
     Vector
     law_residual(const State             &state,
                  const LoadFactor        &factor,
                  const ActiveConstraints &closed) const;
-    /// Returns violations() beyond the rounding of the last correction.
+    /// Returns the violations() beyond the rounding of the last correction.
     ContactViolations
     find_violations(const State &state, const LoadFactor &factor) const;
 
-    /// Returns true if the @p error of the law [length] is small enough, which
-    /// is more if the round @p was_slow.
+    /// Returns true if the @p error of the contact law [length] is small
+    /// enough. The tolerance is larger if the last round @p was_slow.
     bool
     satisfies_contact_law(const State      &state,
                           const LoadFactor &factor,
                           const double      error,
                           const bool        was_slow) const;
 
-    /// Returns the first problem, about the state without contact forces, with
-    /// @p previous forces that penetrate in @p free as estimates.
+    /// Returns the first contact problem, about the state @p free without
+    /// contact forces. Its estimates are the @p previous forces of constraints
+    /// that penetrate in @p free.
     ContactProblem
     first_problem(const State      &free,
                   const LoadFactor &factor,
@@ -245,68 +243,70 @@ namespace lamella
     ContactProblem
     problem_at(const State &state, const LoadFactor &factor) const;
 
-    /// Replaces @p state by the state of the forces of @p settled, and returns
-    /// true if that satisfies the contact law: for dependent constraints, where
-    /// refinement shifts forces by rounding. Returns false, without effect, if
-    /// the strategy is not as accurate.
+    /// Replaces @p state by a state with the forces of @p settled and returns
+    /// true if it satisfies the contact law. For dependent constraints,
+    /// refinement may shift forces by rounding. Returns false, without effect,
+    /// if the strategy is not accurate enough.
     bool
     multipliers_are_reliable(State            &state,
                              const State      &settled,
                              const LoadFactor &factor);
 
-    /// Corrects the active set of the refined @p state where rounding of the
-    /// compliance repeats a wrong set: tensile constraints leave, penetrating
-    /// ones join, and the state is refined, in at most max_set_corrections
-    /// rounds. Returns false, without effect, on failure.
+    /// Corrects the active set of the refined @p state if rounding of the
+    /// compliance leads to the same wrong set again: tensile constraints are
+    /// deactivated, penetrating ones activated, and the state is refined, up to
+    /// max_set_corrections times. Returns false, without effect, on failure.
     bool
     correct_active_set(State &state, const LoadFactor &factor);
 
-    /// Corrects u and the forces of the active constraints once, against r_u =
-    /// t f + B^T lambda - integral B^T C (B u) and r_lambda = -(g + a lambda),
-    /// or -v if sticking, with the active set kept. Returns the maximum norm of
-    /// the correction over that of u. Throws NumericsError if it is not finite.
+    /// Corrects the displacements and the forces of the active constraints
+    /// once, with a constant active set. The residuals are r_u = t f + B^T
+    /// lambda - integral B^T C (B u) and r_lambda = -(g + a lambda), or the
+    /// negative slip -v of sticking points. Returns the maximum norm of the
+    /// correction over that of u. Throws NumericsError if it is not finite.
     double
     correct(State &state, const LoadFactor &factor);
 
-    /// Corrects @p at_least times until is_refined(); returns all correct().
+    /// Calls correct() @p at_least times, then until is_refined(). Returns the
+    /// relative corrections.
     std::vector<double>
     refine(State &state, const LoadFactor &factor, const unsigned int at_least);
 
-    /// Returns true if another correction would be rounding: the last of @p
-    /// corrections is small or above half of the previous one, or at the limit.
+    /// Returns true if another correction would be rounding: the last of
+    /// @p corrections is small or above half of the previous one, or their
+    /// number is at the limit.
     bool
     is_refined(const std::vector<double> &corrections,
                const unsigned int         at_least) const;
 
-    /// Returns the largest displacement, obstacles along normals included.
+    /// Returns the largest displacement of bodies, or obstacles (normal).
     double
     displacement_scale(const State &state, const LoadFactor &factor) const;
 
-    /// Returns @p share of displacement_scale(), at least State::rounding().
+    /// Returns @p share times displacement_scale(), at least State::rounding().
     double
     length_of(const double      share,
               const State      &state,
               const LoadFactor &factor) const;
 
-    /// Returns a sentence on the initial overlap of bodies, or nothing.
+    /// Returns a sentence on the initial overlap of bodies, if any.
     std::string
     describe_overlap() const;
 
-    /// Counts @p round in @p iterations and reports it, with
-    /// check_iterations().
+    /// Adds @p round to @p iterations and reports it; calls check_iterations().
     void
     watch(const Round &round, unsigned int &iterations) const;
 
-    /// Throws NumericsError once @p iterations reaches max_iterations, naming
-    /// three constraints that are @p changing.
+    /// Throws NumericsError if @p iterations is max_iterations, and names three
+    /// constraints of @p changing.
     void
     check_iterations(const unsigned int               iterations,
                      const std::vector<unsigned int> &changing) const;
 
-    /// Throws the NumericsError of release_springs() for the spring under the
+    /// Throws the NumericsError of release_springs() for the spring with the
     /// largest force. The motion is unconstrained if the ratio @p rate of
-    /// successive changes is close to 1. Otherwise its springs are too stiff,
-    /// and the message gives the share for a rate of 0.1.
+    /// successive changes is close to 1. Otherwise the springs are too stiff,
+    /// and the message gives the Stabilization for a rate of 0.1.
     [[noreturn]] void
     throw_unconstrained_motion(const std::string &body,
                                const std::string &motion,

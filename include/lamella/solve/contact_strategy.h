@@ -13,8 +13,8 @@
 
 namespace lamella
 {
-  /// Solution method for contact (`Contact strategy`). Both give the same
-  /// results where these are unique, as without much friction.
+  /// Solution method for contact (`Contact strategy`). Both methods give the
+  /// same results if these are unique, as for little friction.
   enum class Strategy
   {
     undefined,
@@ -31,10 +31,10 @@ namespace lamella
                                                {Strategy::full, "full"}};
   };
 
-  /// Contact solver about one state of a structure, that of its
-  /// TangentOperator: finds the active set for a constant tangent, and solves
-  /// linear systems with a given active set. ContactSolver refines against the
-  /// residual. Refers to the tangent operator and views the rows. Collective,
+  /// Base class of the contact solvers for a constant tangent, that of a
+  /// TangentOperator: finds the active set, and solves linear systems with a
+  /// given active set. ContactSolver refines the result against the residual.
+  /// Keeps references to the tangent operator and the constraints. Collective,
   /// with the same arguments on all processes.
   class ContactStrategy
   {
@@ -49,32 +49,30 @@ namespace lamella
     operator=(const ContactStrategy &) = delete;
     virtual ~ContactStrategy();
 
-    /**
-     * Solves @p problem,
-     *   K du = B^T (lambda - lambda_state),  g = g_state + B du,
-     *   lambda = max(0, ((d - a) lambda_bar - g) / d),
-     * and returns the active set. This is the law g + a lambda >= 0 with its
-     * compliance a raised to the numerical d, about an estimate lambda_bar of
-     * the forces. The solution is unique without friction. @p monitor is called
-     * after each round, its exceptions pass. The increment is zero without
-     * penetration, forces and estimates. Throws NumericsError for unsolvable
-     * systems.
-     */
+    /// Solves @p problem,
+    ///   K du = B^T (lambda - lambda_state),  g = g_state + B du,
+    ///   lambda = max(0, ((d - a) lambda_bar - g) / d),
+    /// and returns the solution with its active set. This is the contact law g
+    /// + a lambda >= 0 with the compliance a increased to the numerical
+    /// compliance d, about an estimate lambda_bar of the forces
+    /// (NumericalCompliance). The solution is unique without friction.
+    /// @p monitor is called after each round; its exceptions end the search.
+    /// The increment is zero if penetrations, forces and estimates are zero.
+    /// Throws NumericsError if a system cannot be solved.
     virtual ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor) = 0;
 
-    /**
-     * Solves the linear system of one correction,
-     *   K du - C dlambda   = r_u,
-     *   R du + d dlambda   = r_lambda,
-     * with the rows R of the gaps and slips @p closed, their force columns C
-     * (C^T = R = B_A without friction) and the numerical compliance d >= a.
-     * This is Eq. 22 once dlambda is eliminated. @p r_lambda (lengths) and @p
-     * dlambda (forces) have one entry per number of @p closed; @p r_u (forces)
-     * need not be condensed. du is zero in prescribed DoFs. The factor is kept
-     * for the next call. Throws NumericsError if the system is not positive
-     * definite or, with slipping constraints, singular.
-     */
+    /// Solves the linear system of one correction,
+    ///   K du - C dlambda   = r_u,
+    ///   R du + d dlambda   = r_lambda,
+    /// with the rows R of the gaps and slips @p closed, the columns C of their
+    /// forces (C^T = R = B_A without friction, the rows of the active
+    /// constraints) and the numerical compliance d >= a. Eliminating dlambda
+    /// gives Eq. 22. @p r_lambda (lengths) and @p dlambda (forces) have one
+    /// entry per number of @p closed; @p r_u (forces) need not be condensed. du
+    /// is zero in prescribed DoFs. The factorization is reused in the next
+    /// call. Throws NumericsError if the system is not positive definite or,
+    /// with slipping constraints, singular.
     virtual void
     solve(const ActiveConstraints &closed,
           const BlockVector       &r_u,
@@ -82,26 +80,28 @@ namespace lamella
           BlockVector             &du,
           Vector                  &dlambda) = 0;
 
-    /// Returns the data that a resumed run needs.
+    /// Returns the data that a restarted run needs.
     virtual StrategyHistory
     memory() const = 0;
     /// Restores @p memory in a new strategy of the same scene. Collective.
     virtual void
     restore(const StrategyHistory &memory) = 0;
 
-    /// Accelerates the multiplier estimates (NumericalCompliance).
+    /// Increases the numerical penalty, which accelerates the convergence of
+    /// the multiplier estimates (NumericalCompliance).
     void
     increase_penalty()
     {
       numerical_compliance.increase_penalty();
     }
 
-    /// Returns true if forces of solve() are as accurate as the compliance.
-    /// False with K + K^p, where penalties cost digits.
+    /// Returns true if the forces of solve() are as accurate as the compliance.
+    /// False for the matrix K + K^p, where penalties cost digits.
     virtual bool
     forces_are_accurate() const = 0;
 
-    /// Returns what else to try without convergence, part of a sentence.
+    /// Returns a remedy for the message that contact does not converge, as a
+    /// part of a sentence.
     virtual std::string
     remedy() const = 0;
 
@@ -118,8 +118,8 @@ namespace lamella
     NumericalCompliance    numerical_compliance;
   };
 
-  /// Returns the strategy @p which about the state of @p tangent_operator,
-  /// which needs solvers for `condensed`.
+  /// Returns a strategy of the kind @p which for the tangent
+  /// @p tangent_operator, which must have solvers for `condensed`.
   std::unique_ptr<ContactStrategy>
   make_strategy(const Strategy         which,
                 const TangentOperator &tangent_operator,

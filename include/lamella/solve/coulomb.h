@@ -10,19 +10,17 @@
 
 namespace lamella
 {
-  /**
-   * Unilateral contact with Coulomb friction on a dense compliance. With the
-   * forces lambda_0 = `about`, and the gap v_n and slip v_t of each point in
-   * the step,
-   *   v = q + W (lambda - lambda_0),
-   * the forces lambda satisfy
-   *   v_n >= 0,   lambda_n >= 0,   v_n lambda_n = 0,
-   *   |lambda_t| <= mu lambda_n,
-   *   v_t = 0 where |lambda_t| < mu lambda_n,
-   *   lambda_t = -mu lambda_n v_t / |v_t| where v_t is not zero.
-   * W may be singular (dependent rows). If it is definite a solution exists for
-   * every mu; it is unique for small mu only.
-   */
+  /// Unilateral contact with Coulomb friction on a dense compliance W. With
+  /// known forces lambda_0 = `about`, the gap v_n and the slip v_t of each
+  /// point in the load step are
+  ///   v = q + W (lambda - lambda_0),
+  /// and the forces lambda satisfy
+  ///   v_n >= 0,   lambda_n >= 0,   v_n lambda_n = 0,
+  ///   |lambda_t| <= mu lambda_n,
+  ///   v_t = 0 where |lambda_t| < mu lambda_n,
+  ///   lambda_t = -mu lambda_n v_t / |v_t| where v_t is not zero.
+  /// W may be singular (dependent constraints). If W is definite, a solution
+  /// exists for every mu; it is unique for small mu only.
   struct CoulombProblem
   {
     PointCompliance compliance;
@@ -40,16 +38,17 @@ namespace lamella
     slip
   };
 
-  /// Solution of a CoulombProblem, with the effort.
+  /// Solution of a CoulombProblem, with its error and numbers of iterations.
   struct CoulombSolution
   {
     PointVectors            force;
     std::vector<PointState> states;
     /// Largest component of lambda - P(lambda - v), with the projection P onto
-    /// the cone of lambda_n, scaled by forces above one.
+    /// the friction cone |lambda_t| <= mu lambda_n, relative to the larger of
+    /// one and the forces (scaled).
     double error = 0.;
-    /// Sign of det(R W C), with the rows R of sticking constraints and gaps and
-    /// the columns C of their forces: -1 for an unstable solution; 1 if no
+    /// Sign of det(R W C), with the rows R of the gaps and sticking constraints
+    /// and the columns C of their forces: -1 for an unstable solution; 1 if no
     /// point is closed. W is regularized, which excludes its near-nullspace
     /// (more contact points than surface DoFs).
     int stability = 1;
@@ -63,30 +62,31 @@ namespace lamella
   {
     /// Tolerance of CoulombSolution::error.
     double tolerance = 1e-11;
-    /// Regularization of W over the largest diagonal entry of a point, which
-    /// makes it definite; proximal iterations remove its effect.
+    /// Regularization of W relative to the largest diagonal entry of a point,
+    /// which makes W definite; proximal iterations remove its effect.
     double compliance = 1e-10;
-    /// Regularization for the stability test. (A section that hardly bends
-    /// across has 3e-9, against 1e-6 of the sliding points.)
+    /// Regularization of W for the stability test, relative to the diagonal.
     double stability_regularization = 1e-4;
-    /// Limits of the proximal iteration, which ends after `idle` successive
-    /// steps without improvement, or a step with an error above `failed`.
+    /// Limits of the proximal iteration: rounds, successive steps without
+    /// improvement, and error of a step.
     unsigned int max_rounds = 30, idle = 2;
     double       failed = 1e-6;
-    /// Limits of Newton iterations: at first, after sweeps, after the cones.
+    /// Maximum number of Newton iterations: at first, after Gauss-Seidel
+    /// sweeps, and after the minimum on the cones.
     unsigned int first_iterations = 3, iterations = 40, last_iterations = 12;
-    /// Limit of iterations after the tolerance is met while each leaves at most
-    /// a tenth of the error.
+    /// Maximum number of iterations after the tolerance is met, as long as each
+    /// reduces the error at least tenfold and it exceeds `digits`.
     unsigned int extra_iterations = 3;
     double       digits           = 1e-15;
-    /// First iteration with shortened steps.
+    /// First Newton iteration with step length control; numbers of Gauss-Seidel
+    /// sweeps and of rounds of the minimum on the cones.
     unsigned int damped_from = 4;
     unsigned int sweeps      = 20;
     unsigned int cone_rounds = 6;
-    /// Smallest friction coefficient of a cone.
+    /// Lower bound of the friction coefficients of the cones in method 2.
     double min_friction = 1e-4;
-    /// Decreasing regularization: initial shares of the diagonal, factors,
-    /// tolerance, limits of rounds and sweeps.
+    /// Decreasing regularization (method 3): initial fractions of the diagonal,
+    /// factors of decrease and increase, tolerance, maximum rounds and sweeps.
     double first_compliance = 0.1, second_compliance = 1.;
     double decrease_factor = 0.1, slow_decrease_factor = 0.3,
            increase_factor = 5., solved = 1e-9;
@@ -95,8 +95,8 @@ namespace lamella
 
   /**
    * Solves @p problem, starting from the forces @p start, such as those of the
-   * previous load step. The first of these methods that converges gives the
-   * result:
+   * previous load step. The first of the following methods that converges
+   * gives the result:
    *   1 Newton's method in total form on the natural map (Alart and Curnier,
    *     Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375), from the given
    *     forces, then after Gauss-Seidel sweeps, from these and from zero; steps
@@ -108,8 +108,9 @@ namespace lamella
    *   3 proximal points (Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898)
    *     with a decreasing regularization D: W + D, q - D lambda.
    * Each point has one scale for its normal and one for both tangents, so that
-   * the cone stays circular. A Newton iteration costs 2/3 n^3 for n rows of
-   * closed points. Without convergence the solution is returned with its error.
+   * the cone stays circular. A Newton iteration costs 2/3 n^3 operations for n
+   * components of closed points. If no method converges, the best solution is
+   * returned with its error.
    */
   CoulombSolution
   solve_coulomb(const CoulombProblem &problem,

@@ -11,27 +11,29 @@
 
 namespace lamella
 {
-  /**
-   * The Newton step of Eq. 22 with Coulomb's law, on the displacements and
-   * contact forces of the whole scene, for the `full` strategy. With the gap
-   * and slip of a row in the step, and the compliance a of its law raised to d
-   * about an estimate lambda_bar of its force,
-   *   v = (g, s - s_0) + a lambda + (d - a) (lambda - lambda_bar),
-   * it is that of Alart and Curnier (Comput. Methods Appl. Mech. Eng. 92 (1991)
-   * 353-375) for lambda = P(lambda - rho v) and equilibrium. With the trial
-   * force z = lambda - rho v, e = z_t / |z_t|, b = mu max(0, z_n) and k = b /
-   * |z_t|:
-   *   open    where z_n <= 0:     lambda = 0;
-   *   sticks  where |z_t| <= b:   v = 0, in K^p (B_n^T B_n + B_t^T B_t) / d;
-   *   slips   otherwise:          v_n = 0, lambda_t along e mu lambda_n, and
-   *                               across it w (-s), w = k rho / (1 - k + k rho
-   *                               d):
-   *     B_n^T B_n / d + (mu / d) B_e^T B_n + w B_x^T B_x,
-   * which is not symmetric. After some steps, every fourth is shortened if that
-   * reduces the natural map. The tangential rho is b / |v_t| if there is a slip
-   * v_t: a slip along its force then has no trial force, and the row sticks
-   * before its slip is reversed. Refers to all constructor arguments.
-   */
+  /// Newton's method with Coulomb friction on the displacements and contact
+  /// forces of the whole scene (Eq. 22), for the `full` strategy. With the gap
+  /// g and the slip s - s_0 of a constraint in the load step, the compliance a
+  /// of its law, the numerical compliance d and an estimate lambda_bar of its
+  /// force, let
+  ///   v = (g, s - s_0) + a lambda + (d - a) (lambda - lambda_bar),
+  /// The method is that of Alart and Curnier (Comput. Methods Appl. Mech. Eng.
+  /// 92 (1991) 353-375) for lambda = P(lambda - rho v), with the projection P
+  /// onto the friction cone and a parameter rho, and equilibrium. With the
+  /// trial force z = lambda - rho v, e = z_t / |z_t|, b = mu max(0, z_n) and k
+  /// = b / |z_t|:
+  ///   open    where z_n <= 0:     lambda = 0;
+  ///   sticks  where |z_t| <= b:   v = 0, in K^p (B_n^T B_n + B_t^T B_t) / d;
+  ///   slips   otherwise:          v_n = 0, lambda_t along e mu lambda_n, and
+  ///                               across it w (-s), w = k rho / (1 - k + k rho
+  ///                               d):
+  ///     B_n^T B_n / d + (mu / d) B_e^T B_n + w B_x^T B_x,
+  /// an unsymmetric contribution, with the rows B_n of the gap, B_t of the
+  /// slips, B_e along e and B_x across it. After some steps, every fourth step
+  /// is shortened if that reduces the natural map |lambda - P(lambda - rho v)|.
+  /// The tangential rho is b / |v_t| for a slip v_t: a slip in the direction of
+  /// its force then has no trial force, and the constraint sticks before its
+  /// slip reverses. Keeps references to all constructor arguments.
   class FrictionNewton
   {
   public:
@@ -51,18 +53,18 @@ namespace lamella
     solve(const ContactProblem &problem, const Monitor &monitor);
 
   private:
-    /// An iterate, relative to the state of the problem.
+    /// An iterate of Newton's method, relative to the state of the problem.
     struct Iterate
     {
-      /// Displacement increment, and K du from strains.
+      /// Displacement increment du, and K du computed from strains.
       BlockVector du, K_du;
-      /// Total force of each row as (n, t_1, t_2).
+      /// Total force of each constraint as (n, t_1, t_2).
       PointVectors force;
       /// Largest change of du in the last step.
       double change;
     };
 
-    /// Trial values of the natural map in all rows.
+    /// Trial values v and z of the natural map in all constraints.
     struct Trial
     {
       PointVectors v, z;
@@ -71,22 +73,24 @@ namespace lamella
       std::vector<PointState> states;
     };
 
-    /// Linearized law: new force = lambda + change - sum weight B_on du.
+    /// Linearized law of all constraints: the new forces are lambda + change -
+    /// sum of weight B_on du over the terms.
     struct Law
     {
       PointVectors             change;
       std::vector<PenaltyTerm> terms;
     };
 
-    /// Rounding of gaps of open rows, of gaps and slips of closed rows, and of
-    /// forces; rho [force / length] of normals, and of tangents.
+    /// Reference quantities: rounding of gaps of open constraints, of gaps and
+    /// slips of closed constraints, and of forces; rho [force / length] of
+    /// normals, and whether tangents use the same.
     struct Scales
     {
       double closed = 0., slip_rounding = 0., small = 0., rho = 0.;
       bool   same_rho = false;
     };
 
-    /// Returns the first iterate: the previous forces without contact reaction.
+    /// Returns the first iterate: forces of the state, no contact reaction.
     Iterate
     begin(const ContactProblem &problem);
     Scales
@@ -97,13 +101,13 @@ namespace lamella
     trial(const ContactProblem &problem,
           const Iterate        &at,
           const Scales         &scale) const;
-    /// Adds the linearized law of the closed row @p r to @p law.
+    /// Adds the linearized law of the closed constraint @p r to @p law.
     void
     linearize(const unsigned int r,
               const Iterate     &at,
               const Trial       &trial,
               Law               &law) const;
-    /// Adds the linearized tangential law of the slipping row @p r to @p law.
+    /// Adds the linearized tangential law of a slipping constraint @p r.
     void
     linearize_slip(const unsigned int r,
                    const Iterate     &at,
@@ -111,10 +115,11 @@ namespace lamella
                    Law               &law) const;
     Iterate
     step(const ContactProblem &problem, const Iterate &at, const Trial &trial);
-    /// Returns the natural map of row @p r [force].
+    /// Returns the residual of the natural map in constraint @p r [force].
     static dealii::Tensor<1, 3>
     missed(const unsigned int r, const Iterate &at, const Trial &trial);
-    /// Returns the best iterate at fractions of the step @p from - @p to.
+    /// Returns the iterate with the smallest residual at fractions of the step
+    /// from @p from to @p to.
     Iterate
     shortened(const ContactProblem &problem,
               const Iterate        &from,

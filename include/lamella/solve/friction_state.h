@@ -9,34 +9,36 @@
 
 namespace lamella
 {
-  /**
-   * Friction variables of a state, per gap row, as scene vectors. Empty without
-   * friction and before the first load step.
-   *
-   * Coulomb's law of a step, with the slip s_0 at the end of the previous one:
-   *   v = s(u) + a lambda_t - s_0,   |lambda_t| <= mu lambda_n,
-   *   v = 0 where |lambda_t| < mu lambda_n,
-   *   lambda_t = -mu lambda_n v / |v| where v is not zero.
-   * The compliance a (law_compliance()) also acts tangentially.
-   */
+  /// Friction variables of a state: vectors in scene axes, one per gap
+  /// constraint. Empty without friction and before the first load step.
+  ///
+  /// Coulomb's law of a load step, with the slip s_0 at the end of the previous
+  /// step:
+  ///   v = s(u) + a lambda_t - s_0,   |lambda_t| <= mu lambda_n,
+  ///   v = 0 where |lambda_t| < mu lambda_n,
+  ///   lambda_t = -mu lambda_n v / |v| where v is not zero.
+  /// The compliance a (law_compliance()) also acts tangentially.
   struct FrictionState
   {
     /// Tangential force lambda_t on the second side [force].
     std::vector<dealii::Tensor<1, 3>> shear;
-    /// Unit vector lambda_t / |lambda_t| of slipping rows; zero for all others.
+    /// Unit vector lambda_t / |lambda_t| of slipping constraints; else zero.
     std::vector<dealii::Tensor<1, 3>> direction;
-    /// Slip s_0 [length], also of open rows.
+    /// Slip s_0 [length], also of open constraints.
     std::vector<dealii::Tensor<1, 3>> before;
-    /// Accumulated slip length, and dissipated energy: mu (lambda_n,0 +
-    /// lambda_n,1) / 2 |v| >= 0 per step, of second order in the step.
+    /// Accumulated slip length, and accumulated dissipated energy. A step
+    /// dissipates mu (lambda_n,0 + lambda_n,1) / 2 |v| >= 0 with the normal
+    /// forces at its beginning and end.
     std::vector<double> length, dissipated;
-    /// g + a lambda_n [length].
+    /// Contact gap with the compliance of the law, g + a lambda_n [length].
     std::vector<double> contact_gap;
-    /// Accumulated defect of the contact work over all rows [energy]: per step
+    /// Accumulated defect of the contact work of all constraints [energy], per
+    /// step
     ///   - mean lambda . (change of (g, s) + a lambda) - dissipated,
-    /// with the mean of the forces at both ends. For linear bodies, external
-    /// work = strain energy + penalty energy a |lambda|^2 / 2 + dissipation +
-    /// this defect, which vanishes as steps get shorter.
+    /// with the mean of the forces at the beginning and end of the step. For
+    /// linear bodies, external work = strain energy + penalty energy a
+    /// |lambda|^2 / 2 + dissipation + this defect, which vanishes for short
+    /// steps.
     double path_gap = 0.;
 
     bool
@@ -45,36 +47,39 @@ namespace lamella
       return shear.empty();
     }
 
-    /// Returns the sum of `dissipated` over all rows.
+    /// Returns the energy dissipated by friction in all constraints.
     double
     all_dissipated() const;
 
-    /// Returns the state of @p rows of undeformed bodies, without forces.
+    /// Returns the friction state of the constraints @p rows of undeformed
+    /// bodies, without forces.
     static FrictionState
     unloaded(const GapConstraints &rows);
   };
 
-  /// End of the message if a solution with friction is unstable or not found.
+  /// End of the message if a friction solution is unstable or was not found.
   constexpr const char *friction_remedy =
     ". Try more Substeps, a smaller step in Load factors, or a softer penalty.";
 
-  /// Throws NumericsError: the solution found is unstable.
+  /// Throws NumericsError if the friction solution is unstable.
   [[noreturn]] void
   throw_unstable();
 
-  /// Converts a vector along the tangents into components, and back.
+  /// Converts a scene vector in the tangent plane into components along the
+  /// tangents of @p row; in_scene() is the inverse.
   dealii::Tensor<1, 2>
   along_tangents(const GapConstraint &row, const dealii::Tensor<1, 3> &vector);
   dealii::Tensor<1, 3>
   in_scene(const GapConstraint &row, const dealii::Tensor<1, 2> &components);
 
-  /// Returns the slip s(u) of @p row at @p factor along its tangents.
+  /// Returns the slip s(u) of @p row at load factor @p factor by tangents.
   dealii::Tensor<1, 2>
   slip_of(const GapConstraint &row,
           const BlockVector   &u,
           const LoadFactor    &factor);
 
-  /// Adds B^T lambda of @p row, with @p normal and @p shear force, to @p f.
+  /// Adds the forces B^T lambda of constraint @p row, with the @p normal and
+  /// @p shear force, to @p f.
   void
   add_force(const GapConstraint        &row,
             const double                normal,

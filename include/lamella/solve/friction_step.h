@@ -10,57 +10,62 @@
 
 namespace lamella
 {
-  /// Returns the normal force and the shear force along the tangents by rows.
+  /// Returns the normal and tangential forces of each constraint.
   std::vector<dealii::Tensor<1, 3>>
   forces_by_rows(const GapConstraints &rows, const State &state);
 
-  /// Returns the slip v of row @p r in the step, with the law's compliance.
+  /// Returns the slip v of constraint number @p r in the load step, with the
+  /// compliance of its law (FrictionState).
   dealii::Tensor<1, 2>
   slip_in_step(const GapConstraint &row,
                const unsigned int   r,
                const State         &state,
                const LoadFactor    &factor);
 
-  /// Adds slips and shear forces to @p problem about @p state, its start.
+  /// Adds the slips and shear forces of @p state to its @p problem.
   void
   add_friction(const GapConstraints &rows,
                const State          &state,
                const LoadFactor     &factor,
                ContactProblem       &problem);
 
-  /// Stores the forces @p found by a strategy in @p state.
+  /// Stores the forces @p found by a contact strategy in @p state.
   void
   store_forces(const GapConstraints  &rows,
                const ContactSolution &found,
                State                 &state);
 
-  /// Returns the closed constraints of @p state.
+  /// Returns the active gaps and slips of @p state as equations.
   ActiveConstraints
   active_equations(const GapConstraints &rows, const State &state);
 
-  /// Adds @p dlambda to the forces of @p state; slipping shear forces follow.
+  /// Adds the increments @p dlambda to the forces of @p state; the shear forces
+  /// of slipping constraints change with their normal forces.
   void
   add_forces(const GapConstraints    &rows,
              const ActiveConstraints &closed,
              const Vector            &dlambda,
              State                   &state);
 
-  /// Returns the friction error of the active row @p r in @p state [length]:
-  /// |v| if it sticks, |v + |v| e| if it slips along -e.
+  /// Returns the friction error of the active constraint @p r in @p state
+  /// [length]: |v| if it sticks, |v + |v| e| if it slips, with the direction e
+  /// of its shear force.
   double
   friction_error(const GapConstraint &row,
                  const unsigned int   r,
                  const State         &state,
                  const LoadFactor    &factor);
 
-  /// Ends the load step from @p before at @p factor by updating FrictionState.
+  /// Updates FrictionState at the end of the load step from @p before to
+  /// @p state at @p factor.
   void
   end_step(const GapConstraints &rows,
            const State          &before,
            const LoadFactor     &factor,
            State                &state);
 
-  /// Ends the load step of moving contacts; the next slips start at zero.
+  /// Updates FrictionState at the end of a load step of moving contacts, whose
+  /// slips are zero at the beginning of the next step.
   void
   end_moved_step(const GapConstraints &rows,
                  const State          &before,

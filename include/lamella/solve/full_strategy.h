@@ -8,34 +8,32 @@
 
 namespace lamella
 {
-  /**
-   * Newton's method of the paper on the displacements and contact forces of the
-   * whole scene. At (u, lambda) a row is active if
-   *   lambda - (g(u) + a lambda) / d > 0
-   * (semi-smooth Newton or primal-dual active set method; g < 0 for penalties,
-   * where d = a), and the step is
-   *   (K + K^p) du = r_u + B_A^T r_lambda / d,   K^p = B_A^T diag(1/d) B_A,
-   *   dlambda      = (r_lambda - B_A du) / d
-   * (Eqs. 22 and 23) with the residuals r_u and r_lambda = -(g(u) + a lambda)
-   * at the state. (Eq. 22 is in total form; residuals count the gaps once,
-   * whatever Eqs. 25 and 26 add on the right.) Each round factorizes the whole
-   * scene (PenaltyMatrix) and uses the previous forces as estimates.
-   * Globalization: tensile rows are deactivated; of the penetrating ones the
-   * worst are activated, at most eight or as many as are active. If an active
-   * set returns, the step is cut at the lowest energy along it. With friction:
-   * FrictionNewton.
-   */
+  /// Newton's method of the paper on the displacements and contact forces of
+  /// the whole scene. At (u, lambda) a constraint is active if
+  ///   lambda - (g(u) + a lambda) / d > 0
+  /// (semi-smooth Newton or primal-dual active set method; for penalties, where
+  /// d = a, this is g < 0), and the step is
+  ///   (K + K^p) du = r_u + B_A^T r_lambda / d,   K^p = B_A^T diag(1/d) B_A,
+  ///   dlambda      = (r_lambda - B_A du) / d
+  /// (Eqs. 22 and 23) with the rows B_A of the active constraints, the
+  /// numerical compliance d and the residuals r_u and r_lambda = -(g(u) + a
+  /// lambda) at the state. Each round factorizes the matrix of the whole scene
+  /// (PenaltyMatrix) and uses the previous forces as estimates. Globalization:
+  /// tensile constraints are deactivated; of the penetrating ones, those with
+  /// the deepest penetration are activated, at most eight or as many as are
+  /// active. If an active set occurs again, the step ends at the lowest energy
+  /// along it. FrictionNewton solves problems with friction.
   class FullStrategy : public ContactStrategy
   {
   public:
-    /// Assembles K of @p tangent_operator, which needs no solvers.
+    /// Assembles the stiffness of @p tangent_operator, which needs no solvers.
     FullStrategy(const TangentOperator &tangent_operator,
                  const GapConstraints  &rows);
 
     ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor) override;
 
-    /// Solves one system with K + K^p of the active rows.
+    /// Solves one linear system with K + K^p of the active constraints.
     void
     solve(const ActiveConstraints &closed,
           const BlockVector       &r_u,
@@ -43,7 +41,7 @@ namespace lamella
           BlockVector             &du,
           Vector                  &dlambda) override;
 
-    /// Returns the increase of the penalty, and the rows in the matrix pattern.
+    /// Returns the penalty factor, and the constraints in the matrix pattern.
     StrategyHistory
     memory() const override;
     void
@@ -62,7 +60,7 @@ namespace lamella
                                    "a softer penalty, the condensed strategy";
     }
 
-    /// Returns a warning on too hard penalties (PenaltyMatrix::warnings()).
+    /// Returns a warning if penalties are too hard (PenaltyMatrix::warnings()).
     std::vector<std::string>
     warnings() const override
     {
@@ -70,52 +68,54 @@ namespace lamella
     }
 
   private:
-    /// An iterate, relative to the state of the problem.
+    /// An iterate of Newton's method, relative to the state of the problem.
     struct Iterate
     {
-      /// Displacement increment, and K du from strains.
+      /// Displacement increment du, and K du computed from strains.
       BlockVector du, K_du;
-      /// Force of each row.
+      /// Force of each constraint.
       std::vector<double> force;
-      /// Active rows, ascending.
+      /// Active constraints, ascending.
       std::vector<unsigned int> active;
     };
 
-    /// Returns the forces and active rows to start from, undisplaced.
+    /// Returns the initial forces and active set, undisplaced.
     Iterate
     begin(const ContactProblem &problem) const;
-    /// Performs the Newton step on the active rows of @p at; others have no
-    /// force. Returns the largest change of a displacement.
+    /// Performs the Newton step with the active constraints of @p at; all
+    /// others have no force. Returns the largest change of a displacement.
     double
     step(const ContactProblem &problem, Iterate &at);
-    /// Returns d lambda - (g + a lambda) of each row [length]: d times the
-    /// positive force of its law, or the penetration -g for penalties.
+    /// Returns d lambda - (g + a lambda) of each constraint [length]: d times
+    /// its force if positive, or the penetration -g for penalties.
     std::vector<double>
     overlaps(const ContactProblem &problem, const Iterate &at) const;
-    /// Returns true if @p row is active and not tensile.
+    /// Returns true if constraint @p row is active and not tensile.
     static bool
     stays_active(const Iterate &at, const unsigned int row);
-    /// Returns tensile active rows, and inactive ones overlapping by @p closed.
+    /// Returns active constraints that are tensile, and inactive ones that
+    /// overlap by more than @p closed.
     static Round
     violating_rows(const Iterate             &at,
                    const std::vector<double> &overlap,
                    const double               closed);
-    /// Returns the next active set, ascending: the rows that stay, and the
-    /// worst that overlap by more than @p closed, eight or as many as active.
+    /// Returns the next active set, ascending: active constraints that are not
+    /// tensile, and those that overlap most and by more than @p closed, at most
+    /// eight or as many as are active.
     static std::vector<unsigned int>
     next_active_set(const Iterate             &at,
                     const std::vector<double> &overlap,
                     const double               closed);
-    /// Returns the point at @p t between @p from and @p to with its forces.
+    /// Returns the iterate at the fraction @p t from @p from to @p to.
     Iterate
     interpolate_iterate(const ContactProblem &problem,
                         const Iterate        &from,
                         const Iterate        &to,
                         const double          t) const;
-    /// Returns the minimum of the convex energy between @p from and @p to,
-    /// whose active set was there before, where the forces do no more work, by
-    /// bisection to 1 % of the initial work. The energy falls, so no set
-    /// returns forever.
+    /// Returns the minimum of the convex energy along the step from @p from to
+    /// @p to, by bisection to 1 % of the initial work. Used if the active set
+    /// of @p to occurred before. The energy decreases, so no set recurs
+    /// forever.
     Iterate
     energy_minimum(const ContactProblem &problem,
                    const Iterate        &from,

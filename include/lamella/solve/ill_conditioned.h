@@ -7,8 +7,9 @@
 
 namespace lamella
 {
-  /// Exception: a problem that double precision cannot solve, such as an
-  /// indefinite stiffness or unbalanced forces. Other fields may succeed.
+  /// Exception: a problem that cannot be solved in double precision, such as an
+  /// indefinite stiffness or unbalanced forces. Another choice of expansion
+  /// functions may succeed.
   class IllConditioned : public NumericsError
   {
   public:

@@ -13,42 +13,44 @@
 
 namespace lamella
 {
-  /// Kuhn-Tucker conditions (Eq. 18) and resultants of one contact at the end
-  /// of a load step, row by row,
+  /// Residuals of the Kuhn-Tucker conditions (Eq. 18) and resultants of one
+  /// contact at the end of a load step. The conditions of each constraint are
   ///   g >= 0,  lambda >= 0,  g lambda = 0   (for penalty with g + lambda / eps
   ///                                          in the place of g).
   /// lambda is positive in compression, where p_N of Eq. 18 is negative.
   struct KktResidual
   {
-    /// Number of rows with a force.
+    /// Number of constraints with a force.
     unsigned int active = 0;
-    /// Resultant on the second side, and its moment about the origin, as work
-    /// on the rigid motions of a body, hence exact for all kinds of rows.
+    /// Resultant contact force on the second side, and its moment about the
+    /// scene origin, from the work on the rigid motions of a body: exact for
+    /// all discretizations.
     dealii::Tensor<1, 3> force, moment;
-    /// Contribution of each row; they sum to the resultant up to rounding.
+    /// Contributions of the constraints, which sum to the resultant.
     std::vector<Wrench> of_rows;
-    /// Point on the line of action, nearest to the mean of the active points.
+    /// Point on the line of action nearest to the mean of the active points.
     dealii::Point<3> center_of_pressure;
-    /// |sum of the forces on both bodies| over the sum of row forces, rounding.
+    /// |sum of the forces on both bodies| over the sum of forces: rounding.
     double imbalance = 0.;
-    /// Largest -g, zero without penetration; F / eps by design for penalty.
+    /// Largest penetration -g; zero without penetration. For penalty,
+    /// penetration is F / eps by design.
     double max_penetration = 0.;
-    /// Smallest force of an active row, not negative; zero without any.
+    /// Smallest force of an active constraint; zero if none is active.
     double min_force = 0.;
-    /// Largest lambda max(0, g) [energy]: zero.
+    /// Largest lambda max(0, g) [energy], zero if the conditions are satisfied.
     double complementarity = 0.;
-    /// Largest |g + a lambda| of active rows, -g of others [length], a = 1/eps
-    /// for penalty, else zero.
+    /// Largest |g + a lambda| of active constraints and -g of inactive ones
+    /// [length], with a = 1/eps for penalty, else zero.
     double law_error = 0.;
-    /// Difference between the initial gaps of active rows and those of their
-    /// points: curvature that the mesh does not resolve.
+    /// Difference between the initial weighted gaps of active constraints and
+    /// the gaps at their points: curvature that the mesh does not resolve.
     double unresolved_curvature = 0.;
-    /// Friction: resultant on the second side; areas of sticking and slipping
-    /// rows [length^2]; dissipated energy.
+    /// Friction: resultant shear force on the second side; areas of sticking
+    /// and slipping constraints [length^2]; dissipated energy.
     dealii::Tensor<1, 3> shear;
     double               sticking = 0., slipping = 0., dissipated = 0.;
-    /// Largest of law error over displacement, tension over force and
-    /// complementarity over both.
+    /// Largest relative violation: law error over displacement, tension over
+    /// force, complementarity over both.
     double violation = 0.;
   };
 
@@ -56,7 +58,7 @@ namespace lamella
   void
   add_resultants(KktResidual &whole, const KktResidual &part);
 
-  /// Views of the row forces of one contact in a state.
+  /// Views of the forces of one contact in a state, by its constraints.
   struct ConstraintForces
   {
     /// Views contact number @p contact of @p rows in @p state.
@@ -64,7 +66,8 @@ namespace lamella
                      const unsigned int    contact,
                      const State          &state);
 
-    /// Returns lambda_t of row @p k on the second side; zero without friction.
+    /// Returns the shear force lambda_t of constraint @p k on the second side;
+    /// zero without friction.
     dealii::Tensor<1, 3>
     shear_of(const unsigned int k) const
     {
@@ -79,13 +82,14 @@ namespace lamella
 
     dealii::ArrayView<const double>               normal;
     dealii::ArrayView<const dealii::Tensor<1, 3>> shear, direction;
-    /// FrictionState::length and dissipated.
+    /// Views of FrictionState::length and dissipated.
     dealii::ArrayView<const double> length, dissipated;
   };
 
-  /// Checks the contact law of @p contact with @p forces at the displacements
-  /// @p u and load factor @p factor. Adds the forces to those @p on_body of
-  /// every body. The largest @p displacement is the reference of gaps.
+  /// Returns the residuals of the contact law of @p contact with @p forces at
+  /// the displacements @p u and load factor @p factor. Adds the contact forces
+  /// to @p on_body, one entry per body. Gaps are relative to the largest
+  /// displacement @p displacement.
   KktResidual
   check_contact(const ContactInterface  &contact,
                 const ConstraintForces  &forces,

@@ -9,12 +9,12 @@
 namespace lamella
 {
   /// Load step with finite rotations: Newton's method with moving contacts, and
-  /// checks in the current configuration. A step that fails is divided.
+  /// checks in the current configuration. A step that fails is bisected.
   class LargeStep : public Step
   {
   public:
-    /// Refers to all arguments. @p progress reports iterations, @p monitor
-    /// factorizations of a scene with @p n_supports.
+    /// Keeps references to all arguments except @p n_supports, the number of
+    /// supports. @p progress reports iterations, @p monitor factorizations.
     LargeStep(const Structure                    &structure,
               const MovingContacts               &contacts,
               const unsigned int                  n_supports,
@@ -38,7 +38,8 @@ namespace lamella
     resume_from(const State &last, const LoadFactor &factor) override;
 
   private:
-    /// Returns the start of the path from @p before, at @p from, to @p to.
+    /// Returns the initial state of Newton's method on the way from @p before,
+    /// at load factor @p from, to @p to.
     Equilibrium
     make_start(const State      &before,
                const LoadFactor &from,
@@ -46,7 +47,7 @@ namespace lamella
 
     const Structure &structure;
     Newton           newton;
-    /// Displacements of the last state, to which the rows belong.
+    /// Displacements of the last state, at which the contact constraints are.
     BlockVector            reached;
     const unsigned int     n_supports;
     const SolveParameters &parameters;

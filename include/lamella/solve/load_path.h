@@ -18,45 +18,46 @@
 
 namespace lamella
 {
-  /// Result of a load step: a checked state.
+  /// Result of a load step: the state at its end, with its checks.
   struct SolvedStep
   {
     /// Load factor t, which multiplies loads and prescribed displacements.
     LoadFactor load_factor;
     State      state;
     Checks     checks;
-    /// Number of substeps; automatic ones with the last change (change_of()).
+    /// Number of substeps; for automatic substeps also the change_of() the
+    /// results in the last refinement.
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
-    /// Number of bisections on the way.
+    /// Number of bisections in this load step.
     unsigned int cuts = 0;
   };
 
-  /**
-   * Returns the distance of @p one from @p other, two solutions from @p before
-   * to the same load factor: the largest relative difference of the forces of
-   * supports and contacts, the friction forces alone, the displacements, and
-   * the dissipated energy. Each is relative to the largest of its kind,
-   * friction to at least a hundredth of the largest force or of the strain
-   * energy. The largest force @p before_force and displacement of @p before
-   * count too, as after unloading little is left.
-   */
+  /// Returns the distance between @p one and @p other, two solutions at the
+  /// same load factor that start from @p before: the largest relative
+  /// difference of support and contact forces, friction forces alone,
+  /// displacements, and dissipated energy. Each is relative to the largest
+  /// value of its kind, friction to at least a hundredth of the largest force
+  /// or of the strain energy. Reference values include the largest force
+  /// @p before_force and displacement of @p before, since little of them may be
+  /// left after unloading.
   double
   change_of(const SolvedStep &one,
             const SolvedStep &other,
             const State      &before,
             const double      before_force = 0.);
 
-  /// Interface of a load step, from a state to the checked state at a load
-  /// factor, independent of the kinematics. Collective.
+  /// Interface of the solution of one load step, from a state to a checked
+  /// state at another load factor, independent of the kinematics. Collective.
   class Step
   {
   public:
     virtual ~Step() = default;
 
-    /// Solves from @p before (empty if none), at the factors @p from, to @p to.
-    /// Throws NumericsError without a reliable solution. Only the @p last
-    /// substep of a load step is checked for large deflections.
+    /// Solves from the state @p before (empty if none), at the load factor
+    /// @p from, to the load factor @p to. Throws NumericsError if no reliable
+    /// solution is found. Large deflections are checked only in the @p last
+    /// substep of a load step.
     virtual SolvedStep
     operator()(const State      &before,
                const LoadFactor &from,
@@ -69,22 +70,21 @@ namespace lamella
           const LoadFactor &factor,
           const bool        last = true) = 0;
 
-    /// Continues from @p last, a state at @p factor from another run.
+    /// Continues from the state @p last at load factor @p factor of another
+    /// run. This default implementation does nothing.
     virtual void
     resume_from(const State &, const LoadFactor &)
     {}
   };
 
-  /**
-   * Load step of linear kinematics:
-   *   1. the linear solution without contact (ContactSolver::solve_free()),
-   *   2. the solution with contact, starting from the previous active set, and
-   *      the release of stabilizing springs,
-   *   3. checks, which throw if the state is not reliable, or if the search
-   *      distance of a contact was too short.
-   * Without friction the previous state affects the number of rounds only.
-   * Refers to all constructor arguments; `timer` counts seconds by Phase.
-   */
+  /// Load step of linear kinematics:
+  ///   1. the linear solution without contact (ContactSolver::solve_free()),
+  ///   2. the solution with contact, starting from the previous active set, and
+  ///      the release of stabilizing springs,
+  ///   3. checks, which throw if the state is not reliable, or if the search
+  ///      distance of a contact was too short.
+  /// Without friction, the previous state affects the number of rounds only.
+  /// Keeps references to all arguments; `timer` measures each Phase.
   class LinearStep : public Step
   {
   public:
@@ -119,37 +119,38 @@ namespace lamella
     dealii::TimerOutput                 &timer;
   };
 
-  /// Sequence of the load factors of a scene, and the progress along it. Each
-  /// step starts from the previous state. Branches end at other factors, within
-  /// a step or beyond the last one; they do not affect the path.
+  /// Sequence of the load steps of a scene, each of which starts from the state
+  /// of the previous one. Branches are additional solutions at other load
+  /// factors, within a step or beyond the last; the sequence ignores them.
   class LoadPath
   {
   public:
-    /// Additional distance between two results, beside change_of().
+    /// Additional distance between two solutions that start from @p before,
+    /// used together with change_of().
     using ChangeMeasure = std::function<double(const SolvedStep &one,
                                                const SolvedStep &other,
                                                const State      &before)>;
 
-    /// Starts unloaded with the load @p factors, each reached in @p substeps.
-    /// @p branches enables the storage of states for branches.
+    /// Starts unloaded. Each of the load @p factors is reached in @p substeps.
+    /// If @p branches, states are stored, from which branches start.
     LoadPath(std::shared_ptr<Step>          step,
              const std::vector<LoadFactor> &factors,
              const Substeps                &substeps = {},
              const bool                     branches = false);
 
-    /// Adds @p more as a criterion for automatic substeps.
+    /// Adds @p more as a criterion for the number of automatic substeps.
     void
     watch(ChangeMeasure more)
     {
       change_measure = std::move(more);
     }
 
-    /// Resumes after the first @p n_done >= 1 steps, the last of which gave @p
-    /// last.
+    /// Resumes after the first @p n_done >= 1 steps with @p last, the state at
+    /// the end of the last of these steps.
     void
     resume(const unsigned int n_done, State last);
 
-    /// Returns the number of completed steps.
+    /// Returns the number of completed load steps.
     unsigned int
     n_done() const
     {
@@ -160,32 +161,32 @@ namespace lamella
     {
       return done < factors.size();
     }
-    /// Returns the load factor of the next step.
+    /// Returns the load factor of the next load step.
     const LoadFactor &
     next_factor() const
     {
       return factors[done];
     }
-    /// Returns the state of the last completed step; empty before the first.
+    /// Returns the state of the last completed step; initially empty.
     const State &
     state() const
     {
       return last;
     }
 
-    /// Performs the next step. If it throws (Step), the path is unchanged.
+    /// Performs the next load step. If Step throws, this object is unchanged.
     SolvedStep
     advance();
 
-    /// Returns and stores the state at @p factor on the way of step @p
-    /// load_step, or beyond the last step. Starts from the nearest stored
-    /// state, or with friction from the nearest one already passed, with as
-    /// many substeps as a step. States missing after a resume are solved for
-    /// again.
+    /// Returns and stores the state at the load factor @p factor within load
+    /// step @p load_step, or beyond the last step. Starts from the nearest
+    /// stored state, or with friction from the nearest one that precedes it on
+    /// the load path, with as many substeps as a load step. States missing
+    /// after a resume are solved for again.
     SolvedStep
     branch(const double factor, const unsigned int load_step);
 
-    /// Returns the checks of the last completed step, evaluated again.
+    /// Returns the checks of the last completed load step, evaluated again.
     Checks
     check_again() const
     {
@@ -193,19 +194,21 @@ namespace lamella
     }
 
   private:
-    /// Solves from @p before, at @p from, to @p to in @p n substeps.
+    /// Solves from @p before, at load @p from, to @p to in @p n substeps.
     SolvedStep
     solve_substeps(const State       &before,
                    const LoadFactor  &from,
                    const LoadFactor  &to,
                    const unsigned int n) const;
-    /// Solves from @p before, at @p from, to @p to in the requested substeps.
+    /// Solves from @p before, at load factor @p from, to @p to in the number of
+    /// substeps of the scene, fixed or automatic.
     SolvedStep
     solve_requested_substeps(const State      &before,
                              const LoadFactor &from,
                              const LoadFactor &to) const;
 
-    /// Stored state from which branches start: its factor and first step.
+    /// Stored state from which branches start: its load factor, and the first
+    /// load step that contains it.
     struct StoredState
     {
       double       factor    = 0.;
@@ -213,18 +216,19 @@ namespace lamella
       State        state;
     };
 
-    /// Stores @p state if branches are enabled and it is the first.
+    /// Stores @p state for branches, if enabled and the first at its factor.
     void
     store(const double       factor,
           const unsigned int load_step,
           const State       &state);
-    /// Returns the stored state nearest to @p factor, the newer of two.
+    /// Returns the stored state nearest to @p factor; of two, the later stored.
     StoredState
     nearest(const double factor) const;
-    /// Returns the nearest stored state that step @p load_step has passed.
+    /// Returns the stored state nearest to @p factor that precedes it in load
+    /// step @p load_step.
     StoredState
     nearest_passed(const double factor, const unsigned int load_step);
-    /// Returns the state at the end of step @p load_step.
+    /// Returns the state at the end of load step @p load_step.
     StoredState
     end_of(const unsigned int load_step);
 
@@ -235,7 +239,7 @@ namespace lamella
     ChangeMeasure                 change_measure;
     unsigned int                  done = 0;
     State                         last;
-    /// Largest force of supports and contacts in the last state.
+    /// Largest force of supports and contacts in the state `last`.
     double last_force = 0.;
 
     std::vector<StoredState> stored;

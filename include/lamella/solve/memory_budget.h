@@ -10,36 +10,37 @@
 namespace lamella
 {
   /// Estimate of the memory of matrices before assembly and of factors before
-  /// factorization. Throws an InputError on all processes if it exceeds the
-  /// limit. A matrix takes 24 bytes per nonzero (value, column, initial
-  /// pattern, and the half in the format of the solver), shared evenly by the
-  /// processes; a factor takes the size of its symbolic analysis. Sums over the
-  /// processes of a machine are compared with its free memory. Collective.
+  /// factorization, compared with the free memory of the machine or a limit.
+  /// Throws InputError on all processes if the memory is insufficient. A matrix
+  /// takes 24 bytes per nonzero (value, column, initial pattern, and the half
+  /// in the format of the solver), distributed evenly over the processes; the
+  /// size of a factor follows from its symbolic analysis. The memory of all
+  /// processes on a machine is summed. Collective.
   class MemoryBudget
   {
   public:
-    /// Sets @p limit bytes per machine, or the available memory if it is 0.
+    /// Sets the limit of bytes per machine; 0 for the available memory.
     explicit MemoryBudget(const double limit = 0.);
 
-    /// Returns a text on the matrices of @p structure: DoFs, nonzeros,
-    /// gigabytes. Throws InputError if they do not fit.
+    /// Returns a message with the DoFs, nonzeros and gigabytes of the matrices
+    /// of @p structure. Throws InputError if memory is insufficient.
     std::string
     check_matrix_memory(const Structure &structure) const;
 
-    /// Returns a text on the factor of @p body, @p size bytes on this process.
-    /// Throws InputError if it does not fit.
+    /// Returns a message on the factor of @p body, of @p size bytes on this
+    /// process. Throws InputError if memory is insufficient.
     std::string
     check_factor_memory(const Body &body, const FactorSize &size) const;
 
   private:
-    /// Throws InputError if the processes of a machine lack @p bytes each, with
-    /// @p what first and @p remedy last.
+    /// Throws InputError if a machine has less than @p bytes for each of its
+    /// processes. The message begins with @p what and ends with @p remedy.
     void
     require(const double       bytes,
             const std::string &what,
             const std::string &remedy) const;
 
-    /// Bytes per machine for the whole run; 0: no limit given.
+    /// Limit in bytes per machine for the whole run; 0 if there is none.
     double limit;
   };
 } // namespace lamella

@@ -14,8 +14,8 @@
 
 namespace lamella
 {
-  /// Transfer of contact forces and friction variables to rows paired anew, by
-  /// the position of a point on the slave body, per contact.
+  /// Transfer of contact forces and friction variables to the constraints of a
+  /// new pairing, by the position of the contact point on the slave body.
   class MultiplierTransfer
   {
   public:
@@ -23,31 +23,31 @@ namespace lamella
     MultiplierTransfer(const std::vector<ContactInterface> &contacts,
                        const State                         &state);
 
-    /// Assigns the stored values to the rows of @p contacts in @p state.
+    /// Sets forces and friction of @p state for the rows of @p contacts.
     void
     transfer_to(const std::vector<ContactInterface> &contacts,
                 State                               &state) const;
 
   private:
-    /// Contact, cell, and position in the cell.
+    /// Contact number, cell number, and position in the cell.
     using Key = std::array<double, 5>;
     static Key
     key(const unsigned int c, const ContactInterface::Point &point);
 
-    /// Force of a row, and its part of FrictionState.
+    /// Force of a constraint, and its entries in FrictionState.
     struct StoredMultiplier
     {
       double               force = 0.;
       dealii::Tensor<1, 3> shear, direction, before;
       double               length = 0., dissipated = 0.;
     };
-    /// Adds the dissipation of rows that are no longer in @p contacts to the
-    /// first row of their contact.
+    /// Adds the dissipated energy of constraints that are no longer in
+    /// @p contacts to the first constraint of their contact.
     void
     preserve_dissipation(const std::vector<ContactInterface> &contacts,
                          FrictionState                       &of) const;
 
-    /// Stored rows: all with friction in any contact, else those with a force.
+    /// Stored constraints: with friction all, else those with a force.
     std::map<Key, StoredMultiplier> places;
   };
 
@@ -58,8 +58,8 @@ namespace lamella
     bool         of_second;
   };
 
-  /// Exception: ends of bodies press in automatic contacts that have no
-  /// constraints at the nodes there. More load steps do not help.
+  /// Exception: body ends penetrate in contacts with the discretization `auto`
+  /// and without constraints at end nodes. More load steps do not help.
   struct MissingEnds : public std::runtime_error
   {
     MissingEnds(const std::string &message, std::vector<EndInContact> ends)
@@ -70,10 +70,11 @@ namespace lamella
     std::vector<EndInContact> ends;
   };
 
-  /// Contacts with finite motion: gap rows move with the surfaces, and surfaces
-  /// are paired anew when they come to face each other. With friction, slips
-  /// are measured from the beginning of the step, and shear forces rotate with
-  /// the frames of their rows. Modifies the lists of the scene (Contact).
+  /// All contacts of a scene at finite motion: gap constraints are updated to
+  /// the displacements, and surfaces are paired anew when they approach each
+  /// other. With friction, slips are measured from the beginning of the load
+  /// step, and shear forces rotate with the tangents of their constraints.
+  /// Modifies the lists of constraints in the scene (Contact).
   class MovingContacts
   {
   public:
@@ -86,7 +87,7 @@ namespace lamella
       return contact_objects.empty();
     }
 
-    /// Returns the interfaces, with the rows of the last move().
+    /// Returns the contacts with the constraints of the last move().
     const std::vector<ContactInterface> &
     interfaces() const
     {
@@ -98,8 +99,8 @@ namespace lamella
       return numbered;
     }
 
-    /// Returns the history of each contact, or restores it
-    /// (Contact::restore()).
+    /// Returns the history of each contact; restore() restores the contacts
+    /// from it (Contact::restore()).
     std::vector<ContactHistory>
     memory() const;
     void
@@ -107,52 +108,54 @@ namespace lamella
             const BlockVector                 &u,
             const LoadFactor                  &factor);
 
-    /// Moves the rows to @p state at @p factor (Contact::move()). An active
-    /// constraint whose projection leaves the other surface, past an end or
-    /// through it, is deactivated if that end has its own constraints (`edge to
-    /// surface`). Otherwise throws MissingEnds if automatic, else
-    /// NumericsError.
+    /// Updates the constraints to @p state at @p factor (Contact::move()). An
+    /// active constraint whose projection leaves the other surface, past an end
+    /// or through it, is deactivated if that end has its own constraints (`edge
+    /// to surface`). Otherwise throws MissingEnds if the contact is automatic,
+    /// else NumericsError.
     void
     move(State &state, const LoadFactor &factor);
 
-    /// Begins a step in @p state at @p factor and clears reason_of_loss().
+    /// Begins a load step in @p state at @p factor and clears reason_of_loss().
     void
     begin_step(State &state, const LoadFactor &factor);
 
     /// Returns a sentence on why a contact was lost since begin_step(), or
-    /// would be without replacements of deactivated constraints; else empty.
+    /// would be if deactivated constraints have no replacement.
     const std::string &
     reason_of_loss() const
     {
       return lost;
     }
 
-    /// Adds B^T lambda of the forces of @p state to @p f.
+    /// Adds the contact forces B^T lambda of @p state to @p f.
     void
     add_forces(const State &state, BlockVector &f) const;
 
-    /// Adds B^T lambda of @p state with its active rows moved to @p u; the
-    /// stored rows are unchanged. Returns true if all have a projection there.
+    /// Adds the contact forces B^T lambda of @p state to @p f, with its active
+    /// constraints at the displacements @p u and load factor @p factor. The
+    /// stored constraints are unchanged. Returns true if all are projected.
     bool
     add_forces_at(const State       &state,
                   const BlockVector &u,
                   const LoadFactor  &factor,
                   BlockVector       &f) const;
 
-    /// Returns the largest of |g + a lambda| of active rows of @p state, -g of
-    /// all others, and friction_error() at @p factor [length].
+    /// Returns the error of the contact law in @p state at @p factor [length]:
+    /// the largest |g + a lambda| of active constraints, -g of others, and
+    /// friction_error().
     double
     law_error(const State &state, const LoadFactor &factor) const;
 
-    /// Pairs contacts anew whose surfaces close without a row in @p state at @p
-    /// factor, and transfers the forces. Returns true if there were any. Throws
-    /// NumericsError if nothing is paired.
+    /// Pairs those contacts anew whose surfaces touch without a constraint in
+    /// @p state at @p factor, and transfers the forces. Returns true if there
+    /// were any. Throws NumericsError if no points face each other.
     bool
     find_loads(State &state, const LoadFactor &factor);
 
-    /// Throws NumericsError if between @p before at @p from and @p state at @p
-    /// to a body passed through a roller, or if constraints were deactivated
-    /// and none between their bodies has a force.
+    /// Throws NumericsError if a body passed through a roller between the
+    /// states @p before at @p from and @p state at @p to, or if constraints
+    /// were deactivated and no other one of the same bodies has a force.
     void
     check_kept(const BlockVector &before,
                const LoadFactor  &from,
@@ -160,19 +163,19 @@ namespace lamella
                const LoadFactor  &to);
 
   private:
-    /// Moves the rows to @p state, without rotating the shear forces.
+    /// Updates the constraints to @p state, without rotating the shear forces.
     void
     move_rows(State &state, const LoadFactor &factor);
-    /// Throws NumericsError: @p how contact @p c was lost.
+    /// Throws NumericsError: contact @p c was lost; @p how describes the cause.
     [[noreturn]] void
     lose(const unsigned int c, const std::string &how);
-    /// Throws MissingEnds or NumericsError: a constraint of @p c is lost.
+    /// Throws MissingEnds or NumericsError: no projection in contact @p c.
     [[noreturn]] void
     release_facing(const unsigned int c);
-    /// Returns true if another contact has rows for ends that face @p c.
+    /// Returns true if another contact constrains the ends in contact @p c.
     bool
     ends_have_constraints(const unsigned int c) const;
-    /// Returns true if a row between the bodies of contact @p c is active.
+    /// Returns true if the bodies of contact @p c have a contact force.
     bool
     has_contact_force(const unsigned int c, const State &state) const;
     /// Pairs contact @p c anew.
@@ -182,7 +185,7 @@ namespace lamella
     const std::vector<ContactInterface> &all;
     const Contacts                      &contact_objects;
     GapConstraints                       numbered;
-    /// Contacts with a deactivated row, and reason_of_loss().
+    /// Contacts with a deactivated constraint, and reason_of_loss().
     std::set<unsigned int> release;
     std::string            lost;
   };

@@ -16,90 +16,96 @@
 
 namespace lamella
 {
-  /// Tolerances, limits and remedies of Newton's method.
+  /// Tolerances, limits and fallback options of Newton's method.
   struct NewtonParameters
   {
     unsigned int max_iterations = 30;
-    /// Tolerance of equilibrium: unbalanced forces over internal or loads.
+    /// Relative tolerance of equilibrium: unbalanced forces over internal
+    /// forces or loads.
     double force_tolerance = arithmetic::rounding_of_solutions;
-    /// Limits for slender bodies, whose forces have a rounding of about (L /
-    /// h)^3 1e-16. Below `stagnation_level`, two iterations that leave more
-    /// than `stall_ratio` of the residual end it; below `near_equilibrium`, a
-    /// correction of at most `negligible_correction` of the scene's size.
+    /// Criteria for slender bodies, whose forces have a rounding error of about
+    /// (L / h)^3 1e-16 (length L, thickness h). Below the relative residual
+    /// `stagnation_level`, iterations end if two of them leave more than
+    /// `stall_ratio` of the residual; below `near_equilibrium`, if a correction
+    /// is at most `negligible_correction` times the scene size.
     double stagnation_level = arithmetic::same_value, stall_ratio = 0.5,
            near_equilibrium      = 1e-3,
            negligible_correction = arithmetic::same_position;
-    /// Residual growth over the step's start that is a failure; below `nothing`
-    /// of that start, forces are rounding.
+    /// Growth of the residual over that at the beginning of the step that
+    /// counts as divergence. Forces below `nothing` times it are rounding.
     double divergence_ratio = 1e12, nothing = arithmetic::rounding_of_sums;
     /// Tolerance of the contact law: the larger of `law` times the largest
-    /// displacement and `touching` times the scene's size; forces of lower
-    /// accuracy end it below `stagnation_level` of the displacement.
+    /// displacement and `touching` times the size of the scene. If forces are
+    /// inaccurate, `stagnation_level` times the displacement.
     double law = arithmetic::negligible, touching = arithmetic::rounding;
-    /// Relative step of differences in Newton::rotation_of_constraints(), and
-    /// share of a correction that ends its iteration, within a limit.
+    /// Relative step of finite differences in
+    /// Newton::rotation_of_constraints(); relative tolerance and maximum number
+    /// of its iterations.
     double       difference = arithmetic::same_value, rotation_tolerance = 1e-3;
     unsigned int max_rotation_corrections = 20;
-    /// Largest factor between corrections without and with stabilizing springs.
+    /// Largest ratio of corrections without and with stabilizing springs.
     double max_spring_influence = 10.;
-    /// Correction over the scene's size that is small if springs determine it.
+    /// Correction over the size of the scene that counts as converged if
+    /// springs determine the correction.
     double converged_change = 1e-7;
     /// A motion against springs is unstable if its stiffness is below minus
-    /// this share of the contact force over the size of the scene.
+    /// this factor times the contact force over the size of the scene.
     double instability_share = 0.2;
-    /// Limit of the new pairings in a step.
+    /// Maximum number of new pairings in a load step.
     unsigned int max_pairings = 3;
-    /// Last correction over the step's increment that needs no check of K.
+    /// If the last correction is below this fraction of the step's increment,
+    /// the tangent at the solution is not checked again.
     double converged_step = 0.01;
-    /// Largest rotation of an iteration [rad]; longer ones are shortened.
+    /// Largest rotation in an iteration [rad]; larger ones are shortened.
     double spin = 1.;
-    /// Limit of the bisections of a step.
+    /// Maximum number of bisections of a load step.
     unsigned int max_bisections = 6;
-    /// Largest rotation of a support in a step [rad], below a revolution.
+    /// Largest rotation of a support in one step [rad], below a revolution.
     double rotation = 2.;
   };
 
-  /// Equilibrium state with finite rotations and its contact forces.
+  /// Equilibrium state at finite rotations, with its contact forces and errors.
   struct Equilibrium
   {
-    /// State; its iterations include those of failed attempts on the way.
+    /// State; its iterations include those of failed attempts.
     State      state;
     LoadFactor factor;
-    /// Number of bisections on the way.
+    /// Number of bisections of the load step.
     unsigned int cuts = 0;
-    /// Unbalanced forces over internal ones or loads, violation of the law.
+    /// Unbalanced forces over internal forces or loads, and error of the
+    /// contact law [length].
     double residual = 0., law_error = 0.;
-    /// Last correction if all forces are rounding (moved by supports), else 0.
+    /// Last correction if all forces are rounding (support motion), else 0.
     double rounding = 0.;
   };
 
   /**
-   * Newton's method for structures with nonlinear internal forces,
+   * Newton's method for structures with nonlinear internal forces and contact,
    *   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
-   * with the contact law of the current gaps g(u, t) >= 0 and their gradient B,
-   * from one load factor to the next.
+   * from one load factor t to the next, with the contact law of the current
+   * gaps g(u, t) >= 0, their gradient B, the free DoFs v and prescribed
+   * displacements u_p.
    *
-   * Each iteration linearizes the forces with the tangent K and the gaps with
-   * B, and solves the resulting contact problem by the strategy of linear
-   * bodies (ContactStrategy::solve()), with total contact forces. K omits the
-   * rotation of B under contact forces. The first iteration applies support
-   * motion as forces K du_p, since a prescribed motion alone would tear the
-   * elements at the support. Obstacles move along the initial normals.
+   * Each iteration linearizes forces (tangent K) and gaps (B), and solves the
+   * resulting contact problem for the total contact forces as for linear
+   * bodies (ContactStrategy::solve()). K omits the derivative of B. The first
+   * iteration applies support motion as forces K du_p, since otherwise only
+   * elements at supports would deform. Obstacles move along initial normals.
    *
    * The geometric part of K uses the stress predicted by the last correction
-   * (FiniteStrainSectionOperator): 7 instead of 17 iterations in a cantilever
-   * that rolls up in one step. If a step fails, it is repeated with the actual
-   * stress, then in halves. Stabilizing springs contribute to K only: they have
-   * no force at the iterate, and limit corrections of motions that only contact
-   * restrains.
+   * (FiniteStrainSectionOperator): a cantilever that rolls up in one step
+   * takes 7 instead of 17 iterations. If a step fails, it is repeated with the
+   * actual stress, then bisected. Stabilizing springs contribute to K only:
+   * they have no force at the iterate, and limit corrections of motions that
+   * only contact restrains.
    *
    * Iterations end if forces balance, gaps satisfy the law, and no unpaired
-   * surfaces are in contact; otherwise these are paired anew. The Cholesky
-   * factor of K then proves a minimum of the energy. (Couples have no energy
-   * except in their plane; a positive definite symmetric part of K is
-   * sufficient for stability.) For bodies supported by an obstacle only, K with
-   * ActiveConstraintShift takes its place. Refers to structure and contacts.
-   * Collective.
+   * surfaces are in contact; unpaired surfaces in contact are paired anew. The
+   * Cholesky factor of K then proves a minimum of the energy. (Couples have an
+   * energy in plane motion only; a positive definite symmetric part of K is
+   * sufficient for stability.) For bodies supported by an obstacle only, K is
+   * regularized by ActiveConstraintShift. Keeps references to structure and
+   * contacts. Collective.
    */
   class Newton
   {
@@ -112,7 +118,7 @@ namespace lamella
                     const SolverKind        requested  = SolverKind::automatic,
                     const NewtonParameters &parameters = NewtonParameters());
 
-    /// Creates a solver with @p contacts, whose rows stay at the last state.
+    /// Creates a solver with @p contacts, which are left at the last state.
     Newton(const Structure        &structure,
            const MovingContacts   &contacts,
            const SolverKind        requested,
@@ -123,20 +129,21 @@ namespace lamella
     /// Callbacks of each factorization.
     TangentOperator::BodyMonitor monitor;
 
-    /// Returns the unloaded state of a path to @p factor.
+    /// Returns the unloaded state that begins a path to @p factor.
     Equilibrium
     unloaded(const LoadFactor &factor = 1.) const;
 
-    /// Restores the contacts of @p state at @p factor.
+    /// Restores the contacts of @p state at load factor @p factor.
     void
     restore(const State &state, const LoadFactor &factor)
     {
       contacts.restore(state.pairings, state.u, factor);
     }
 
-    /// Returns the equilibrium at load factor @p to, from @p start, the state
-    /// of the current rows. Throws NumericsError with the last factor reached
-    /// if it fails in 2^max_bisections parts.
+    /// Returns the equilibrium at load factor @p to, starting from @p start,
+    /// the state at which the contact constraints are. If it fails with
+    /// 2^max_bisections substeps, throws NumericsError with the last load
+    /// factor reached.
     Equilibrium
     advance(const Equilibrium &start, const LoadFactor &to);
 
@@ -148,7 +155,7 @@ namespace lamella
     }
 
   private:
-    /// Start of a step: support motion, unbalanced forces, reference force.
+    /// Start of a step: support motion, unbalanced and reference forces.
     struct StepStart
     {
       BlockVector moved, r;
@@ -161,26 +168,28 @@ namespace lamella
     double
     largest_rotation(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Updates the friction history at the end of a step, which @p began with
-    /// these forces, to @p state at @p to.
+    /// Updates the friction history at the end of a step to @p state at load
+    /// factor @p to; @p began are the forces at its beginning.
     void
     update_friction(const MultiplierTransfer &began,
                     const LoadFactor         &to,
                     State                    &state) const;
 
-    /// Performs one step with the forces @p transfer, with predicted stresses
-    /// if @p predicted. Returns true on convergence; @p at counts iterations.
+    /// Performs one step from @p at to load factor @p to, with the contact
+    /// forces @p transfer at its beginning and, if @p predicted, with predicted
+    /// stresses. Returns true on convergence; counts iterations in @p at.
     bool
     step(const LoadFactor         &to,
          const MultiplierTransfer &transfer,
          const bool                predicted,
          Equilibrium              &at);
 
-    /// Tries step() with and without prediction; counts iterations in @p at.
+    /// Calls step() with, then without prediction; counts iterations in @p at.
     bool
     attempt(const LoadFactor &to, Equilibrium &at);
 
-    /// Result of an iteration: increment, regularization, unstable friction.
+    /// Result of an iteration: displacement increment, whether
+    /// ActiveConstraintShift was used, and whether friction is unstable.
     struct Correction
     {
       BlockVector du;
@@ -189,7 +198,8 @@ namespace lamella
 
     /// Performs one iteration: adds to @p state the correction due to the
     /// unbalanced forces @p r, with the support motion @p moved and the contact
-    /// constraints, and returns it. The last @p correction predicts stresses.
+    /// constraints, and returns it. The previous @p correction serves to
+    /// predict stresses.
     Correction
     correct(const BlockVector &r,
             const BlockVector &moved,
@@ -197,62 +207,64 @@ namespace lamella
             const LoadFactor  &to,
             State             &state) const;
 
-    /// Regularization of an indefinite tangent: active constraints, or springs
-    /// scaled by `regularization_factor`.
+    /// Regularization of an indefinite tangent: by active constraints, or by
+    /// springs with stiffnesses multiplied by `regularization_factor`.
     struct Regularization
     {
       std::unique_ptr<const ActiveConstraintShift> shift;
       double                                       regularization_factor = 1.;
     };
 
-    /// Returns the tangent of @p state at @p to, after the last @p correction,
-    /// regularized if needed. Throws IllConditioned if that does not suffice.
+    /// Returns the tangent of @p state at load factor @p to, after the last
+    /// @p correction, regularized if needed. Throws IllConditioned if it is not
+    /// definite even then.
     TangentOperator
     tangent(const State       &state,
             const BlockVector &correction,
             const LoadFactor  &to,
             Regularization    &regularization) const;
 
-    /// Throws IllConditioned if the tangent of @p state at @p to, with the
-    /// active constraints, is not definite. That of the last correction was,
-    /// and suffices if this correction was small beside the increment from @p
-    /// before and without regularization. Throws NumericsError if friction is
-    /// unstable.
+    /// Throws IllConditioned if the tangent of @p state at load factor @p to,
+    /// with the active constraints, is not definite. The tangent of the last
+    /// correction was definite; it suffices if that correction is small
+    /// relative to the increment from @p before and no regularization was used.
+    /// Throws NumericsError if friction is unstable.
     void
     check_stability(const BlockVector &before,
                     const Correction  &last,
                     const State       &state,
                     const LoadFactor  &to) const;
 
-    /**
-     * Throws NumericsError if @p state at @p to is stable by its springs only,
-     * IllConditioned if not even then. Returns false if not checked: without
-     * contact force, and with friction, which has its own criterion.
-     *
-     * With the spring rows R, scaled such that R^T R is their part of K, and
-     * the compliance C of K with the active constraints fixed, springs alone
-     * restrain the motions V = C R^T. Their energy
-     *   V^T (K - R^T R - H) V = G - G G - V^T H V,   G = R C R^T,
-     * must not be negative beside the work of the contact forces over such a
-     * motion. Neutral motions, such as those of a sliding block, are accepted.
-     */
+    /// Throws NumericsError if @p state at load factor @p to is stable only due
+    /// to its stabilizing springs, and IllConditioned if it is unstable even
+    /// with springs. Returns false if it was not checked: without contact
+    /// force, and with friction, which has its own stability criterion.
+    ///
+    /// With the spring rows R, scaled such that R^T R is their contribution to
+    /// K, and the compliance C of K with the active constraints fixed, the
+    /// motions that only springs restrain are V = C R^T. With the derivative H
+    /// of the contact forces (rotation_of_constraints()), their energy
+    ///   V^T (K - R^T R - H) V = G - G G - V^T H V,   G = R C R^T,
+    /// must not be negative compared with the work of the contact forces over
+    /// such a motion. Neutral motions (a sliding block) are accepted.
     bool
     check_supports(const State &state, const LoadFactor &to) const;
 
-    /// Solves the contact problem of @p rows in @p state at @p to by @p
-    /// strategy, and returns forces, active set and displacement increment.
+    /// Solves the contact problem of @p rows in @p state at load factor @p to
+    /// by @p strategy, and returns its solution.
     ContactSolution
     solve_contact(ContactStrategy      &strategy,
                   const GapConstraints &rows,
                   const LoadFactor     &to,
                   State                &state) const;
 
-    /// Returns the correction @p du of the state @p u with the rotation of rows
-    /// included and no spring force. With H = sum lambda Hess g of the forces
-    /// of @p state, which are updated, and the springs S in K, scaled by @p
-    /// regularization_factor, solves
+    /// Returns the correction @p du of the displacements @p u, improved by the
+    /// rotation of the constraints and without spring forces. With H = sum
+    /// lambda Hess g for the forces of @p state, which are updated, and the
+    /// spring stiffness S in K, multiplied by @p regularization_factor, solves
     ///   K du - B^T dlambda = r + (H + S) du
-    /// for the active rows by GMRES; returns @p du without convergence.
+    /// for the active constraints by GMRES; returns @p du if it does not
+    /// converge.
     BlockVector
     correct_row_rotation(ContactStrategy   &strategy,
                          const BlockVector &u,
@@ -261,25 +273,26 @@ namespace lamella
                          const LoadFactor  &to,
                          State             &state) const;
 
-    /// Adds the forces @p regularization_factor S w of springs to @p f.
+    /// Adds the spring forces @p regularization_factor S w to @p f.
     void
     add_spring_forces(const double       regularization_factor,
                       const BlockVector &w,
                       BlockVector       &f) const;
 
-    /// Returns H @p w about @p u by central differences of B^T lambda; zero if
-    /// a row loses its projection.
+    /// Returns H @p w at @p u, the change of the contact forces with the
+    /// rotation of the constraints, by central differences of B^T lambda; zero
+    /// if a constraint has no projection.
     BlockVector
     rotation_of_constraints(const State       &state,
                             const BlockVector &u,
                             const BlockVector &w,
                             const LoadFactor  &to) const;
 
-    /// Returns the largest displacement due to @p u, for rotating rows by sizes
-    /// of DoFs, as warping amplitudes are no lengths.
+    /// Returns the largest displacement due to @p u; for bodies with rotation
+    /// DoFs by Body::dof_scales(), since warping amplitudes are not lengths.
     double
     length_of(const BlockVector &u) const;
-    /// Scales down the @p change of bodies that would rotate too far.
+    /// Scales down the increment @p change of bodies that would rotate too far.
     void
     shorten(BlockVector &change) const;
 
@@ -291,9 +304,10 @@ namespace lamella
     static BlockVector
     condensed(const TangentOperator &here, BlockVector r);
 
-    /// Stores in @p at, and reports, the residuals of forces and gaps:
-    /// condensed forces @p r at @p factor over loads or internal forces, or 0
-    /// if they are rounding. Returns true if they are within bounds.
+    /// Computes, stores in @p at and reports the residuals of forces and gaps.
+    /// The condensed forces @p r at load factor @p factor are divided by loads
+    /// or internal forces; 0 if they are rounding. @p began is the residual at
+    /// the start of the step. Returns false if they diverge.
     bool
     measure(const TangentOperator &here,
             const BlockVector     &r,
@@ -309,12 +323,14 @@ namespace lamella
              earlier = std::numeric_limits<double>::max();
       void
       add(const double left);
-      /// Returns true if two successive iterations left more than @p share.
+      /// Returns true if two successive iterations left more than the fraction
+      /// @p share of the residual.
       bool
       stagnates(const double share) const;
     };
 
-    /// Returns true if @p unbalanced and the last @p change end iterations.
+    /// Returns true if the residuals @p unbalanced and the last correction
+    /// @p change satisfy the convergence criteria.
     bool
     is_equilibrium(const ResidualHistory &unbalanced,
                    const double           change) const;
@@ -333,13 +349,14 @@ namespace lamella
     bool
     is_negligible(const BlockVector &way) const;
 
-    /// Returns true if violations @p missed satisfy the law at that @p size.
+    /// Returns true if the law errors @p missed satisfy the tolerance for
+    /// displacements of the size @p size.
     bool
     satisfies_contact_law(const ResidualHistory &missed,
                           const double           size) const;
 
     const Structure &structure;
-    /// Body::dof_scales() of bodies with rotating rows, empty for all others.
+    /// Body::dof_scales() of bodies with rotation DoFs, empty for all others.
     std::vector<std::vector<double>> sizes;
     MovingContacts                   contacts;
     /// Message of the last failed attempt, and why a contact was lost in it.

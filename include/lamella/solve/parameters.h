@@ -29,7 +29,7 @@ namespace lamella
                                                   "accept"}};
   };
 
-  /// Kinematics of the rotations of a scene (`Rotations`).
+  /// Kinematics of a scene (`Rotations`).
   enum class Rotations
   {
     undefined,
@@ -46,7 +46,7 @@ namespace lamella
                                                 {Rotations::automatic, "auto"}};
   };
 
-  /// Axes of the stress output for finite rotations (`Stress axes`).
+  /// Axes of stress output for finite rotations (`Stress axes`).
   enum class StressAxes
   {
     undefined,
@@ -62,48 +62,49 @@ namespace lamella
                                                  {StressAxes::scene, "scene"}};
   };
 
-  /// Number of equal substeps between load steps.
+  /// Number of equal substeps of a load step.
   struct Substeps
   {
-    /// Fixed number, or 0: doubled until forces, displacements and dissipation
-    /// change by less than `tolerance`.
+    /// Fixed number, or 0 for automatic substeps: their number is doubled until
+    /// forces, displacements and dissipation change by less than `tolerance`.
     unsigned int number    = 1;
     double       tolerance = 0.01;
-    /// Number for each load step, in place of `number`, from another run.
+    /// Substeps of each load step, from another run; replaces `number`.
     std::vector<unsigned int> each = {};
-    /// Largest automatic number.
+    /// Largest number of automatic substeps.
     static constexpr unsigned int most = 64;
   };
 
-  /// Solution parameters at the top level of a scene, defaults in declare().
+  /// Solution parameters at the top level of a scene; defaults in declare().
   struct SolveParameters
   {
-    /// Load factor t of each step, on all loads and prescribed displacements.
+    /// Load factor t of each step, for all loads and prescribed displacements.
     std::vector<LoadFactor> load_factors;
     Substeps                substeps;
     Rotations               rotations   = Rotations::undefined;
     StressAxes              stress_axes = StressAxes::material;
     Strategy                strategy    = Strategy::undefined;
-    /// Parameters of the contact loop; a scene sets the iterations only.
+    /// Parameters of ContactSolver, of which a scene sets the iterations only.
     SolverParameters loop;
     NewtonParameters newton;
-    /// Solver for the stiffness of a body in the condensed strategy.
+    /// Linear solver for the stiffness of a body in the condensed strategy.
     SolverKind solver = SolverKind::automatic;
-    /// Bytes per machine; 0: the available memory.
+    /// Memory limit in bytes per machine; 0 for the available memory.
     double memory_limit = 0.;
-    /// Largest rotation for linear kinematics (Eq. 5) [rad].
+    /// Largest rotation permitted in linear kinematics (Eq. 5) [rad].
     double     rotation_limit = 0.;
     OutOfRange beyond_linear  = OutOfRange::refuse;
-    /// Enables estimates of large deflections and the check of units; reference
-    /// models disable it.
+    /// True if effects of large deflections are estimated and units are
+    /// checked; false for models of error estimates.
     bool computes_estimates = true;
 
     /// Declares the entries with their defaults and documentation.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Reads the top level of a scene. Throws InputError without a load factor,
-    /// for numbers out of range, and for a linear solver that `full` lacks.
+    /// Reads the entries at the top level of a scene. Throws InputError if no
+    /// load factor is given, for numbers out of range, and for a linear solver
+    /// that the strategy `full` does not have.
     static SolveParameters
     parse(const Entries &in);
   };

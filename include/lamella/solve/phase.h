@@ -10,7 +10,7 @@
 
 namespace lamella
 {
-  /// Timed phases of a run, in the order of its work.
+  /// Phases of a run whose time is measured, in the order of execution.
   enum class Phase
   {
     setup,         ///< meshes, sections, bodies, supports, loads, probes
@@ -35,7 +35,7 @@ namespace lamella
                                             {Phase::output, "output"}};
   };
 
-  /// Returns the static names of all phases, in order.
+  /// Returns the names of all phases, in order, with static lifetime.
   const std::vector<std::string> &
   phase_names();
 } // namespace lamella

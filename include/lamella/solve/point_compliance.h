@@ -9,7 +9,7 @@
 
 namespace lamella
 {
-  /// Components (n, t_1, t_2) of each contact point: forces or lengths.
+  /// Components (n, t_1, t_2) of forces or lengths at each contact point.
   using PointVectors = std::vector<dealii::Tensor<1, 3>>;
 
   /// Returns the length of the tangential part of @p x.
@@ -28,11 +28,11 @@ namespace lamella
   double
   largest_component(const PointVectors &x);
 
-  /// The dense compliance W = B K^-1 B^T of candidate contact points, with
-  /// consecutive rows of each, the normal one and up to two tangential ones.
+  /// The dense compliance W = B K^-1 B^T of contact points, with consecutive
+  /// rows of each point, for the normal and up to two tangents.
   struct PointCompliance
   {
-    /// First row of each point, and one past the last of all.
+    /// First row of each point, and the total number of rows.
     std::vector<unsigned int> first{0};
     /// Entries of W, column by column; symmetric.
     std::vector<double> matrix;
@@ -64,7 +64,8 @@ namespace lamella
       return matrix[std::size_t(j) * n_rows() + i];
     }
 
-    /// Converts between vectors by rows and by points.
+    /// Converts vectors with one entry per row to vectors by points; by_rows()
+    /// is the inverse.
     PointVectors
     by_points(const std::vector<double> &rows) const;
     std::vector<double>
@@ -74,7 +75,7 @@ namespace lamella
     PointVectors
     times(const PointVectors &lambda) const;
 
-    /// Adds W_(.,i) change to @p v, the effect of @p point alone.
+    /// Adds W times the force @p change at @p point to @p v.
     void
     add_of_point(const unsigned int          point,
                  const dealii::Tensor<1, 3> &change,

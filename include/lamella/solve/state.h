@@ -17,34 +17,34 @@ namespace lamella
   /// on the iterations. Empty before the first load step.
   struct State
   {
-    /// Displacements of all bodies, one block each, with prescribed values.
+    /// Displacements of all bodies, one block each, including prescribed DoFs.
     BlockVector u;
     /// Largest displacement of each body in the linear solution without
     /// contact; empty with stabilizing springs. With finite rotations, a
-    /// hundred times the largest on the way.
+    /// hundred times the largest displacement up to now.
     std::vector<double> free_sizes;
-    /// Contact force lambda of each gap row, positive in compression; the load
-    /// of the bodies is B^T lambda.
+    /// Contact force lambda of each gap constraint, positive in compression;
+    /// the bodies are loaded by B^T lambda.
     std::vector<double> force;
-    /// Numbers of the active rows, ascending.
+    /// Numbers of the active constraints, ascending.
     std::vector<unsigned int> active;
     /// Friction variables; empty without friction.
     FrictionState friction;
-    /// History of each contact at finite rotations, with the forces' rows.
+    /// History of each contact at finite rotations, for the rows of `force`.
     std::vector<ContactHistory> pairings;
 
-    /// Offsets of the stabilizing springs; empty: zero force at u = 0.
+    /// Offsets of the stabilizing springs; empty: no spring force at u = 0.
     SpringOffsets rest;
 
-    /// Rounds of the active-set search, summed over all spring releases.
+    /// Rounds of the active-set search, summed over all releases of springs.
     unsigned int iterations = 0;
-    /// Maximum norm of each correction over that of u, without contact and with
-    /// it. The first of `free_corrections` (without the solution itself)
-    /// measures the digits lost by the assembled matrix.
+    /// Relative maximum norm of each correction, without contact and with
+    /// contact. The first of `free_corrections` (the solution itself is not
+    /// included) measures the digits lost by the assembled matrix.
     std::vector<double> free_corrections, contact_corrections;
 
     /// Returns the length below which displacements of @p body are rounding,
-    /// relative to those without contact; it matters where loads cancel.
+    /// relative to the displacements without contact; relevant if loads cancel.
     double
     rounding(const unsigned int body) const
     {

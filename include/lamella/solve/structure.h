@@ -21,59 +21,57 @@
 
 namespace lamella
 {
-  /// Offsets r_0 of the springs in f = -k (r(u) - r_0) [length], as
-  /// [body][spring]. Empty: all zero.
+  /// Offsets r_0 of the springs with the forces f = -k (r(u) - r_0) [length],
+  /// as [body][spring]; all zero if empty.
   using SpringOffsets = std::vector<std::vector<double>>;
 
-  /**
-   * The linear part of a scene, the discrete principle of virtual displacements
-   * (Eqs. 8 to 11) without contact: bodies with supports, springs and loads.
-   * Contact couples the bodies through rows only, so K is block diagonal, and a
-   * BlockVector has one block per body in the order of the scene.
-   *
-   * Displacements are u = G v + u_p(t) at load factor t (RowReduction), with
-   * the DoFs v that supports and the constraints of the theories leave free,
-   * their expansion G and the prescribed displacements u_p. Solvers use the
-   * condensed stiffness
-   *   G^T (K + sum_k s_k r_k^T r_k) G,
-   * with the stabilizing springs of stiffness s_k and row r_k. A
-   * TangentOperator is the tangent at a state with its solvers. Each process
-   * holds all of it and whole vectors; the element work is distributed.
-   */
+  /// Discrete model of a scene without contact, by the principle of virtual
+  /// displacements (Eqs. 8 to 11): bodies with supports, springs and loads.
+  /// Contact couples the bodies through constraints only, so K is block
+  /// diagonal, and a BlockVector has one block per body in the order of the
+  /// scene.
+  ///
+  /// Displacements are u = G v + u_p(t) at load factor t (RowReduction), with
+  /// the DoFs v that are not constrained by supports and theories, their
+  /// expansion G and the prescribed displacements u_p. Linear solvers use the
+  /// condensed stiffness
+  ///   G^T (K + sum_k s_k r_k^T r_k) G,
+  /// with the stabilizing springs of stiffness s_k and row r_k. A
+  /// TangentOperator is the tangent at a state with its solvers. Each process
+  /// has whole vectors; element work is distributed.
   class Structure
   {
   public:
-    /**
-     * Creates and eliminates the prescribed rows of @p supports, creates the
-     * springs and integrates @p loads; assembles no matrix. @p bodies must not
-     * be empty. @p stabilizations has one entry per body, or none. Temperatures
-     * among @p loads heat the bodies; their weight under @p gravity (scene
-     * axes, length / s^2) is an additional last load, unless zero. Throws
-     * InputError if a region is not in its body, if supports contradict each
-     * other, or if a body has a free rigid motion (which the message names) and
-     * no stabilization. Collective.
-     */
+    /// Eliminates the DoFs prescribed by @p supports, creates the springs and
+    /// integrates @p loads; assembles no matrix. @p bodies must not be empty.
+    /// @p stabilizations has one entry per body, or none. Temperatures among
+    /// @p loads heat the bodies; if not zero, their weight due to the
+    /// acceleration @p gravity (scene axes, length / s^2) is added as the last
+    /// load. Throws InputError if a region is not in its body, if supports
+    /// contradict each other, or if a body has a free rigid motion (which the
+    /// message names) and no stabilization. Collective.
     Structure(Bodies                            bodies,
               const std::vector<Support>       &supports,
               const std::vector<Load>          &loads,
               const std::vector<Stabilization> &stabilizations = {},
               const dealii::Tensor<1, 3>       &gravity        = {});
 
-    /// Returns the bodies in the order of the scene, that of the vector blocks.
+    /// Returns the bodies in the order of the scene and of vector blocks.
     const Bodies &
     bodies() const
     {
       return all_bodies;
     }
 
-    /// Returns G and u_p of @p body, and the forces in its prescribed rows.
+    /// Returns the reduction of @p body: G, u_p, and the forces in its
+    /// prescribed rows.
     const RowReduction &
     reduction(const unsigned int body) const
     {
       return *reductions[body];
     }
 
-    /// Returns the prescribed rows R u = t d of all supports, the indices of
+    /// Returns the prescribed rows R u = t d of all supports, by the indices of
     /// RowReduction::multipliers().
     const std::vector<PrescribedFunctional> &
     prescribed() const
@@ -97,24 +95,25 @@ namespace lamella
       return all_springs[body];
     }
 
-    /// Returns the resultant of each load, then weight, at load factor 1: force
-    /// and moment about the origin, scene axes.
+    /// Returns the resultants of all loads, then of the weight, at load factor
+    /// 1: force and moment about the scene origin, scene axes.
     const std::vector<LoadResultant> &
     load_resultants() const
     {
       return resultants;
     }
 
-    /// Returns true if any body has springs (ContactSolver::release_springs()).
+    /// Returns true if any body has stabilizing springs.
     bool
     has_springs() const;
 
-    /// Returns r_k(u) of all springs: offsets free of force at @p u.
+    /// Returns r_k(u) of all springs: offsets without force at @p u.
     SpringOffsets
     spring_lengths(const BlockVector &u) const;
 
-    /// Returns the load vector f(t, u) at t = @p factor, not condensed: f . v
-    /// is the work of all loads on v (Eq. 10); @p u matters to follower loads.
+    /// Returns the load vector f(t, u) at load factor t = @p factor, not
+    /// condensed: f . v is the work of all loads on v (Eq. 10). Follower loads
+    /// depend on @p u.
     BlockVector
     load(const LoadFactor &factor, const BlockVector &u) const;
 
@@ -122,7 +121,7 @@ namespace lamella
     BlockVector
     load(const LoadFactor &factor) const;
 
-    /// Returns true if a load on @p body depends on its state.
+    /// Returns true if a load on @p body depends on its displacements.
     bool
     has_follower_loads(const unsigned int body) const
     {
@@ -140,8 +139,8 @@ namespace lamella
                             const BlockVector &w,
                             BlockVector       &f) const;
 
-    /// Calls @p use with the tangent contributions of the follower loads on @p
-    /// body at load factor @p factor and its displacement @p u (FollowerLoad).
+    /// Calls @p use with the tangent contributions of the follower loads on
+    /// @p body at load factor @p factor and displacement @p u (FollowerLoad).
     void
     for_each_block_of_loads(
       const unsigned int                                 body,
@@ -150,8 +149,8 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// Returns the thermal load vector f_0 (Body::add_thermal_load()). Zero
-    /// without heat, and for finite rotations, where load() includes it.
+    /// Returns the thermal load vector f_0 (Body::add_thermal_load()). Zero for
+    /// unheated bodies, and for finite rotations, where load() includes it.
     const BlockVector &
     thermal_load() const
     {
@@ -166,7 +165,8 @@ namespace lamella
     bool
     has_finite_rotations() const;
 
-    /// Returns integral epsilon_0 . C epsilon_0 / 2 dV over all bodies.
+    /// Returns the energy integral epsilon_0 . C epsilon_0 / 2 dV of the
+    /// thermal strains epsilon_0 over all bodies.
     double
     thermal_energy() const
     {
@@ -175,21 +175,21 @@ namespace lamella
                              0.);
     }
 
-    /// Returns the heat energy of @p body alone.
+    /// Returns the energy of the thermal strains of @p body alone.
     double
     thermal_energy(const unsigned int body) const
     {
       return initial_energies[body];
     }
 
-    /// Returns the division of scene vectors into bodies.
+    /// Returns the division of scene vectors into blocks for the bodies.
     const dealii::BlockIndices &
     blocks() const
     {
       return initial_load.get_block_indices();
     }
 
-    /// Returns the number of DoFs of all bodies, prescribed ones included.
+    /// Returns the number of DoFs of all bodies, including prescribed DoFs.
     DofIndex
     n_dofs() const;
 
@@ -201,12 +201,13 @@ namespace lamella
     BlockVector
     zero() const;
 
-    /// Returns u_p(t) at t = @p factor, zero in free DoFs, for small rotations
-    /// (see TangentOperator::support_increment()).
+    /// Returns u_p(t) at load factor t = @p factor for small rotations, zero in
+    /// free DoFs (see TangentOperator::support_increment()).
     BlockVector
     particular(const LoadFactor &factor) const;
 
-    /// Returns true if supports and theory constrain @p row to zero always.
+    /// Returns true if supports and theory constrain the functional @p row to
+    /// zero at all load factors.
     bool
     holds(const BodyFunctional &row) const;
 
@@ -214,37 +215,38 @@ namespace lamella
     std::vector<SpringTerm>
     spring_terms(const unsigned int body) const;
 
-    /**
-     * Returns the unbalanced forces without contact, not condensed,
-     *   r = f(t) + f_0 - integral B^T C (B u) dV
-     *       - sum_k s_k (r_k(u) - r_0k) r_k^T,
-     * with t = @p factor, f_0 = thermal_load() and the spring offsets @p rest.
-     * Strains B u are formed at each quadrature point, which unlike an
-     * assembled K loses no digits to cancellation in slender bodies, so
-     * solutions are refined against it. Costs a loop over all elements;
-     * collective.
-     */
+    /// Returns the unbalanced forces without contact, not condensed,
+    ///   r = f(t) + f_0 - integral B^T C (B u) dV
+    ///       - sum_k s_k (r_k(u) - r_0k) r_k^T,
+    /// with t = @p factor, f_0 = thermal_load() and the spring offsets @p rest
+    /// (r_0k). Strains B u are computed at each quadrature point. Unlike a
+    /// product with the assembled K, they lose no digits to cancellation in
+    /// slender bodies, so solutions are refined against this residual. Costs a
+    /// loop over all elements; collective.
     BlockVector
     residual(const BlockVector   &u,
              const LoadFactor    &factor,
              const SpringOffsets &rest = {}) const;
 
-    /// Returns integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T.
+    /// Returns the internal and spring forces, integral B^T C (B u) dV + sum_k
+    /// s_k (r_k(u) - r_0k) r_k^T.
     BlockVector
     internal_forces(const BlockVector &u, const SpringOffsets &rest = {}) const;
 
-    /// Returns the state @p u updated by @p change (Body::retract()).
+    /// Returns the displacements @p u updated by the increment @p change
+    /// (Body::retract()).
     BlockVector
     retract(const BlockVector &u, const BlockVector &change) const;
 
-    /// Computes G^T r in place, zero in the eliminated DoFs (whose entries are
-    /// the reactions before).
+    /// Computes G^T r in place. Entries of eliminated DoFs, which are the
+    /// reactions before, become zero.
     void
     condense(BlockVector &r) const;
 
   private:
-    /// Returns u_p of the rows of @p history at load factor 1. Throws
-    /// InputError with @p names if dependent rows have different histories.
+    /// Returns u_p of the prescribed rows with load history @p history at load
+    /// factor 1. Throws InputError with the support @p names if dependent rows
+    /// have different histories.
     BlockVector
     prescribed_in(const unsigned int              history,
                   const std::vector<std::string> &names) const;
@@ -254,12 +256,12 @@ namespace lamella
     take(const Load &load);
     void
     assemble_weight(const dealii::Tensor<1, 3> &gravity);
-    /// Adds the thermal loads of the bodies, which know their temperatures.
+    /// Adds the thermal loads of the bodies with temperatures.
     void
     assemble_thermal_load();
 
-    /// Throws InputError with support @p names if one prescribes a finite
-    /// rotation of points that another prescribes otherwise.
+    /// Throws InputError with support @p names if a support prescribes a finite
+    /// rotation of points that another support prescribes differently.
     void
     check_rotations(const std::vector<std::string> &names) const;
 
@@ -268,18 +270,18 @@ namespace lamella
     check_rigid_motions(const std::vector<Stabilization> &stabilizations) const;
 
     Bodies all_bodies;
-    /// prescribed().
+    /// Prescribed rows of all supports.
     std::vector<PrescribedFunctional> rows;
     /// Reduction and springs of each body.
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;
-    /// Load and prescribed displacements of each history at load factor 1.
+    /// Load and prescribed displacements of each load history at load factor 1.
     struct OfHistory
     {
       BlockVector load, particular;
     };
     std::vector<OfHistory> histories;
-    /// Follower loads of each body, with their histories.
+    /// Follower loads of each body, with the numbers of their load histories.
     std::vector<
       std::vector<std::pair<std::unique_ptr<FollowerLoad>, unsigned int>>>
                                follower_loads;

@@ -13,15 +13,16 @@ namespace lamella
 {
   /// The tangent stiffness of a structure at one state u,
   ///   K(u) = d f_int / du,
-  /// springs included: as terms for assembly, as a product, and optionally as
-  /// solvers of each body. It is immutable. If all bodies are linear, that at u
-  /// = 0 is valid for all states. Refers to the structure. Collective.
+  /// including springs: as terms for assembly, as a product, and optionally
+  /// with linear solvers for each body. It is immutable. If all bodies are
+  /// linear, the tangent at u = 0 is valid for all states. Keeps a reference to
+  /// the structure. Collective.
   class TangentOperator
   {
   public:
-    /// Callbacks for each body, each optional: at the beginning and end of its
-    /// work, after assembly, and with the size of its factor before memory is
-    /// allocated. An exception of `sized` prevents the factorization.
+    /// Optional callbacks for each body: at the beginning and end of its
+    /// factorization, after assembly, and with the size of its factor before
+    /// memory is allocated. Exceptions of `factor_sized` prevent this.
     struct BodyMonitor
     {
       std::function<void(const Body &)>                     begins, assembled;
@@ -35,11 +36,12 @@ namespace lamella
                     const LoadFactor  &factor = LoadFactor());
 
     /// Creates the tangent at @p u with solvers of the kind @p requested for
-    /// the condensed stiffness of each body, after the @p correction that led
-    /// to u, if any. Follower loads at load factor @p factor and additional @p
-    /// springs of each body contribute to the solvers only. Throws
-    /// IllConditioned if a stiffness is not positive definite in doubles,
-    /// InputError as Body::solver_kind() does, and what @p monitor throws.
+    /// the condensed stiffness of each body. @p correction is the last
+    /// correction of u, if any, for predicted stresses. Follower loads at load
+    /// factor @p factor and additional @p springs of each body contribute to
+    /// the solvers only. Throws IllConditioned if a stiffness is not positive
+    /// definite in double precision, InputError as Body::solver_kind() does,
+    /// and what @p monitor throws.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
                     const SolverKind   requested,
@@ -54,8 +56,9 @@ namespace lamella
       return structure;
     }
 
-    /// Returns the prescribed rows of all supports, and G of @p body, for
-    /// increments of the state: the structure's, except for rotating rows.
+    /// Returns the prescribed rows of all supports for increments of the state:
+    /// those of the structure, except for bodies with finite rotations.
+    /// reduction() returns the expansion G of @p body in the same way.
     const std::vector<PrescribedFunctional> &
     prescribed() const
     {
@@ -73,20 +76,21 @@ namespace lamella
     void
     condense(BlockVector &r) const;
 
-    /// Returns the prescribed displacements from load factor @p from, that of
-    /// the state, to @p to. With finite rotations this is the first-order
-    /// increment: second-order terms would compress an unbent beam.
+    /// Returns the increment of the prescribed displacements from load factor
+    /// @p from, that of the state, to @p to. With finite rotations this is the
+    /// first-order increment: second-order terms would compress an unbent beam.
     BlockVector
     support_increment(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Point of a support off its prescribed value, with its error / tolerance.
+    /// Point of a support that is off its prescribed position, with its error
+    /// relative to the tolerance.
     struct SupportError
     {
       dealii::Point<3> place;
       double           share = 0.;
     };
-    /// Returns the largest error at load factor @p at of rows that no
-    /// correction follows.
+    /// Returns the largest error at load factor @p at of prescribed rows that
+    /// corrections cannot satisfy.
     SupportError
     largest_support_error(const LoadFactor &at) const;
 
@@ -103,23 +107,25 @@ namespace lamella
     solver(const unsigned int body) const;
 
     /// Returns K(u)^-1 @p r, zero in prescribed DoFs; r need not be condensed.
-    /// Requires solvers. With an unsymmetric part A of follower loads, solves
+    /// Requires solvers. If follower loads contribute an unsymmetric part A,
+    /// solves
     ///   (1 + K^-1 A) x = K^-1 r
-    /// by GMRES, or returns K^-1 r if that does not converge.
+    /// by GMRES, or returns K^-1 r if GMRES does not converge.
     BlockVector
     solve(BlockVector r) const;
 
-    /// Returns the largest diagonal entry of the condensed stiffness of @p
-    /// body. Without solvers the first call assembles its matrix.
+    /// Returns the largest diagonal entry of the condensed stiffness of
+    /// @p body. If there are no solvers, the first call assembles its matrix.
     double
     largest_stiffness(const unsigned int body) const;
 
-    /// Returns the largest estimate (lower bound) of condition numbers, or 0.
+    /// Returns the largest estimate (lower bound) of all condition numbers; 0
+    /// if none is known.
     double
     condition_estimate() const;
 
   private:
-    /// Creates the rows and reductions of bodies with finite-rotation rows.
+    /// Creates prescribed rows and reductions of bodies with finite rotations.
     void
     move_supports();
 
@@ -134,7 +140,7 @@ namespace lamella
     /// Returns K^-1 @p r.
     BlockVector
     solve_symmetric(BlockVector r) const;
-    /// Returns A @p w.
+    /// Returns A @p w with the unsymmetric part A of follower loads.
     BlockVector
     unsymmetric_part(const BlockVector &w) const;
 
@@ -142,11 +148,11 @@ namespace lamella
     const BlockVector                          state;
     const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
-    /// Moved rows, and the value of each in the state, if they rotate.
+    /// Prescribed rows at the state, and the value of each, if rows rotate.
     std::vector<PrescribedFunctional>          moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;
-    /// Cached largest_stiffness() without solvers.
+    /// Cached largest_stiffness() if there are no solvers.
     mutable std::vector<double> stiffest;
   };
 
