@@ -10,13 +10,15 @@
 
 namespace lamella
 {
-  /// Returns whether @p zones, perhaps embedded, suffice for @p held.
+  /// Returns true if @p zones, embedded or not, suffice for the section @p held
+  /// (stresses near it require fields of its own degree).
   bool
   are_sufficient(const std::vector<BoundaryLayerZone> &zones,
                  const ConstrainedSection             &held);
 
-  /// Returns the zones @p zones of the section @p from, of the same cells and a
-  /// lower degree, embedded in @p section, free of its @p warpings.
+  /// Returns the boundary-layer zones @p zones of the section @p from, which
+  /// has the same cells and a lower degree, as fields of @p section. They are
+  /// made independent of its Saint-Venant @p warpings.
   std::vector<BoundaryLayerZone>
   embedded(const std::vector<BoundaryLayerZone> &zones,
            const Section                        &from,
@@ -25,18 +27,18 @@ namespace lamella
            const FieldColumns                   &warpings,
            const BoundaryLayerRules             &rules = {});
 
-  /// Cache of end fields for the models of one scene, which have the same ends.
-  /// A richer section (LE-4 for LE-3) takes the embedded fields of a poorer one
-  /// if no stresses are requested at the end (ConstrainedSection::is_sampled):
-  /// the effect of the degree is local, and the piece is most of the model's
-  /// cost.
+  /// Cache of boundary-layer modes for all models of one scene. A section of
+  /// higher degree (LE-4) reuses the modes of a lower degree (LE-3) if no
+  /// stresses are requested near the end (ConstrainedSection::is_sampled): the
+  /// degree matters little for the rest of the body, and solving for the modes
+  /// is the largest cost of a model.
   class BoundaryLayerModes
   {
   public:
     explicit BoundaryLayerModes(const BoundaryLayerRules &rules = {});
 
-    /// Returns boundary_layer_modes(), cached for a section with the same
-    /// matrices, fields and constraints, or embedded. Collective.
+    /// Returns boundary_layer_modes(), from the cache for a section with the
+    /// same matrices, fields and constraints, or embedded. Collective.
     std::vector<BoundaryLayerZone>
     zones(const std::shared_ptr<const Section> &section,
           const SaintVenant                    &states,
@@ -51,7 +53,7 @@ namespace lamella
       return rules;
     }
 
-    /// Returns the number of pieces solved.
+    /// Returns the number of end segments that were solved for modes.
     std::size_t
     n_pieces_solved() const
     {
@@ -63,13 +65,13 @@ namespace lamella
     {
       std::shared_ptr<const Section> section;
       FieldColumns                   warpings;
-      /// Constraint with the element of the piece.
+      /// Constraint of the section, with the axis element of the end segment.
       ConstrainedSection             held;
       std::vector<BoundaryLayerZone> zones;
     };
 
-    /// Returns the index of the zones of a poorer section of the body with the
-    /// same constraints, or known.size().
+    /// Returns the index of the zones of a section of lower degree with the
+    /// same body and constraints, or known.size() if there are none.
     std::size_t
     poorer(const Section &section, const ConstrainedSection &held) const;
 

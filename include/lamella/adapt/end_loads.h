@@ -11,14 +11,15 @@
 
 namespace lamella
 {
-  /// Returns the rigid motions of @p piece that @p rows leave free.
+  /// Returns the rigid motions of the segment @p piece that @p rows leave free.
   std::vector<Vector>
   free_motions(const Beam                              &piece,
                const std::vector<PrescribedFunctional> &rows);
 
-  /// Returns the section loads of boundary_layer_modes() at the far end of @p
-  /// piece, node @p far_node at the distance @p arm from the held one, without
-  /// work on the free @p motions, with solutions orthonormal in energy.
+  /// Returns the loads of boundary_layer_modes() at the node @p far_node of the
+  /// end segment @p piece, at the distance @p arm from the constrained end.
+  /// They do no work on the free rigid @p motions, and their section forces are
+  /// orthonormal in energy.
   std::vector<Vector>
   end_loads(const SaintVenant         &states,
             const Beam                &piece,

@@ -13,51 +13,51 @@
 
 namespace lamella
 {
-  /// Sizes of `Axis elements = auto`, over the smaller extent H of the section.
+  /// Parameters of `Axis elements = auto`; lengths over the smaller extent H.
   struct GradingRules
   {
-    /// Beside a clamp, and beside the edge or the line of a contact.
+    /// Element length at a clamp, and at the edge or the line of a contact.
     double clamp = 0.15, contact = 0.125;
-    /// Beside supports and loads at points and lines, or edges of loads.
+    /// Element length at point and line supports and loads, and load edges.
     double edge = 0.25;
-    /// At most, where bodies lie upon each other, up to max_inside elements.
+    /// Largest element length where bodies are in contact, and number of
+    /// elements up to which it is used.
     double inside = 0.5, max_inside = 40.;
-    /// Growth of elements per length (neighbors differ by about 1.8).
+    /// Growth of element length per length (neighbors differ by about 1.8).
     double growth = 0.6;
-    /// At least as many elements on an axis.
+    /// Smallest number of elements on an axis.
     unsigned int least = 4;
-    /// Elements in a span that is loaded all along, between supported places or
-    /// changes of the load's sign. B4 is exact at its ends. Inside an element
-    /// of length h, a uniform load leaves out the bubble q h^4 / (384 E I),
-    /// n^-4 of the deflection between clamps: 0.077 % for n = 6, 0.024 % for 8,
-    /// 0.01 % for 10, 0.005 % for 12.
+    /// Number of elements in a span with distributed load, between supports or
+    /// changes of the load's sign. B4 is exact at element ends. Within an
+    /// element of length h, a uniform load q leaves the error q h^4 / (384 E
+    /// I), which is n^-4 of the deflection between clamps: 0.077 % for n = 6,
+    /// 0.024 % for 8, 0.01 % for 10, 0.005 % for 12.
     double elements_per_span = 10.;
-    /// Places closer to each other than this share of their size are one.
+    /// Distance over element length below which refinement points merge.
     double merge_distance = 0.5;
-    /// Samples of 1 / s between two places (trapezoidal rule); an excess of its
-    /// integral over an integer below `spare` makes no element.
+    /// Number of samples of 1 / s between two refinement points, with the
+    /// element length s (trapezoidal rule). If the integral exceeds an integer
+    /// by less than `rounding_allowance`, no element is added.
     unsigned int samples            = 400;
     double       rounding_allowance = 0.05;
-    /// Gaps that differ by less than this share of H lie upon each other.
+    /// Difference of gaps over H within one contact area.
     double gap_tolerance = 1e-3;
-    /// Number of equal elements for the search of a contact, over H, and on an
-    /// axis at least and at most.
+    /// Number of equal elements for the contact search: per length H, and the
+    /// least and largest number on an axis.
     double search_elements = 2., min_search_elements = 12.,
            max_search_elements = 240.;
   };
 
-  /**
-   * Returns the ends of elements on an axis of @p length, graded to @p places.
-   * With the element size
-   *   s(y) = min_k (c size_k + growth |y - y_k|),
-   *   c = growth / (exp(growth) - 1),
-   * limited by length / least and, in the parts of @p loaded, by span /
-   * elements_per_span, a piece between two places has N elements: the integral
-   * of dy / s over it, rounded up (to an even number if loaded, for halved())
-   * and multiplied by @p refinement_factor. Each element has 1 / N of that
-   * integral. Places closer than merge_distance of their size are merged.
-   * Ascending, without 0 and length.
-   */
+  /// Returns the element ends of an axis of length @p length, graded to the
+  /// refinement points @p places with positions y_k. With the element length
+  ///   s(y) = min_k (c size_k + growth |y - y_k|),
+  ///   c = growth / (exp(growth) - 1),
+  /// limited by length / least and, in the segments @p loaded, by span /
+  /// elements_per_span, the segment between two refinement points has N
+  /// elements. N is the integral of dy / s over it, rounded up (to an even
+  /// number if loaded, for halved()), times @p refinement_factor. Each element
+  /// has 1 / N of the integral. Points closer than merge_distance times their
+  /// element length are merged. Excludes 0 and @p length.
   std::vector<double>
   graded_breaks(const double                     length,
                 const std::vector<ShortElement> &places,
@@ -65,25 +65,25 @@ namespace lamella
                 const double                     refinement_factor = 1.,
                 const std::vector<LoadedPart>   &loaded            = {});
 
-  /// Bisects elements of @p axis until those at @p y, which becomes an end, are
-  /// of @p size, or half as long if it is 0, others by GradingRules::growth.
+  /// Bisects elements of @p axis until those at @p y, which becomes an element
+  /// end, have the length @p size, or half their length if it is 0. Neighbors
+  /// are bisected to satisfy GradingRules::growth.
   void
   refine_at(AxisMesh           &axis,
             const double        y,
             const double        size,
             const GradingRules &rules = {});
 
-  /**
-   * Makes the axes of `Axis elements = auto` among @p bodies
-   * (AxisMesh::fineness, 0 afterwards): graded to loads, supports and contacts,
-   * with fineness times as many elements. Contacts are searched on equal
-   * elements, then on the graded ones. For bodies apart, the place is that of
-   * the smallest gap, by a parabola through three rows. Supports of ends count
-   * as clamps. Bodies whose nodes a contact pairs along one line share their
-   * grading. Loads on sides and lines, weight under @p gravity, and heat that
-   * is not linear limit elements all along (GradingRules::elements_per_span).
-   * Throws what conditions and contacts throw. Collective where Beam is.
-   */
+  /// Creates the axes of `Axis elements = auto` of @p bodies, graded to loads,
+  /// supports and contacts. The number of elements is multiplied by
+  /// AxisMesh::fineness, which is set to 0. Contacts are searched on equal
+  /// elements, then on the graded ones. For bodies apart, the refinement point
+  /// is at the smallest gap, interpolated by a parabola through three gaps.
+  /// Supports of body ends count as clamps. Bodies whose nodes are paired along
+  /// a line have the same element lengths. Distributed loads on sides and
+  /// lines, weight under @p gravity, and nonlinear temperature limit all
+  /// element lengths (GradingRules::elements_per_span). Throws what conditions
+  /// and contacts throw. Collective if bodies are.
   void
   grade_axes(std::vector<BodyDescription>   &bodies,
              const SectionMeshes            &meshes,

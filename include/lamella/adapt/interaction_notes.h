@@ -10,14 +10,15 @@
 
 namespace lamella
 {
-  /// Adds notes on @p interactions of the SV @p beam without fields.
+  /// Adds notes for the user on @p interactions of the Saint-Venant (SV)
+  /// @p beam that have no fields of their own.
   void
   add_missing_field_notes(const Beam                          &beam,
                           const std::vector<LocalInteraction> &interactions,
                           std::vector<std::string>            &notes);
 
-  /// Adds notes on @p interactions of a heated @p beam that constrain sections
-  /// in part, where end fields do not cover heat.
+  /// Adds notes for the user on @p interactions of a heated @p beam that
+  /// constrain sections in part: boundary-layer modes then omit heat.
   void
   add_guide_heat_notes(const Beam                          &beam,
                        const std::vector<LocalInteraction> &interactions,

@@ -10,27 +10,28 @@
 
 namespace lamella
 {
-  /// A place along an axis that needs short elements.
+  /// A point of a beam's axis at which short elements are required.
   struct ShortElement
   {
     /// Distance from the start of the axis [length].
     double y = 0.;
-    /// Length of the elements beside it.
+    /// Required length of the adjacent elements [length].
     double size = 0.;
-    /// True if a support or a contact may constrain the axis there.
+    /// True if a support or a contact may constrain the axis at this point.
     bool holds = false;
   };
 
-  /// Part of an axis that is loaded all along, and its span [length] between
-  /// supports, contacts, or changes of the load's sign.
+  /// Segment of an axis with a distributed load, and its span [length]: the
+  /// distance between supports, contacts, or changes of the load's sign.
   struct LoadedPart
   {
     double begin = 0., end = 0., span = 0.;
   };
 
-  /// Returns the parts of the axis of the beam @p body loaded across it: by @p
-  /// loads on sides and lines, weight under @p gravity, and heat that is not
-  /// linear. Spans end at axis ends and supported @p places. Collective.
+  /// Returns the segments of the axis of the beam number @p body with
+  /// distributed transverse loads: @p loads on sides and lines, weight under
+  /// @p gravity, and nonlinear temperature. Spans end at axis ends and at those
+  /// points of @p places that are supported. Collective.
   std::vector<LoadedPart>
   loaded_parts(const unsigned int               body,
                const Bodies                    &bodies,

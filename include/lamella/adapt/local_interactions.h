@@ -13,38 +13,41 @@
 
 namespace lamella
 {
-  /// A load, a support or a side of a contact on a beam, as seen by the
-  /// section. It acts through rows over the DoFs,
+  /// A load, a support or one side of a contact on a beam, with its section
+  /// load vectors. It acts on the DoFs u_(i,alpha) of node i and section field
+  /// alpha by
   ///   r(u) = sum_i sum_alpha w_i f_alpha u_(i,alpha),
-  /// with axis weights w and section load vectors f, the only loads that the
-  /// section has to respond to, from a beam with all fields at all nodes.
+  /// with weights w_i along the axis and section load vectors f. The section
+  /// fields must represent the deformation by these vectors only. They are
+  /// computed for a beam with all fields at all nodes.
   struct LocalInteraction
   {
-    /// Name, as in "contact nose".
+    /// Name, for example "contact nose".
     std::string name;
-    /// Independent section load vectors f of unit length.
+    /// Independent section load vectors f, normalized to unit length.
     std::vector<Vector> loads;
-    /// Area-weighted mean of all rows, and linear part across: the far load.
+    /// Area-weighted mean of all load vectors and their linear part across the
+    /// axis, the load for distant nodes.
     std::vector<Vector> smooth;
-    /// Range of the axis elements, or of the node [length].
+    /// Range of the loaded axis elements, or position of the node [length].
     double begin = 0., end = 0.;
-    /// Length of the shortest axis element there [length].
+    /// Length of the shortest loaded axis element [length].
     double element = 0.;
-    /// True if it constrains the section as a whole: a clamp (is_clamp()).
+    /// True if it constrains the whole section: a clamp (is_clamp()).
     bool constrains_section = false;
-    /// True if it is only an end that is free to deform.
+    /// True if it is an end of the body without constraint.
     bool is_free = false;
-    /// Rows r(u) = 0 of a clamp, in the fields of the section.
+    /// Rows r of a clamp, r(u) = 0, in the fields of the section.
     std::vector<LinearFunctional> held;
     /// True if it is a side of a contact, a support, or heat.
     bool is_contact_side = false, holds = false, is_heat_source = false;
   };
 
-  /// Returns the interactions of body @p body, @p beam with all fields at all
-  /// nodes, in the order of supports, loads, contacts. A contact is followed by
-  /// its friction along either tangent. Contact normal to the axis is taken
-  /// without its part along it. Heat that varies along the axis is a load
-  /// "heat".
+  /// Returns the interactions of body number @p body, @p beam with all fields
+  /// at all nodes, in the order of supports, loads, contacts. After each
+  /// contact follows its friction along both tangents. The axial component of a
+  /// contact normal to the axis is omitted. A temperature that varies along the
+  /// axis is a load with the name "heat".
   std::vector<LocalInteraction>
   find_interactions(const Beam                          &beam,
                     const unsigned int                   body,
@@ -54,14 +57,14 @@ namespace lamella
                     const std::vector<ContactInterface> &contacts,
                     const InteractionRules              &rules = {});
 
-  /// Returns the load vector of @p load on body number @p body, at factor 1.
+  /// Returns the load vector of @p load on body number @p body at factor 1.
   Vector
   load_vector_on(const Load        &load,
                  const unsigned int body,
                  const Bodies      &bodies);
 
   /// Returns the ends of the heated @p beam that no interaction constrains as a
-  /// whole, where thermal stress along the axis ends.
+  /// whole; the axial thermal stress vanishes there.
   std::vector<LocalInteraction>
   heated_free_ends(const Beam                          &beam,
                    const std::vector<LocalInteraction> &interactions);

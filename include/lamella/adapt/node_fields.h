@@ -19,42 +19,45 @@
 
 namespace lamella
 {
-  /// Measured constants of the choice of fields, with the smaller section
-  /// extent H and the shortest loaded element h_e
+  /// Measured constants of choose_fields(), with the smaller section extent H
+  /// and the length h_e of the shortest loaded element
   /// (doc/theory/saint-venant-fields.md).
   struct FieldRules
   {
-    /// Smallest wave number over the larger extent of the section, and that of
-    /// thin walls, which deform over long distances.
+    /// Smallest wave number over the larger extent of the section, and the same
+    /// for thin walls, which deform over long distances.
     double lowest_wave = 0.25, lowest_wave_of_walls = 0.05;
-    /// Share of the bounding box below which a section has thin walls.
+    /// Fraction of its bounding box below which a section has thin walls.
     double thin_walls = 0.5;
-    /// Largest wave number near interactions over h_e, far from them over H.
+    /// Largest wave number near interactions over h_e, and elsewhere over H.
     double highest_wave = 10., highest_wave_far = 4.;
-    /// Least ratio of the largest to the smallest wave number.
+    /// Smallest ratio of the largest to the smallest wave number.
     double min_wave_ratio = 2.;
-    /// Tolerances of responses near and far (Warping::basis()), the near one
-    /// times (6 / N)^2 for N > 6 = reference_waves.
+    /// Tolerances of Warping::basis() for fields near interactions and
+    /// elsewhere. The former is multiplied by (reference_waves / N)^2 for more
+    /// wave numbers N.
     double       near_tolerance = 3e-2, far_tolerance = 1e-2;
     unsigned int reference_waves = 6;
-    /// Independent part of a unit vector of a node's heat that is negligible.
+    /// Negligible independent part of a unit load vector of a node's heat.
     double heat_tolerance = 1e-3;
-    /// Rules for interactions.
+    /// Parameters of find_interactions().
     InteractionRules interactions = {};
-    /// Distance of responses over H, of clamps over the larger extent.
+    /// Distance from an interaction, over H, within which nodes have its
+    /// fields; the same for clamps, over the larger extent.
     double influence_length = 2., influence_length_of_clamp = 1.5;
-    /// Cache of end fields for clamps (BoundaryLayerRules), shared by the
-    /// models of one scene. Without end fields, tractions S_10 w and S_11 w of
-    /// the six warpings w are load vectors.
+    /// Cache of boundary-layer modes at clamps, shared by the models of one
+    /// scene. If there are none, tractions S_10 w and S_11 w of the six
+    /// Saint-Venant warpings w are load vectors.
     std::shared_ptr<BoundaryLayerModes> ends =
       std::make_shared<BoundaryLayerModes>();
-    /// Rules for bodies with chosen fields.
+    /// Parameters of the choice of models (plan()).
     PlanRules plan = {};
-    /// Names of bodies that keep all fields, as doubles could not solve fewer.
+    /// Names of bodies that have all fields, since fewer fields could not be
+    /// solved in double precision.
     std::vector<std::string> unsolved = {};
   };
 
-  /// A range of an axis with requested stresses: a probe or box, a line, a cut.
+  /// Range of an axis with requested stresses: a probe, box, line or cut.
   struct StressRange
   {
     /// Number of the body in Bodies.
@@ -63,7 +66,8 @@ namespace lamella
     double begin = 0., end = 0.;
   };
 
-  /// Returns the places of @p probes, @p lines and @p cuts in @p bodies.
+  /// Returns the ranges of the axes of @p bodies with stresses requested by
+  /// @p probes, @p lines and @p cuts.
   std::vector<StressRange>
   stress_ranges(const Bodies             &bodies,
                 const std::vector<Probe> &probes,
@@ -76,34 +80,35 @@ namespace lamella
   requested_ranges(const unsigned int              body,
                    const std::vector<StressRange> &requested);
 
-  /**
-   * Replaces bodies of SV-N, and those with `Theories`, by bodies with the
-   * fields that their scene excites. @p bodies are those of make_bodies() for
-   * @p descriptions, with all section fields at all nodes. Names, sections,
-   * axes and places stay; conditions and contacts have to be made anew.
-   *
-   * Each node carries the six rigid fields, the Saint-Venant warpings, and
-   * - near interactions, the responses at N wave numbers to their section load
-   *   vectors (SectionResponse), from lowest_wave over the section to
-   *   highest_wave / h_e in equal ratios;
-   * - elsewhere, the responses to the mean and linear part of all interactions,
-   *   also constant along the axis.
-   * All nodes of a body that is heated, or under @p gravity (scene axes, length
-   * / s^2), carry the response to that, constant along the axis; heat that
-   * varies along it is a load there. Nodes beside clamped sections, and beside
-   * free ends of heated bodies, carry end fields (boundary_layer_modes()).
-   * Dependent fields are removed. In `Theories`, pieces of SV have none of
-   * these, and nodes of LE-q carry section fields up to degree q
-   * (Section::field_degree()). The end of such a piece has those of the higher
-   * degree, and next to SV all of them.
-   *
-   * The stress in an element is as accurate as at its poorest node: all nodes
-   * of an element with a place of @p requested carry the fields of any. Bodies
-   * of the same section and theory share their fields. @p contacts are made of
-   * @p bodies. Returns notes; @p why, if not null, gets the reason for the
-   * fields of each body of SV-N. Throws NumericsError if the section's matrices
-   * cannot be factorized. Collective where Beam is.
-   */
+  /// Replaces bodies of the theory SV-N, and those with `Theories`, by bodies
+  /// with the section fields that loads, supports and contacts excite.
+  /// @p bodies are those of make_bodies() for @p descriptions, with all section
+  /// fields at all nodes. Names, sections, axes and positions are unchanged;
+  /// supports, loads and contacts must be created again.
+  ///
+  /// Each node has the six rigid fields, the Saint-Venant warpings, and
+  /// - near interactions, section functions from harmonic loads
+  ///   (SectionResponse): their section load vectors at N wave numbers in
+  ///   geometric progression, from lowest_wave over the section extent to
+  ///   highest_wave / h_e;
+  /// - elsewhere, section functions from harmonic and constant loads: the mean
+  ///   and linear part of all load vectors.
+  /// All nodes of a body that is heated, or loaded by its weight under
+  /// @p gravity (scene axes, length / s^2), have the section function from this
+  /// load, constant along the axis; if it varies, heat is a load. Nodes near
+  /// clamped sections, and near free ends of heated bodies, have boundary-layer
+  /// modes. Dependent fields are removed. In segments of `Theories`, nodes of
+  /// SV have rigid fields and warpings only, and nodes of LE-q have section
+  /// fields up to degree q (Section::field_degree()). A node between two
+  /// segments has the fields of the higher degree, and next to SV all fields.
+  ///
+  /// The stress in an element is as accurate as at its node with the fewest
+  /// fields: if stresses are requested in an element (@p requested), all its
+  /// nodes have the fields of any. Bodies of the same section and theory share
+  /// their fields. @p contacts belong to the old @p bodies. Returns notes for
+  /// the user. If not null, @p why is set to the reason for the fields of each
+  /// body of SV-N. Throws NumericsError if the matrices of a section cannot be
+  /// factorized. Collective if bodies are.
   std::vector<std::string>
   choose_fields(Bodies                              &bodies,
                 const std::vector<BodyDescription>  &descriptions,
@@ -115,7 +120,7 @@ namespace lamella
                 const dealii::Tensor<1, 3>          &gravity   = {},
                 std::vector<std::string>            *why       = nullptr);
 
-  /// Returns whether choose_fields() would change any of the bodies.
+  /// Returns true if choose_fields() would change any of the bodies.
   bool
   has_fields_to_choose(const std::vector<BodyDescription> &descriptions);
 } // namespace lamella

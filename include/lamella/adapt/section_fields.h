@@ -18,34 +18,36 @@
 namespace lamella
 {
   /// The fields of one section, for all bodies with this section and theory, in
-  /// groups of equal load vectors or zones of end fields.
+  /// groups of equal section load vectors or zones of boundary-layer modes.
   class SectionFields
   {
   public:
-    /// Computes the states and warpings of @p section, and its responses to
-    /// slowly varying actions along the axis: @p heat and the load vectors @p
-    /// weights. Throws NumericsError if its matrices cannot be factorized.
+    /// Computes the Saint-Venant states and warpings of @p section, and its
+    /// section functions from constant loads along the axis: the thermal loads
+    /// @p heat and the weight vectors @p weights. Throws NumericsError if its
+    /// matrices cannot be factorized.
     SectionFields(std::shared_ptr<const Section>               section,
                   const Theory                                &theory,
                   const FieldRules                            &rules,
                   const std::vector<Beam::SectionThermalLoad> &heat    = {},
                   const std::vector<Vector>                   &weights = {});
 
-    /// Returns the group of @p interaction.
+    /// Returns the group of fields of @p interaction.
     unsigned int
     group_of(const LocalInteraction &interaction);
 
     /// Returns the groups of a free end or of a clamped section @p held: the
-    /// zones of its end fields, or else the tractions of its @p interaction.
+    /// zones of its boundary-layer modes, or if there are none the group of the
+    /// tractions of @p interaction.
     std::vector<unsigned int>
     groups_of(const LocalInteraction                &interaction,
               const std::vector<ConstrainedSection> &held);
 
-    /// Returns the distance within which nodes carry the fields of group @p g.
+    /// Returns the distance [length] within which nodes have group @p g.
     double
     influence_length_of(const unsigned int g) const;
 
-    /// Returns whether there are responses at wave numbers.
+    /// Returns true if there are section functions from harmonic loads.
     bool
     uses_responses() const
     {
@@ -60,19 +62,19 @@ namespace lamella
       return groups[group].is_held ? groups[group].loads.size() : 0;
     }
 
-    /// Returns the list of a node near the groups @p near.
+    /// Returns the field numbers of a node near the groups @p near.
     const std::vector<unsigned int> &
     list(const std::set<unsigned int> &near);
 
-    /// Returns the list of a node of SV: rigid fields and warpings.
+    /// Returns the field numbers of a node of SV: rigid fields and warpings.
     std::vector<unsigned int>
     saint_venant_list() const;
 
-    /// Returns the modes of @p list.
+    /// Returns the section functions with the field numbers @p list.
     FieldColumns
     columns_of(const std::vector<unsigned int> &list) const;
 
-    /// Returns the space of all modes. Call it after the last list.
+    /// Returns the space of all fields. Call it after the last list().
     std::shared_ptr<const SectionSpace>
     space() const
     {
@@ -85,14 +87,15 @@ namespace lamella
       std::vector<Vector> loads, smooth;
       double              element = 0.;
       bool                is_held = false;
-      /// Responses to the loads, and to the smooth ones.
+      /// Section functions from the loads near interactions, and from the
+      /// smooth loads far from them.
       std::vector<Vector> near, far;
-      /// Extent of a zone of end fields, which are in `near`; else 0.
+      /// Extent of a zone whose boundary-layer modes are in `near`; else 0.
       double influence_length = 0.;
-      /// True if the group holds a section as a whole.
+      /// True if the group constrains a whole section.
       bool holds = false;
-      /// Returns the sort key of groups near a node: outer zones before inner
-      /// ones, and after groups with load vectors.
+      /// Returns the sort key of groups near a node: load vectors first, then
+      /// outer zones before inner zones.
       std::pair<double, std::size_t>
       order() const
       {
@@ -101,12 +104,12 @@ namespace lamella
                 loads.size()};
       }
 
-      /// Returns whether @p other has the same loads on elements as short.
+      /// Returns true if @p other has the same loads and element length.
       bool
       has_same_loads(const Group &other) const;
     };
 
-    /// A held section with the zones of its end fields and their groups.
+    /// A constrained section: zones of boundary-layer modes, their groups.
     struct End
     {
       ConstrainedSection             held;
@@ -114,7 +117,7 @@ namespace lamella
       std::vector<unsigned int>      groups;
     };
 
-    /// Returns the groups of the end fields of @p held, perhaps mirrored.
+    /// Returns the groups of the boundary-layer modes of @p held.
     const std::vector<unsigned int> &
     zones_of(const ConstrainedSection &held);
 
@@ -123,21 +126,21 @@ namespace lamella
     /// Returns the wave numbers up to @p highest.
     std::vector<double>
     wave_numbers(const double highest) const;
-    /// Returns FieldRules::near_tolerance for N of the theory.
+    /// Returns FieldRules::near_tolerance for N wave numbers of the theory.
     double
     near_tolerance() const
     {
       const double ratio = double(rules.reference_waves) / theory.order;
       return rules.near_tolerance * std::min(1., ratio * ratio);
     }
-    /// Computes the responses of all groups, one factorization per wave number.
+    /// Computes all section functions, one factorization per wave number.
     void
     find_responses();
-    /// Returns tractions in place of load vectors for a clamped section with
-    /// the warping w: those of w as a value and as a derivative.
+    /// Returns tractions that replace load vectors at a clamped section: those
+    /// of each Saint-Venant warping as a value and as an axial derivative.
     std::vector<Vector>
     tractions_of_warpings() const;
-    /// Returns the independent responses to smooth loads.
+    /// Returns the independent section functions from smooth loads.
     FieldColumns
     far_fields() const;
 

@@ -13,18 +13,20 @@
 
 namespace lamella
 {
-  /// Returns the theories of the given pieces that contain @p y.
+  /// Returns the theories of those segments @p pieces of an axis of length
+  /// @p length that contain @p y.
   std::vector<Theory>
   theories_at(const double y, const TheoryPieces &pieces, const double length);
 
-  /// Returns the list of LE-@p degree, all fields or those of lower degree.
+  /// Returns the numbers of the section fields of LE-@p degree: all fields, or
+  /// those up to a lower degree.
   std::vector<unsigned int>
   list_of_degree(const Section &section, const unsigned int degree);
 
-  /// Combined requirements of the pieces at a node.
+  /// Combined requirements of all segments that meet at a node.
   struct Wanted
   {
-    /// Highest degree of LE, or 0; whether there is SV, or only SV.
+    /// Highest degree of LE, or 0; whether any, and all, segments are SV.
     unsigned int degree = 0;
     bool         any_SV = false, plain = true;
   };
@@ -33,8 +35,8 @@ namespace lamella
   Wanted
   requirements_of(const std::vector<Theory> &theories);
 
-  /// Adds notes on surface-to-surface contacts at nodes of LE of a lower degree
-  /// than the section's, which have a row per trace node.
+  /// Adds notes for the user on surface-to-surface contacts at nodes of LE of a
+  /// lower degree than the section's, which have one constraint per trace node.
   void
   add_coarse_row_notes(const Beam                          &beam,
                        const unsigned int                   body,
@@ -42,13 +44,13 @@ namespace lamella
                        const std::vector<ContactInterface> &contacts,
                        std::vector<std::string>            &notes);
 
-  /// Returns a label, "SV-6 (of LE-2), 12 to 111 fields a node".
+  /// Returns a label, for example "SV-6 (of LE-2), 12 to 111 fields a node".
   std::string
   label_of(const BodyDescription                        &body,
            const std::vector<std::vector<unsigned int>> &lists);
 
-  /// Returns the body @p description, whose pieces are LE, like @p beam but
-  /// with the leading fields of each degree.
+  /// Returns the body of @p description, all of whose segments are LE, from
+  /// @p beam with the section fields of each segment's degree.
   std::unique_ptr<Body>
   make_by_degrees(const BodyDescription &description, const Beam &beam);
 } // namespace lamella

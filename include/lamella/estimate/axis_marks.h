@@ -11,33 +11,35 @@
 
 namespace lamella
 {
-  /// Returns @p scene with the elements @p marked of its beams bisected. Axes
-  /// have to be made. Bodies with paired nodes need all or none marked.
+  /// Returns @p scene with the axis elements @p marked of its beams bisected.
+  /// Axes must already be divided into elements. Bodies with paired nodes must
+  /// have all elements marked or none.
   Scene
   bisected(Scene scene, const std::vector<ElementError> &marked);
 
-  /// Returns the elements to bisect for @p goals: for each goal those with the
-  /// largest |error| per DoF, at least @p share of the sum of |error|, and as
-  /// many as leave at most @p left of the tolerance to all others. Nothing if a
-  /// goal has no LocalErrors or a contact pairs nodes.
+  /// Returns the axis elements to be bisected to reduce the errors of @p goals.
+  /// For each goal, elements with the largest |error| per DoF are selected
+  /// until the selected errors are at least the fraction @p share of the sum of
+  /// |error|, and those of the remaining elements at most the fraction @p left
+  /// of the tolerance. Returns nothing if a goal has no LocalErrors or a
+  /// contact pairs nodes.
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,
                   const double                   left,
                   const double                   share);
 
-  /**
-   * Returns @p scene with elements merged that contribute little to the error
-   * of any of @p goals. A merged pair of neighbors with lengths h_1, h_2 and
-   * degree p along the axis is expected to have the error of a smooth solution,
-   *   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
-   * where e is multiplied by 2^(-2 p) if only errors of pairs are known
-   * (LocalErrors::of_pairs). Pairs, also of merged elements, are merged in
-   * order of increasing error while the sum is below @p left of each tolerance.
-   * Element ends at @p kept (one list per body) stay. Nothing is merged if a
-   * contact pairs nodes, or if a goal has no LocalErrors or too large parts
-   * without an element (contact, remainder).
-   */
+  /// Returns @p scene with those axis elements merged that contribute little to
+  /// the error of each of @p goals. A merged pair of neighbors with lengths
+  /// h_1, h_2, errors e_1, e_2 and degree p along the axis is expected to have
+  /// the error of a smooth solution,
+  ///   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
+  /// where e is multiplied by 2^(-2 p) if only errors of pairs are known
+  /// (LocalErrors::of_pairs). Pairs, also of merged elements, are merged in
+  /// ascending order of their error, as long as its sum is below the fraction
+  /// @p left of each tolerance. Element ends at @p kept (one list per body) are
+  /// unchanged. Nothing is merged if a contact pairs nodes, if a goal has no
+  /// LocalErrors, or a large error outside elements (contact, remainder).
   Scene
   merged(Scene                                   scene,
          const std::vector<std::vector<double>> &kept,

@@ -11,24 +11,25 @@
 
 namespace lamella
 {
-  /// Returns @p axis with about half as many elements, of given lengths.
-  /// Neighbors are merged two by two within each piece; of an odd number, three
-  /// at the longest element are merged. If all pieces are single elements, as
-  /// on graded axes, pieces end at the places toward which elements get shorter
-  /// from both sides. All element ends are element ends of @p axis.
+  /// Returns @p axis with about half as many elements. Neighbors are merged in
+  /// pairs within each segment of the axis; of an odd number, three are merged
+  /// at the longest element. If each segment is a single element, as on graded
+  /// axes, segments end at the points toward which elements get shorter from
+  /// both sides. All element ends are element ends of @p axis.
   AxisMesh
   halved(const AxisMesh &axis);
 
-  /// Returns the elements of @p axis after halving it @p times, with its degree
-  /// reduced by one (1 at least) for each time an element was not merged.
+  /// Returns the elements of @p axis after halving it @p times. Its degree is
+  /// reduced by one (not below 1) each time an element is not merged.
   std::vector<AxisSpan>
   coarser_spans(AxisMesh axis, const unsigned int times);
 
-  /// Returns @p scene with the (made) axes of its beams halved().
+  /// Returns @p scene with the axes of its beams halved(); axes must already be
+  /// divided into elements.
   Scene
   with_halved_axes(Scene scene);
 
-  /// Returns @p scene with LE-(N-1) for LE-N in all bodies and pieces, N >= 2.
+  /// Returns @p scene with LE-(N-1) for LE-N, N >= 2, in all bodies.
   Scene
   with_lower_degree(Scene scene);
 } // namespace lamella

@@ -16,7 +16,7 @@
 
 namespace lamella
 {
-  /// Scene, numbers and body sizes of a solved model.
+  /// A solved model for error estimation: its scene, results and body sizes.
   struct Model
   {
     Scene                 scene;
@@ -24,11 +24,11 @@ namespace lamella
     std::vector<BodySize> sizes;
   };
 
-  /// Solved models of one scene by key_of(), so that none is solved twice.
+  /// Solved models of one scene by key_of(), so that no model is solved twice.
   class ModelCache
   {
   public:
-    /// Returns the model of @p scene, or null.
+    /// Returns the stored model of @p scene, or null.
     const Model *
     find(const Scene &scene) const;
     void
@@ -38,18 +38,19 @@ namespace lamella
     std::map<std::string, Model> models;
   };
 
-  /// Solver of further models of the scene of a run, one after the other.
+  /// Solves other models of the scene of a run for comparison.
   class ComparisonModels
   {
   public:
-    /// Prints a line per model to @p out.
+    /// Keeps references to all arguments. Prints a line per model to @p out.
     ComparisonModels(const Simulation &run,
                      std::ostream     &out,
                      ModelCache       &cache);
 
-    /// Returns the model of @p scene; solves it, with the line @p what, unless
-    /// it is known or @p look is given, which gets the solved simulation.
-    /// Throws what Simulation throws. Collective.
+    /// Returns the model of @p scene, from the cache if it was solved before.
+    /// Otherwise solves it and prints the line @p what. If given, @p look is
+    /// called with the solved simulation, and the model is solved again. Throws
+    /// what Simulation throws. Collective.
     Model
     solved(const Scene                                   &scene,
            const std::string                             &what,

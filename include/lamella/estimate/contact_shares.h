@@ -13,63 +13,65 @@
 
 namespace lamella
 {
-  /// Measured factors from a change by contact to a bar
+  /// Measured factors between a change of a goal by contact and its error bar
   /// (doc/theory/friction.md).
   struct ContactShareRules
   {
-    /// Factor of the change by exact contact, perhaps of a poorer model.
+    /// Factor for the change by exact contact, possibly from a coarser model.
     double of_penalties = 2.;
-    /// Factor of the change by twice as many substeps: the error left is once
-    /// the change at first order, and 3.4 times at order 1/2 (growing contact).
+    /// Factor for the change by twice as many substeps: the remaining error is
+    /// equal to the change at first order, and 3.4 times it at order 1/2
+    /// (growing contact).
     double of_path = 4.;
-    /// Factor of that change in the estimate: first order.
+    /// Factor for this change in the error estimate, for first order.
     double left_of_path = 2.;
   };
 
-  /**
-   * Effects of penalties and load steps on a run's goals.
-   *
-   * Penalties: the last state is solved again with exact rows, on the run's
-   * factorized stiffness and with an active set of its own. A goal changes by
-   *   J'_u . (u_exact - u) + J'_lambda . (lambda_exact - lambda).
-   * For a goal without a derivative, and with friction, it is the change by
-   * exact contact in a poorer model (compare()). Zero without penalties.
-   *
-   * Load steps, with friction: the change by twice as many substeps in a poorer
-   * model. The law is integrated by backward Euler in the slip, of first order
-   * at most. Throws NumericsError without an exact solution. Collective.
-   */
+  /// Changes of the goals of a run due to penalties and load steps.
+  ///
+  /// Penalties: the last state is solved again with exact contact, on the
+  /// factorized stiffness of the run and with its own active set. A goal J
+  /// changes by
+  ///   J'_u . (u_exact - u) + J'_lambda . (lambda_exact - lambda).
+  /// For a goal without a derivative, and with friction, it is the change by
+  /// exact contact in a coarser model (compare()). Zero without penalties.
+  ///
+  /// Load steps, with friction: the change by twice as many substeps in a
+  /// coarser model. The friction law is integrated by backward Euler in the
+  /// slip, of first order at most. Throws NumericsError if exact contact has no
+  /// solution. Collective.
   class ContactShares
   {
   public:
     explicit ContactShares(const Simulation &run);
 
-    /// Solves @p poorer, whose numbers are @p numbers, without penetration and
-    /// in twice as many substeps, by @p others, as far as @p goals need it.
+    /// Solves the coarser scene @p poorer, with the results @p numbers, with
+    /// exact contact and with twice as many substeps, if @p goals need it.
     void
     compare(const std::vector<NamedQuantity> &goals,
             ComparisonModels                 &others,
             const Scene                      &poorer,
             const ResultNumbers              &numbers);
 
-    /// Adds the effects to @p result of @p goal, one of compare(), by
-    /// ContactShareRules: signed to the estimate, by size to bar and shares.
+    /// Adds the changes to @p result of @p goal, one of those of compare(),
+    /// with the factors of ContactShareRules: signed to the estimate, absolute
+    /// values to bar and shares.
     void
     add_to(const NamedQuantity &goal, GoalResult &result) const;
 
   private:
-    /// Returns the change exact - run.
+    /// Returns the change of @p goal from the run to exact contact.
     double
     of_penalties(const NamedQuantity &goal) const;
 
     ContactShareRules rules;
     bool              any_penalty, any_friction;
-    /// Change exact - run of the last state; empty with friction.
+    /// Changes of the last state to exact contact; empty with friction.
     BlockVector         u;
     std::vector<double> force;
-    /// Dual of all rows that are active in either state.
+    /// Dual solution with all constraints that are active in either state.
     std::unique_ptr<const GoalDual> dual;
-    /// Numbers of the poorer model, without penetration, and in more substeps.
+    /// Results of the coarser model; with exact contact; with more substeps.
     std::optional<ResultNumbers> poor, exact, shorter;
   };
 } // namespace lamella

@@ -14,7 +14,7 @@
 
 namespace lamella
 {
-  /// Sources of the error of a number.
+  /// Sources of the error of a result.
   enum class Source
   {
     axis,    ///< the elements along the axes
@@ -24,7 +24,7 @@ namespace lamella
     path     ///< the load steps on which friction depends
   };
 
-  /// Names, in the order in which sources are enriched.
+  /// Names of the sources, in the order in which they are refined.
   template <>
   struct Names<Source>
   {
@@ -39,31 +39,32 @@ namespace lamella
   std::vector<BodySize>
   sizes_of(const BuiltScene &model);
 
-  /// Returns whether SV-N would have fewer fields for a body of LE-N.
+  /// Returns true if SV-N would have fewer fields for a body of LE-N.
   bool
   may_have_responses(const BodyDescription &body,
                      const BodySize        &size,
                      const PlanRules       &rules = {});
 
   /**
-   * Returns @p scene with less of one source of error in all bodies:
-   *   axis      elements along beams are halved;
-   *   fields    EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6; all
-   *             of these become LE-2 where that has at most cheap_dofs or
-   *             contacts cover more than max_contact_share of the body
-   *             (PlanRules). SV-N gets four wave numbers more;
-   *   section   the degree of LE-N and the section order of SV-N grow by one.
-   *             At 8 (PlanRules::highest_degree, corner_degree) a layer of
-   *             cells is added at the corners of the section, or without
-   *             corners each cell is divided in four. (Degrees converge at
-   *             twice the rate of equal cells where plies end, Szabo and
-   *             Babuska 1991.) solid-1 becomes solid-2, whose hexahedra are
-   *             divided in eight;
-   *   contact   penalties become exact;
+   * Returns @p scene with one source of error reduced in all bodies:
+   *   axis      elements along beams are bisected;
+   *   fields    EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6; all of
+   *             these become LE-2 if it has at most cheap_dofs DoFs or contacts
+   *             extend over more than max_contact_share of the body
+   *             (PlanRules). SV-N gets four more wave numbers;
+   *   section   the degree of LE-N and the section order of SV-N increase by
+   *             one. At 8 (PlanRules::highest_degree, corner_degree) a layer of
+   *             cells is added at the corners of the section, or if there are
+   *             none each cell is divided in four. (At ply ends, degrees
+   *             converge at twice the rate of equal cells, Szabo and Babuska
+   *             1991.) solid-1 becomes solid-2; then hexahedra are divided in
+   *             eight;
+   *   contact   penalties are replaced by exact contact;
    *   path      substeps are doubled (for_estimates() sets their number).
-   * LE-N becomes SV-10 with the same functions if the body, of the size in @p
-   * sizes, would exceed max_layerwise_dofs and may_have_responses() holds. The
-   * axes of @p scene have to be made (grade_axes()).
+   * LE-N becomes SV-10 with the same section functions if the body, of the
+   * size in @p sizes, would exceed max_layerwise_dofs and may_have_responses()
+   * holds. The axes of @p scene must already be divided into elements
+   * (grade_axes()).
    */
   Scene
   enriched(const Scene                 &scene,
@@ -71,12 +72,12 @@ namespace lamella
            const std::vector<BodySize> &sizes,
            const PlanRules             &rules = {});
 
-  /// Returns whether enriched() would change anything.
+  /// Returns true if enriched() would change @p scene.
   bool
   has_source(const Scene &scene, const Source source);
 
-  /// Returns the scene of the solved @p run for estimates: only its last load
-  /// step (with friction all, in the run's substeps), and only probes.
+  /// Returns the scene of the solved @p run for error estimates: its last load
+  /// step (with friction all, with the run's substeps) and probes.
   Scene
   for_estimates(const Simulation &run);
 } // namespace lamella

@@ -13,41 +13,41 @@
 
 namespace lamella
 {
-  /// Constants of EnrichmentEstimate.
+  /// Parameters of EnrichmentEstimate.
   struct EnrichmentRules
   {
-    /// Number of wave numbers that the model with poorer fields lacks.
+    /// Number of wave numbers by which the model with fewer fields is reduced.
     unsigned int fewer_waves = 3;
-    /// Section order below which runs with tolerances are compared with a
-    /// richer section, as order 1 does not bound the error of order 2.
+    /// Section order below which runs to a tolerance are compared with a finer
+    /// section, as order 1 does not bound the error of order 2.
     unsigned int min_order = 3;
-    /// Factors from a change to a bar: for poorer fields and sections; for
-    /// halved axes, whose error falls by two or more; for richer models.
+    /// Factors from a change to a bar: for coarser fields and sections; for
+    /// halved axes, whose error decreases at least by half; for finer models.
     double of_fields = 2., of_axis = 1., enriched_factor = 2.;
-    /// Largest sum of |changes|, as a share of the scale, that has a bar.
+    /// Largest sum of |changes| over the scale for which there is a bar.
     double max_change_share = 0.1;
   };
 
-  /**
-   * Error bars of the goals of a run with bodies of SV-N, from three models
-   * that differ from the run in one source each and share its end fields:
-   *   axis      half of the elements; with tolerances twice as many
-   *   fields    three wave numbers less; with tolerances four more
-   *   section   one order or degree less; with tolerances one more if the
-   *             order is below EnrichmentRules::min_order.
-   * A bar is the sum of |change| times the factor in EnrichmentRules. Richer
-   * models give much shorter bars where fields converge fast; poorer ones cost
-   * half as much. The estimate sums the changes by richer models only.
-   * Penalties and load steps: see ContactShares.
-   */
+  /// Error bars of the goals of a run with bodies of SV-N, from three models
+  /// that differ from the run in one error source each and have the same
+  /// boundary-layer modes. Runs to a tolerance use the finer models in
+  /// parentheses:
+  ///   axis      half of the elements (twice as many)
+  ///   fields    three wave numbers less (four more)
+  ///   section   one order or degree less (one more if the order is below
+  ///             EnrichmentRules::min_order).
+  /// A bar is the sum of |change| times the factors in EnrichmentRules. Finer
+  /// models give much shorter bars if fields converge fast; coarser models cost
+  /// half as much. The estimated error is the sum of the changes by finer
+  /// models only. ContactShares adds penalties and load steps.
   class EnrichmentEstimate
   {
   public:
-    /// Returns why @p run has no such bars; empty if it has.
+    /// Returns why @p run has no such bars; empty if it has bars.
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Solves the other models, as CoarserModelEstimate() does.
+    /// Solves the other models; arguments as of CoarserModelEstimate().
     EnrichmentEstimate(const Simulation &run,
                        std::ostream     &out,
                        ModelCache       &cache);
@@ -56,7 +56,7 @@ namespace lamella
     goals() const;
 
   private:
-    /// Numbers of a model that differs in one source, and its factor.
+    /// Results of a model that differs in one source, with its factor.
     struct Other
     {
       Source        source;
@@ -71,7 +71,7 @@ namespace lamella
     compare_with_enriched(ComparisonModels &models, const Scene &scene);
     void
     compare_sections(ComparisonModels &models, const Scene &scene);
-    /// Returns the change of @p goal by @p other: richer less poorer.
+    /// Returns the change of @p goal by @p other: finer minus coarser model.
     double
     change_by(const Other &other, const NamedQuantity &goal) const;
     ErrorBar
@@ -84,7 +84,7 @@ namespace lamella
     RunGoals           of_run;
     ContactShares      of_contact;
     std::vector<Other> others;
-    /// Local errors of each quantity, from more elements.
+    /// Local errors of each goal, from the model with more elements.
     std::vector<std::optional<LocalErrors>> local;
   };
 } // namespace lamella

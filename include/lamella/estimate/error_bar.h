@@ -8,33 +8,34 @@
 
 namespace lamella
 {
-  /// Constants of error bars. With these 411 of 414 bars of
+  /// Parameters of error bars. With these, 411 of the 414 bars in
   /// doc/theory/error-bars.md are correct; most are several times too long.
   struct BarRules
   {
-    /// Largest ratio of successive changes that is extrapolated.
+    /// Largest ratio of successive changes for which the error is extrapolated.
     double max_remaining_share = 2. / 3.;
-    /// Share of the scale below which the spread of the values is the error.
+    /// Fraction of the scale below which the spread of the values is the error.
     double small = 1e-2;
-    /// Share of the scale below which differences are rounding.
+    /// Fraction of the scale below which differences are rounding.
     double digits = 1e-8;
-    /// Ratio of successive changes above which a value is reported to grow.
+    /// Ratio of successive changes above which a value is reported to diverge.
     double growth = 0.9;
-    /// Bar over |change|, and over the sum of |shares|, which may cancel.
+    /// Bar over |change|, and over the sum of |changes| by source.
     double of_change = 2., of_shares = 0.5;
-    /// Least error after a pass over the bars of the refined sources before.
+    /// Smallest error after a refinement pass over the previous bars of the
+    /// refined sources.
     double of_pass = 1. / 8.;
   };
 
-  /// Values of a quantity from a run, a richer and a still richer model.
+  /// Values of a quantity from a run, a finer and a still finer model.
   struct Refinements
   {
     double run = 0., richer = 0., richest = 0.;
-    /// Sum of |share| over the sources of error (GoalResult::shares).
+    /// Sum of |change| over the sources of error (GoalResult::shares).
     double shares = 0.;
-    /// Reference size of errors: the value, or the largest of its kind.
+    /// Reference size of errors: |value|, or the largest value of its kind.
     double scale = 0.;
-    /// Error of the value by rounding.
+    /// Rounding error of the value.
     double rounding = 0.;
   };
 
@@ -42,56 +43,51 @@ namespace lamella
   std::string
   describe_growth();
 
-  /// Estimated error of a run's value.
+  /// Estimated error of a value of a run.
   struct ErrorBar
   {
-    /// Signed estimate eta = richest - run, to be added to the value.
+    /// Signed error estimate eta = richest - run, to be added to the value.
     double estimate = 0.;
-    /// Bound of |error|: the length of the bar to either side.
+    /// Bound of |error|: length of the error bar to either side.
     double bar = 0.;
-    /// True if the refinements agree, so that the bar can be relied on.
+    /// True if successive refinements agree, so that the bar is reliable.
     bool trusted = false;
     /// Reason if not trusted: a sentence without a full stop.
     std::string why = {};
-    /// Part of each source in the bar, if it was made of several.
+    /// Contribution of each error source to the bar, if there are several.
     std::vector<double> parts = {};
   };
 
-  /**
-   * Returns the bar of a value v_0 from the values v_1, v_2 of two richer
-   * models:
-   *   estimate  eta = v_2 - v_0
-   *   bar       max(2 |eta|, 1/2 sum |shares|, rounding, 1e-8 scale).
-   * If each refinement multiplies the error by q, then v_2 - v_1 = q (v_1 -
-   * v_0), and eta misses q^2 of the error. The bar is trusted if q <= 2/3, or
-   * if all three values agree to 1e-2 of the scale. Agreement to 1e-8 is
-   * rounding. A value that changes as much again in the same direction is
-   * reported to grow without limit. (Becker and Rannacher, Acta Numerica 10
-   * (2001) 1-102.)
-   */
+  /// Returns the error bar of a value v_0 from the values v_1, v_2 of two
+  /// successively finer models:
+  ///   estimate  eta = v_2 - v_0
+  ///   bar       max(2 |eta|, 1/2 sum |shares|, rounding, 1e-8 scale).
+  /// If each refinement multiplies the error by q, then v_2 - v_1 = q (v_1 -
+  /// v_0), and eta leaves q^2 of the error. The bar is trusted if q <= 2/3, or
+  /// if all three values agree to 1e-2 of the scale. Agreement to 1e-8 is
+  /// rounding. A value that changes by as much again in the same direction is
+  /// reported to diverge. (Becker and Rannacher, Acta Numerica 10, 2001.)
   ErrorBar
   error_bar(const Refinements &values, const BarRules &rules = {});
 
-  /// Changes of a quantity over the last two levels below a run in one source
-  /// of error: the last change and the one before it, signed.
+  /// Changes of a quantity by one error source over the last two levels below a
+  /// run, signed: from the next coarser model, and the change before.
   struct Levels
   {
     double last = 0., before = 0.;
-    /// Least error of this source: sizes of contributions that may cancel.
+    /// Smallest error of this source, from contributions that may cancel.
     double least = 0.;
   };
 
-  /**
-   * Returns the bar of a value from poorer models. With d = |last|, e =
-   * |before| of a source, q = d / e, and an error that goes on to fall by q,
-   * its error is at most
-   *   max(d, 2 d q / (1 - q), least),
-   * where d covers a q that is small by accident and `least` a d that is. If q
-   * > 2/3, the part is at least twice the larger of d and e, and the bar is not
-   * trusted if that exceeds a hundredth of @p scale. The bar is the sum over @p
-   * sources, at least @p rounding and 1e-8 of the scale. The estimate is the
-   * sum of last q / (1 - q), an extrapolation.
-   */
+  /// Returns the error bar of a value from coarser models. For each error
+  /// source let d = |last|, e = |before| and q = d / e. If the error continues
+  /// to decrease by q, it is at most
+  ///   max(d, 2 d q / (1 - q), least),
+  /// where d prevents that q, and `least` that d, is small by accident. If q >
+  /// 2/3, the contribution is at least twice the larger of d and e, and the bar
+  /// is not trusted if this exceeds a hundredth of @p scale. The bar is the sum
+  /// over @p sources, at least @p rounding and 1e-8 of the scale. The estimate
+  /// is the sum of last q / (1 - q), an extrapolation.
   ErrorBar
   coarser_model_bar(const std::vector<Levels> &sources,
                     const double               scale,

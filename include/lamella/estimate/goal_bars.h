@@ -12,19 +12,20 @@
 
 namespace lamella
 {
-  /// Goals of a run with their bars, or the reason why there are none.
+  /// Goals of a run with their error bars, or the reason why there are none.
   struct GoalBars
   {
     std::vector<GoalResult> goals;
     std::string             missing_reason;
   };
 
-  /// Returns the bars of @p run, whose last step is solved, as the scene
-  /// requests them (ErrorBars): by CoarserModelEstimate, EnrichmentEstimate or
-  /// HalvedAxisEstimate, the first that is possible, or else, and for `richer`,
-  /// by Estimation. The former are at least twice the change by
-  /// support_refinement_changes(). Goals with tolerances have bars at any cost.
-  /// Prints a line per model to @p out; @p cache keeps the models. Collective.
+  /// Returns the goals of @p run, whose last step must have been solved, with
+  /// the error bars that the scene requests (ErrorBars): by the first possible
+  /// method of CoarserModelEstimate, EnrichmentEstimate and HalvedAxisEstimate;
+  /// otherwise, and for `richer`, by Estimation. Bars of the first three
+  /// methods are at least twice support_refinement_changes(). Goals with
+  /// tolerances have bars at any cost. Prints a line per model to @p out;
+  /// @p cache stores the models. Collective.
   GoalBars
   error_bars_of(const Simulation &run, std::ostream &out, ModelCache &cache);
 } // namespace lamella

@@ -12,40 +12,44 @@
 
 namespace lamella
 {
-  /// Dual solutions of goals on the factorization of a solved model. With its K
-  /// and the gap rows B that are active at its last step,
+  /// Dual (adjoint) solutions of goals with the factorization of a solved
+  /// model. With the stiffness K, the rows B of the constraints that are active
+  /// at the last step, and their compliance a,
   ///   K z - B^T nu = J'_u,   B z + a nu = -J'_lambda,
   /// so that a load f and gaps s change the goal J by f . z - nu . s.
   class GoalDual
   {
   public:
-    /// Vector of displacement DoFs and of forces of the active rows.
+    /// Displacement DoFs, and forces of the active constraints.
     struct Pair
     {
       BlockVector u;
       Vector      force;
     };
 
-    /// Displacement that is 1 in a direction (0, 1, 2) at a support.
+    /// Displacement field that is 1 in a direction (0, 1, 2) at a support,
+    /// given by its number, for the force of this support.
     using Influence =
       std::function<BlockVector(const unsigned int, const unsigned int)>;
 
-    /// Refers to the solved @p model; @p influence is that of its supports by
-    /// default. Collective, as all members.
+    /// Keeps a reference to the solved @p model; @p influence defaults to
+    /// influence_of_support(). All functions are collective.
     explicit GoalDual(const Simulation &model, Influence influence = {});
     /// Provides derivatives by the forces of @p rows, without solve().
     GoalDual(const Simulation &model, std::vector<unsigned int> rows);
 
-    /// Returns J'_u, and J'_lambda of the active rows. Nothing for a jump, a
-    /// moment, pressure, width and strips of a contact, and with friction. Of
-    /// recovered stresses it is that of the elements' own.
+    /// Returns the derivatives J'_u, and J'_lambda by the active constraints.
+    /// Empty for a jump, a moment, pressure, width and strips of a contact, and
+    /// with friction. For recovered stresses, it is the derivative of the
+    /// element stresses.
     std::optional<Pair>
     derivative(const NamedQuantity &goal) const;
 
-    /// Returns w, to be subtracted from z in changes of J from one space to
-    /// another: for a force of a support, whose derivative K w has a w of each
-    /// space's own, that w. (With L w of the poorer space and the change e of
-    /// u, which vanishes at supports, J changes by a(e, (1 - L)(z - w)).)
+    /// Returns the displacement w to be subtracted from z in the change of a
+    /// support force J between two spaces; nothing for other goals. J has the
+    /// derivative K w with a different w in each space. (With L w in the
+    /// coarser space and the change e of u, which is zero at supports, J
+    /// changes by a(e, (1 - L)(z - w)).)
     std::optional<BlockVector>
     lifting(const NamedQuantity &goal) const;
 
@@ -53,14 +57,16 @@ namespace lamella
     Pair
     solve(const Pair &derivative) const;
 
-    /// Returns the rows that are active at the last step, or those given.
+    /// Returns the constraints that are active at the last step, or those given
+    /// in the constructor.
     const std::vector<unsigned int> &
     active_rows() const
     {
       return active;
     }
 
-    /// Returns the influence of a support of @p structure.
+    /// Returns the displacement field of @p structure that is 1 in @p direction
+    /// at support number @p support.
     static BlockVector
     influence_of_support(const Structure   &structure,
                          const unsigned int support,
@@ -69,14 +75,14 @@ namespace lamella
   private:
     Pair
     zero() const;
-    /// Returns the number of the support that @p goal is a force of.
+    /// Returns the number of the support whose force is @p goal.
     unsigned int
     support_of(const NamedQuantity &goal) const;
     /// Returns the derivative of a column of a probe.
     std::optional<Pair>
     at_probe(const NamedQuantity &goal) const;
-    /// Returns the derivative of a support's force component: w . (f_int - t f
-    /// - B^T lambda) with the displacement w that is 1 there.
+    /// Returns the derivative of a component of a support force, w . (f_int - t
+    /// f - B^T lambda), with the displacement w that is 1 at the support.
     std::optional<Pair>
     of_support(const NamedQuantity &goal) const;
     std::optional<Pair>

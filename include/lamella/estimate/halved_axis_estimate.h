@@ -15,54 +15,54 @@
 
 namespace lamella
 {
-  /// Constants of HalvedAxisEstimate.
+  /// Parameters of HalvedAxisEstimate.
   struct HalvedAxisRules
   {
-    /// Bounds for a trusted bar: a richer section changes a goal by at most
-    /// `max_remaining_share` of the change before, or `small` of the scale.
+    /// Bounds for a trusted bar: a finer section changes a goal by at most
+    /// `max_remaining_share` of the previous change, or `small` of the scale.
     double max_remaining_share = 0.8, small = 1e-2;
-    /// Least bar, as a share of the change by the degree before.
+    /// Smallest bar over the change by the previous degree.
     double min_share_of_previous = 1. / 8.;
-    /// Cost limits of automatic bars: a share of the run's multiplications, and
-    /// a number of them (about a second) that is always free.
+    /// Cost limits of `auto` bars: a fraction of the multiplications of the
+    /// run, and a number (about a second) that is always allowed.
     double max_share_of_run = 0.5, free_operations = 5e9;
   };
 
-  /// Models that a run is compared with: number of halvings of the axis, and
-  /// degree of LE in place of other theories (0: sections are not compared).
+  /// Comparison models of HalvedAxisEstimate: number of halvings of the axis,
+  /// and degree of LE that replaces other theories (0: none).
   struct HalvedAxisPlan
   {
     unsigned int times = 1, degree = 2;
   };
 
-  /**
-   * Error bars of runs without poorer models of their own kind: LE-1 and LE-2,
-   * EBBT, TBT, TE-N and SV. The models have half of the elements (or a quarter:
-   * HalvedAxisPlan) and
-   *   H_p  the run's theories and degrees;
-   *   H_r  LE with one degree more, other theories replaced by LE of the
-   *        degree of HalvedAxisPlan;
-   *   H_l  one degree less than H_p if all bodies are LE, else than H_r.
-   * With s = J(H_r) - J(H_p) the bar is
-   *   2 |s| + |J(run) - J(H_p)|,
-   * and at least |J(H_p) - J(H_l)| / 8 if all bodies are LE, else |J(H_r) -
-   * J(H_l)|. The estimate is s (combination technique). Without a richer
-   * section (degree 0), as for large rotations, the bar is 2 |J(run) - J(H_p)|,
-   * the error of the axis. Penalties, load steps: see ContactShares.
-   */
+  /// Error bars of runs for which there are no coarser models of the same
+  /// theory: LE-1 and LE-2, EBBT, TBT, TE-N and SV. The comparison models have
+  /// half of the elements (or a quarter: HalvedAxisPlan) and
+  ///   H_p  the run's theories and degrees;
+  ///   H_r  LE with one degree more, other theories replaced by LE of the
+  ///   degree
+  ///        of HalvedAxisPlan;
+  ///   H_l  one degree less than H_p if all bodies are LE, else than H_r.
+  /// With s = J(H_r) - J(H_p) for the goal J, the bar is
+  ///   2 |s| + |J(run) - J(H_p)|,
+  /// and at least |J(H_p) - J(H_l)| / 8 if all bodies are LE, else |J(H_r) -
+  /// J(H_l)|. The error estimate is s (combination technique). If there is no
+  /// finer section (degree 0), as for large rotations, the bar is 2 |J(run) -
+  /// J(H_p)|, the error of the axis. See also ContactShares.
   class HalvedAxisEstimate
   {
   public:
-    /// Returns why @p run has no such bars; empty if it has.
+    /// Returns why @p run has no such bars; empty if it has bars.
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Returns the best plan, if any, of at most @p most multiplications. LE-1
-    /// replaces EBBT, TBT and TE-1 only: it is not richer than others.
+    /// Returns the best models, if any, that take at most @p most
+    /// multiplications. LE-1 replaces EBBT, TBT and TE-1 only, as it is not
+    /// finer than the others.
     static std::optional<HalvedAxisPlan>
     plan(const Simulation &run, const double most);
 
-    /// Solves the models of @p plan, as CoarserModelEstimate() does.
+    /// Solves the models of @p plan; arguments as of CoarserModelEstimate().
     HalvedAxisEstimate(const Simulation     &run,
                        const HalvedAxisPlan &plan,
                        std::ostream         &out,
@@ -72,7 +72,7 @@ namespace lamella
     goals() const;
 
   private:
-    /// Returns the approximate multiplications of @p plan.
+    /// Returns the approximate number of multiplications of @p plan.
     static double
     operations(const Scene                 &scene,
                const std::vector<BodySize> &sizes,
@@ -91,7 +91,7 @@ namespace lamella
     ContactShares     of_contact;
     /// True if all bodies are LE.
     bool layerwise = false;
-    /// Numbers of H_p, H_r and H_l.
+    /// Results of H_p, H_r and H_l.
     ResultNumbers                half, richer;
     std::optional<ResultNumbers> lower;
   };

@@ -9,24 +9,24 @@
 namespace lamella
 {
   /// Returns the first model of a run to a tolerance if @p scene does not set
-  /// its Theory: plan() applied to SV-6. If @p why is not null, it gets a
-  /// sentence for each body that begins with another theory. Nothing is solved;
-  /// rows are made with the fields of TE-1. Throws what building a scene
-  /// throws.
+  /// its Theory: plan() applied to SV-6. If @p why is not null, a sentence is
+  /// added for each body that begins with another theory. Nothing is solved;
+  /// contact constraints are created with the fields of TE-1. Throws what
+  /// building a scene throws.
   Scene
   initial_model(Scene                     scene,
                 std::vector<std::string> *why   = nullptr,
                 const PlanRules          &rules = {});
 
-  /// Sets LE-3 (first_degree) in @p scene, which @p model was made of, for
-  /// bodies of SV-N that keep all fields of their section, since they are
-  /// compact (PlanRules::max_fields_share). Returns whether any changed.
+  /// Sets LE-3 (PlanRules::first_degree) in @p scene, from which @p model was
+  /// built, for those bodies of SV-N that have all fields of their section,
+  /// since they are compact (PlanRules::max_fields_share). Returns true if any.
   bool
   start_with_layerwise(Scene            &scene,
                        const BuiltScene &model,
                        const PlanRules  &rules = {});
 
-  /// Returns @p scene with LE-3 (first_degree) for LE of a lower degree.
+  /// Returns @p scene with LE of at least degree 3 (PlanRules::first_degree).
   Scene
   with_min_degree(Scene scene, const PlanRules &rules = {});
 } // namespace lamella

@@ -9,14 +9,13 @@
 
 namespace lamella
 {
-  /**
-   * Returns a key of the model of @p scene: the text of all entries as read
-   * (Scene::resolved), and each member that a program may have changed since:
-   * theory, pieces, axis, refinement and stabilization of the bodies, divisions
-   * of sections, and the law of each contact, with all digits. Equal keys give
-   * equal numbers at the last load factor. A member that is added to one of
-   * these structures does not compile until the implementation names it.
-   */
+  /// Returns a string that identifies the model of @p scene: the text of all
+  /// entries as read (Scene::resolved), and each member that may have changed
+  /// later: theory, pieces, axis, refinement and stabilization of the bodies,
+  /// divisions of sections, and the law of each contact, with all digits.
+  /// Models with equal keys have equal results at the last load factor. A
+  /// member that is added to one of these structures does not compile until the
+  /// implementation names it.
   std::string
   key_of(const Scene &scene);
 } // namespace lamella

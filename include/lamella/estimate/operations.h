@@ -8,18 +8,19 @@
 
 namespace lamella
 {
-  /// Returns the multiplications of @p run for factorizations: at least z^2 / n
-  /// for a factor with n columns and z non-zeros. 0 without factorizations
-  /// (`cg`, strategy `full`).
+  /// Returns the number of multiplications of @p run for factorizations: at
+  /// least z^2 / n for a factor with n columns and z nonzeros. 0 if there are
+  /// no factorizations (`cg`, strategy `full`).
   double
   operations(const Simulation &run);
 
-  /// Returns the estimated multiplications of the richer models of Estimation
-  /// (CostRules): of_block m^3 per axis node with m = fields_of_responses, for
-  /// `axes` times the nodes, where SV-10 replaces LE-N; products and
-  /// eigenvectors of the responses, two per wave number and load vector; and
-  /// the pieces for its end fields, as a share of the run's factorization
-  /// (nodes_of_pieces()). Infinite if SV-10 replaces LE-N in not every body.
+  /// Returns the estimated number of multiplications for the finer models of
+  /// Estimation, in which SV-10 replaces LE-N (CostRules): of_block m^3 per
+  /// axis node with m = PlanRules::fields_of_responses, for `axes` times the
+  /// nodes; products and eigenvectors of section functions, two per wave number
+  /// and load vector; and the end segments for boundary-layer modes, relative
+  /// to the run's factorization (nodes_of_pieces()). Infinite if not for all
+  /// bodies.
   double
   operations_of_bars(const Simulation &run,
                      const PlanRules  &rules = {},

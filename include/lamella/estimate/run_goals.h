@@ -12,21 +12,21 @@
 
 namespace lamella
 {
-  /// Goals of a solved run: values and reference sizes of errors.
+  /// The goals of a solved run: values, reference sizes and rounding of errors.
   class RunGoals
   {
   public:
-    /// Returns why no goals of @p run need bars; empty if some do.
+    /// Returns why no goal of @p run needs an error bar; empty if some do.
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Returns whether @p run has contacts and none is active in its last step.
+    /// Returns true if @p run has contacts and none is active in its last step.
     static bool
     has_no_active_contact(const Simulation &run);
 
     explicit RunGoals(const Simulation &run, const GoalRules &rules = {});
 
-    /// Returns the quantities of the scene, including those of whole probes.
+    /// Returns the goals of the scene, including those of whole probes.
     const std::vector<NamedQuantity> &
     quantities() const
     {
@@ -39,13 +39,14 @@ namespace lamella
       return values;
     }
 
-    /// Returns why @p quantity, a strain or stress of a probe or a measure of
-    /// such, has no limit at its place; empty for all others and for boxes.
+    /// Returns the reason if @p quantity, a strain or stress of a probe or a
+    /// measure of these, is singular at its point; else empty, also for boxes.
     std::string
     singularity_reason(const NamedQuantity &quantity) const;
 
-    /// Returns |value| of @p quantity, or if it is near zero the largest of its
-    /// kind (of its material: ResultNumbers::largest_in_material()).
+    /// Returns |value| of @p quantity, or if that is near zero the largest
+    /// value of its kind in its material
+    /// (ResultNumbers::largest_in_material()).
     double
     scale_of(const NamedQuantity &quantity) const;
 
@@ -54,12 +55,14 @@ namespace lamella
     double
     rounding_of(const NamedQuantity &quantity) const;
 
-    /// Returns the goal @p number with @p bar. A goal without a limit is not
-    /// checked; one that is zero without contact is not met.
+    /// Returns the result of goal number @p number with @p bar. A singular goal
+    /// is not compared with its tolerance; a goal that is zero since no contact
+    /// is active does not meet it.
     GoalResult
     with_error_bar(const unsigned int number, const ErrorBar &bar) const;
 
-    /// Returns the goal @p number without a bar, with the reason if unlimited.
+    /// Returns the result of goal number @p number without an error bar, with
+    /// the reason if it is singular.
     GoalResult
     without_error_bar(const unsigned int number) const;
 

@@ -10,29 +10,27 @@
 
 namespace lamella
 {
-  /// Constants of support_refinement_changes().
+  /// Parameters of support_refinement_changes().
   struct SupportRefinementRules
   {
-    /// Element length over the larger section side above which an element
-    /// spreads the disturbance at a support over its own length.
+    /// Element length over the larger section side above which an element is
+    /// too long to resolve the disturbance at a support.
     double longest = 0.5;
-    /// Number of bisections of such an element, at the place.
+    /// Number of bisections of such an element at the support.
     unsigned int times = 2;
   };
 
-  /**
-   * Returns the changes of the goals of @p run by short elements at supported
-   * places: at points and lines that supports constrain within a beam, and at
-   * constrained ends of heated beams. Both models are LE-1, on the axes of @p
-   * run and on these bisected at the places; LE-1 has three quarters of the
-   * local effect of higher degrees.
-   *
-   * The result is J(bisected) - J(LE-1) for each goal, signed. It is empty if
-   * there are no such places, if their elements are short already, with
-   * node-dependent theories, or if a contact pairs nodes. Prints a line per
-   * model to @p out; @p cache keeps the models. Throws what Simulation throws.
-   * Collective.
-   */
+  /// Returns the changes of the goals of @p run by short elements at supports:
+  /// at points and lines that supports constrain within a beam, and at
+  /// constrained ends of heated beams. Two models of LE-1 are compared, on the
+  /// axes of @p run and on these axes bisected at the supports; LE-1 has three
+  /// quarters of the local effect of higher degrees.
+  ///
+  /// The result is J(bisected) - J(LE-1) for each goal, signed. It is empty if
+  /// there are no such supports, if their elements are short already, with
+  /// node-dependent theories, or if a contact pairs nodes. Prints a line per
+  /// model to @p out; @p cache stores the models. Throws what Simulation
+  /// throws. Collective.
   std::vector<double>
   support_refinement_changes(const Simulation             &run,
                              std::ostream                 &out,

@@ -13,42 +13,43 @@
 
 namespace lamella
 {
-  /// Approximate signed change of a goal from poorer models to the run.
+  /// Approximate signed changes of a goal from coarser models to the run, by
+  /// one error source.
   struct Surplus
   {
-    /// Changes from poorer models by one source: one and two degrees less of
-    /// the section, halves and quarters of the elements (coarser_spans()).
+    /// Changes from the two next coarser levels: one and two degrees less of
+    /// the section, or half and a quarter of the elements (coarser_spans()).
     double last = 0., before = 0.;
-    /// Sum of |contributions| to `last` of nodes and active rows.
+    /// Sum of |contributions| of nodes and active constraints to `last`.
     double by_nodes = 0.;
   };
 
-  /// Surpluses by source, and those of the axis by elements (`last`).
+  /// Surpluses by error source, and `last` of the axis by elements.
   struct SurplusParts
   {
     Surplus     section, axis;
     LocalErrors along_axis;
   };
 
-  /**
-   * Surpluses of a run: changes of its goals from poorer models, without
-   * solving these. With the dual z of a goal on the run's own factorization
-   * (GoalDual) and the interpolation L into a poorer space (BeamSurplus),
-   *   J(u_p) - J(u_(p-1)) = a(u_p - u_(p-1), (1 - L) z_p)
-   *                       ~ a((1 - L) u_p, (1 - L) z_p):
-   * first by orthogonality, then since the surplus of u approximates its
-   * change. For z = u it is an upper bound; otherwise the strengthened Cauchy
-   * inequality bounds it by the factor 1 / (1 - gamma^2) (Bank and Smith, SIAM
-   * J. Numer. Anal. 30 (1993) 921-935; Deuflhard, Leinen and Yserentant, IMPACT
-   * Comput. Sci. Eng. 1 (1989) 3-35).
-   *
-   * In active rows B the part (1 - L) u has the jump B (1 - L) u, which the
-   * change of u has not. The forces phi = -(C + a)^-1 B (1 - L) u, with the
-   * compliance C of the rows and of the law, a, remove it and add -phi . B (1 -
-   * L) z to the surplus. The error of the active set is not included. Costs one
-   * solution with refinement per goal, and four solutions and products with the
-   * stiffness in all. Collective.
-   */
+  /// Hierarchical surpluses of a run: changes of its goals from coarser models,
+  /// without solution of these models. With the dual solution z of a goal on
+  /// the run's factorization (GoalDual) and the interpolation L into a coarser
+  /// space (BeamSurplus),
+  ///   J(u_p) - J(u_(p-1)) = a(u_p - u_(p-1), (1 - L) z_p)
+  ///                       ~ a((1 - L) u_p, (1 - L) z_p):
+  /// first by orthogonality, then since the surplus (1 - L) u approximates the
+  /// change of u. For z = u it is an upper bound; otherwise the strengthened
+  /// Cauchy inequality bounds it by the factor 1 / (1 - gamma^2) (Bank and
+  /// Smith, SIAM J. Numer. Anal. 30 (1993) 921-935; Deuflhard, Leinen and
+  /// Yserentant, IMPACT Comput. Sci. Eng. 1 (1989) 3-35).
+  ///
+  /// In active constraints with rows B, (1 - L) u has the jump B (1 - L) u,
+  /// which the change of u does not have. The forces phi = -(C + a)^-1 B (1 -
+  /// L) u, with the compliance C of the constraints and a of the contact law,
+  /// remove the jump and add -phi . B (1 - L) z to the surplus. The error of
+  /// the active set is not included. Costs one solution with refinement per
+  /// goal, and four solutions and products with the stiffness in total.
+  /// Collective.
   class Surpluses
   {
   public:
@@ -59,12 +60,13 @@ namespace lamella
 
     explicit Surpluses(const Simulation &run);
 
-    /// Returns the surpluses of the goal with the dual @p z.
+    /// Returns the surpluses of the goal with the dual solution @p z.
     SurplusParts
     of(const BlockVector &z) const;
 
   private:
-    /// Parts of a vector beyond one degree less, and of the rest beyond two.
+    /// Parts of a vector: beyond one degree less, and of the remainder beyond
+    /// two degrees less, for section and axis.
     struct Parts
     {
       BlockVector section, section_before, axis, axis_before;
@@ -72,7 +74,8 @@ namespace lamella
     Parts
     parts_of(const BlockVector &v) const;
 
-    /// Forces of a part v: K v in the bodies and phi in the active rows.
+    /// Forces of a part v of the displacements: K v in the bodies, and phi in
+    /// the active constraints.
     struct PartForces
     {
       BlockVector bodies;
@@ -80,21 +83,22 @@ namespace lamella
     };
     PartForces
     forces_of_part(const BlockVector &v) const;
-    /// Returns the work of @p answer along @p z.
+    /// Returns the work of @p part_forces along @p z.
     double
     work(const PartForces &part_forces, const BlockVector &z) const;
-    /// Returns the sum of |contributions| of nodes and rows to work().
+    /// Returns the sum of |contributions| of nodes and constraints to work().
     double
     sizes(const PartForces &part_forces, const BlockVector &z) const;
-    /// Returns work() by elements, which share that of their span.
+    /// Returns work() by elements; elements of a merged span share its work.
     LocalErrors
     by_elements(const PartForces &part_forces, const BlockVector &z) const;
-    /// Adds the parts of the spans of @p body in the @p products of its DoFs.
+    /// Adds the contributions of the spans of @p body from the @p products of
+    /// its DoFs.
     void
     add_spans(const unsigned int body,
               const Vector      &products,
               LocalErrors       &result) const;
-    /// Returns the jump of @p v in the active rows.
+    /// Returns the jump of @p v in the active constraints.
     Vector
     jumps(const BlockVector &v) const;
 

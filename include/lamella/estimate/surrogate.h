@@ -10,15 +10,12 @@
 
 namespace lamella
 {
-  /**
-   * Returns the errors of goals if the section's own fields (SV-N) replace all
-   * fields (LE): |J(all fields) - J(own fields)| for each goal of @p run, on
-   * its sections and axes, where the bodies are LE in @p run and SV-N in @p
-   * next. Empty if there are none. Comparisons of SV-N with other wave numbers
-   * miss, say, the slow warping of thin walls beside a twisting load. Prints a
-   * line to @p out; @p cache keeps the model. Throws what Simulation throws.
-   * Collective.
-   */
+  /// Returns the error of each goal of @p run if SV-N replaces LE: |J(LE) -
+  /// J(SV-N)| on the sections and axes of @p run, for the bodies that are LE in
+  /// @p run and SV-N in @p next. Empty if there are none. Comparisons of SV-N
+  /// with different wave numbers do not detect, for example, the slow warping
+  /// of thin walls near a twisting load. Prints a line to @p out; @p cache
+  /// stores the model. Throws what Simulation throws. Collective.
   std::vector<double>
   surrogate_error(const Simulation &run,
                   const Scene      &next,
