@@ -14,38 +14,40 @@
 namespace lamella
 {
   /**
-   * A geometrically exact beam: finite rotations of sections, small strains and
-   * small warping. With the displacement r(y) of the center X_c of a section,
-   * its rotation R(y) and amplitudes a(y) of the warping functions Phi (section
-   * functions that are not rigid motions),
+   * A beam with finite rotations of its sections and small warping. With r(y)
+   * the displacement of the section's center, R(y) its rotation and a the
+   * amplitudes of the fields that are no rigid motions,
    *   x = X_c + r + R (X - X_c + Phi a).
-   * Strains in section axes are linear in the generalized strains
+   * Strains are small in section axes and linear in
    *   e = (Gamma, kappa, kappa_y^2 / 2, a, a')                 (FrameStrains),
-   * (shears and stretch Gamma, curvatures and twist kappa), so the section
-   * forces s = D e have a constant matrix D, computed as for Beam. With
-   * Saint-Venant's warping functions this is Simo's beam with the exact section
-   * stiffness. Terms of kappa_y^2 / 2 are Wagner's stiffening of twisted strips
-   * (TwistStretch). Flattening of bent tubes and wide strips is neglected;
-   * Deformation::shape_change measures it.
+   * so the stresses s = D e have a constant matrix D, that of a Beam
+   * (SectionOperator). With Saint-Venant's fields this is Simo's beam with the
+   * section's stiffness, including warping in shear and torsion, Poisson's
+   * effect and couplings of a layup. TwistStretch gives the terms of kappa_y^2
+   * / 2, Wagner's stiffening of a twisted strip. Other quadratic strains
+   * (flattening of bent tubes and wide strips) are neglected;
+   * Deformation::shape_change measures them.
    *
-   * In a displacement vector u, the DoFs of a node are r, its rotation vector
-   * (angle 0 to pi), scaled as in RigidField, and a. In increments du and in
-   * forces, rotational DoFs are spins about body axes, which retract() adds to
-   * u. Rows of displacements depend on u (rows_at()).
+   * In a state u the rigid fields of a node are its r and its rotation vector,
+   * of angle 0 to pi, scaled as for small rotations (RigidField). In changes du
+   * and in forces they are spins on top of the state, about body axes;
+   * retract() combines both. Rows depend on the state (rows_at()), at u = 0 a
+   * Beam's.
    *
-   * Quaternions of nodes are interpolated along an element. Reduced integration
-   * with one Gauss point fewer than nodes avoids shear locking.
+   * Quaternions of nodes are interpolated along an element. Integrals use one
+   * Gauss point fewer than nodes, which does not lock at any slenderness. (One
+   * more for the terms of a and a' doubles the number of elements needed if
+   * warping is constrained.)
    *
-   * EBBT, whose sections stay normal to the axis, is TBT with a shear stiffness
-   * of 10^4 times the axial stiffness. If the theory has no twist, rotations
-   * are limited to one plane.
+   * Sections that stay normal to the axis (EBBT) are those of TBT with 10^4
+   * times the axial stiffness against shear, which leaves a share (h / L)^2 of
+   * 1e-5 of the deflection. A section that cannot twist rotates in one plane.
    */
   class GeometricallyExactBeam : public Beam
   {
   public:
-    /// Constructs a beam with all functions of @p section, that of
-    /// Theory::of_rotating(), at all nodes. Sections stay normal to the axis if
-    /// @p keeps_normal. theory() returns @p theory, if not empty.
+    /// Constructs a beam whose nodes all carry all fields of @p section, that
+    /// of Theory::of_rotating(). theory() returns @p theory, if not empty.
     GeometricallyExactBeam(const std::string             &name,
                            std::shared_ptr<const Section> section,
                            std::shared_ptr<const Axis>    axis,
@@ -53,8 +55,7 @@ namespace lamella
                            const std::string             &theory       = "",
                            const bool                     keeps_normal = false);
 
-    /// Constructs a node-dependent beam as Beam does. Throws InputError if a
-    /// node's list does not have dense section matrices (SectionSpace).
+    /// Constructs a beam as Beam does. Throws InputError for lists not dense.
     GeometricallyExactBeam(
       const std::string                            &name,
       std::shared_ptr<const SectionSpace>           space,
@@ -74,8 +75,7 @@ namespace lamella
     {
       return true;
     }
-    /// Returns @p u updated by @p change. Throws NumericsError if sections
-    /// would twist although the theory has no twist.
+    /// Returns the state. Throws NumericsError if a rigid section would twist.
     Vector
     retract(const Vector &u, const Vector &change) const override;
     double
@@ -116,7 +116,7 @@ namespace lamella
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
                const Vector                    &u) const override;
-    /// Calls @p use with one block per axis element of this process.
+    /// Calls @p use with a block for each own element of the axis.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -125,26 +125,25 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Section stiffness D of an axis element, with the section functions of
-    /// the element, m of which are warping functions.
+    /// Section law D of an axis element: its fields, among them m warpings.
     struct Law
     {
       std::vector<unsigned int> fields, warpings;
-      /// Square matrix of 7 + 2 m rows, in the order of e.
+      /// Square matrix of 7 + 2 m rows in the order of e.
       dealii::LAPACKFullMatrix<double> D;
     };
 
-    /// Nodal values of an axis element.
+    /// State of an element of the axis, node by node.
     struct Element
     {
-      /// Unit quaternions, with signs such that products with q[0] are >= 0.
+      /// Quaternions, signs by a nonnegative product with the first.
       std::vector<Quaternion>           q;
       std::vector<dealii::Tensor<1, 3>> r;
-      /// Amplitudes a of Law::warpings.
+      /// Amplitudes of Law::warpings.
       std::vector<std::vector<double>> a;
     };
 
-    /// Interpolated values at a point of the axis, and derivatives along y.
+    /// State at a point of the axis.
     struct Frame
     {
       Quaternion           Q, dQ;
@@ -152,15 +151,15 @@ namespace lamella
       std::vector<double>  a, da;
     };
 
-    /// Integration point of an axis element and its weight [length].
+    /// Integration point of an element.
     struct Station
     {
       AxisPoint point;
       double    weight = 0.;
     };
 
-    /// A local unknown of an element, which are r, spin and a of each node. The
-    /// global DoF, if it exists, is `factor` times the local unknown.
+    /// A local unknown of an element, node after node its r, spin and warpings.
+    /// The DoF, if any, is `factor` times it.
     struct LocalDof
     {
       DofIndex dof    = dealii::numbers::invalid_dof_index;
@@ -173,21 +172,21 @@ namespace lamella
       }
     };
 
-    /// Numbers of FrameStrains, and of components of r and spin of a node.
+    /// Numbers of FrameStrains, and of r and the spin of a node.
     static constexpr unsigned int n_strains       = 7,
                                   n_node_unknowns = RigidField::n_all;
     using OfFrame = std::array<double, n_strains>;
 
-    /// Derivatives of (Q, Q', r') by r and the spin of a node.
+    /// Derivative of (Q, Q', r') by r and the spin of a node.
     using ByNode = std::array<dealii::Tensor<1, 6>, 11>;
 
-    /// A point of a section with the values of warping functions.
+    /// A point of the section with the fields of an element there.
     struct PointFields
     {
       AxisPoint on_axis;
       /// Position from the center of the section.
       dealii::Tensor<1, 3> X;
-      /// Values of the functions Law::warpings.
+      /// Values of Law::warpings.
       std::vector<dealii::Tensor<1, 3>> Phi;
     };
 
@@ -197,38 +196,36 @@ namespace lamella
     make_laws(const bool keeps_normal);
     std::shared_ptr<Law>
     make_law(const SectionOperator &section_operator) const;
-    /// Sets the row and the column of D for the strain kappa_y^2 / 2.
+    /// Sets the row and the column of kappa_y^2 / 2.
     void
     add_twist_stretch(Law &law) const;
 
-    /// Returns the number of section functions that are rigid motions.
+    /// Returns the number of the section's first fields, which are no warpings.
     unsigned int
     n_rigid() const
     {
       return std::min<unsigned int>(n_node_unknowns, section().n_fields());
     }
 
-    /// Returns section forces conjugate to e from @p work, forces on section
-    /// functions @p list, at station @p k; zero for kappa_y^2 / 2.
+    /// Returns the stresses on e of the @p work on the fields @p list at
+    /// station @p k, without that on kappa_y^2 / 2.
     std::vector<double>
     on_strains(const std::vector<unsigned int> &list,
                const FieldParts                &work,
                const unsigned int               k) const;
 
-    /// Returns the thermal section forces, those of C epsilon_0, at the
-    /// stations of the axis element @p cell.
+    /// Returns the stresses on e of C epsilon_0 at the stations of @p cell.
     std::vector<Vector>
     thermal_stresses(const unsigned int cell) const;
-    /// Returns the thermal section force conjugate to kappa_y^2 / 2 at @p
-    /// places, axial positions y.
+    /// Returns the heat stresses on kappa_y^2 / 2 at @p places on the axis.
     std::vector<double>
     thermal_stress_on_twist(const std::vector<double> &places) const;
 
-    /// Returns the strain at @p point of the section for kappa_y^2 / 2 = 1.
+    /// Returns the strain of kappa_y^2 / 2 = 1 at @p point of the section.
     Voigt
     twist_strain(const SectionPoint &point) const;
 
-    /// Returns the rotational DoFs of @p node in @p u, without scaling.
+    /// Returns the rotation vector of @p node in a state, its spin in a change.
     dealii::Tensor<1, 3>
     rotation(const unsigned int node, const Vector &u) const;
 
@@ -236,23 +233,23 @@ namespace lamella
     element(const unsigned int cell, const Vector &u) const;
     static Frame
     frame_at(const AxisPoint &point, const Element &element);
-    /// Return the generalized strains e of @p frame.
+    /// Return e at a point.
     static std::vector<double>
     strains(const Frame &frame, const FrameStrains &of);
     static std::vector<double>
     strains(const Frame &frame);
-    /// Returns the section forces D e.
+    /// Returns D e.
     static Vector
     stresses(const Law &law, const std::vector<double> &e);
 
     std::vector<LocalDof>
     local_dofs(const unsigned int cell) const;
-    /// Adds the local forces of an element to the global vector @p f.
+    /// Adds the forces @p local to @p f.
     static void
     add_local(const std::vector<LocalDof> &dofs,
               const std::vector<double>   &local,
               Vector                      &f);
-    /// Returns the element matrix @p local as a block (no values if empty).
+    /// Returns the block of @p local; without values if it is empty.
     static StiffnessBlock
     block_of(const std::vector<LocalDof>            &dofs,
              const dealii::LAPACKFullMatrix<double> &local);
@@ -261,26 +258,24 @@ namespace lamella
             const AxisPoint   &point,
             const unsigned int i);
 
-    /// Adds the local forces of the section forces @p s at @p station to @p f.
+    /// Adds the forces of the stresses @p s on e at @p station to @p f.
     static void
     add_forces(const Station       &station,
                const Element       &element,
                const Vector        &s,
                std::vector<double> &f);
 
-    /// Returns the section forces (of the seven FrameStrains) predicted by
-    /// linearization at the values @p before for the increment @p change
-    /// (Magisano, Leonetti and Garcea).
+    /// Returns the frame's stresses that the linearization at @p before
+    /// predicts for @p change (Magisano, Leonetti and Garcea).
     static OfFrame
     predicted(const Station             &station,
               const Law                 &law,
               const Element             &before,
               const std::vector<double> &change);
-    /// Add contributions of a station to the tangent @p K of an element: all;
-    /// those of (Q, Q', r') with section forces @p s and the second derivative
-    /// @p by_measures of the energy; rows and columns of r and spins with those
-    /// of node @p j; those of r and spins with a warping amplitude. A node has
-    /// @p n unknowns.
+    /// Add to the local matrix @p K, with @p n numbers per node: the tangent of
+    /// a station with the frame's stresses @p s; their geometric part and the
+    /// second derivative @p by_measures of the energy by (Q, Q', r'); the
+    /// products of r and spins with those of node @p j; those with a warping.
     static void
     add_frame_tangent(const Station                    &station,
                       const Law                        &law,
@@ -298,16 +293,15 @@ namespace lamella
     /// Returns by_node() of all nodes at @p station.
     static std::vector<ByNode>
     by_nodes(const Station &station, const Element &element);
-    /// Returns the diagonal term of a spin in the tangent due to the second
-    /// derivative of a unit quaternion @p q by the spin, with the derivative @p
-    /// by_q of the energy by q.
+    /// Returns the contribution to a spin's diagonal of the second derivative
+    /// of a unit quaternion @p q, with the energy's derivative @p by_q.
     static double
     along_geodesic(const Quaternion &by_q, const Quaternion &q)
     {
       return -(by_q * q) / 4.;
     }
-    /// Returns the material part of the energy's second derivative by (Q, Q',
-    /// r').
+    /// Returns the second derivative of the energy of the frame's strains by
+    /// (Q, Q', r') without stresses.
     static dealii::Tensor<2, 11>
     square_of_strains(const Law &law, const FrameStrains &of);
     static void
@@ -327,64 +321,61 @@ namespace lamella
     add_warping_tangent(const unsigned int                cell,
                         dealii::LAPACKFullMatrix<double> &K) const;
 
-    /// Generalized strains and amplitudes of a section, for output.
+    /// State of a section.
     struct SectionState
     {
       Frame frame;
-      /// Strains e, and the amplitudes q and q' of section functions of a Beam
-      /// that have the same strains.
+      /// Strains e, and values and axial derivatives that they give each field.
       std::vector<double> e, value, derivative;
-      /// Amplitudes of the warping displacements.
+      /// Coefficients of the warping displacements.
       std::vector<double> warping;
     };
-    /// Return strains and amplitudes of a section of the axis element @p cell.
+    /// Return the state of a section of the element @p cell.
     SectionState
     section_state(const unsigned int cell, const Frame &frame) const;
     SectionState
     section_state(const AxisPoint &on_axis, const Vector &u) const;
-    /// Returns section_state() with strains interpolated between stations.
+    /// Returns the state for samples, strains interpolated between stations.
     SectionState
     output_state(const AxisPoint &on_axis, const Vector &u) const;
 
     PointFields
     fields_at(const Location::Place &place) const;
-    /// Returns the position of @p point from the center of the section.
+    /// Returns X of PointFields.
     dealii::Tensor<1, 3>
     from_center(const SectionPoint &point) const;
-    /// Returns the warping displacement Phi a at @p at, in section axes.
+    /// Returns Phi a at @p at, in body axes.
     static dealii::Tensor<1, 3>
     warping(const PointFields &at, const Frame &frame);
     /// Returns the displacement of @p point, in body axes.
     dealii::Tensor<1, 3>
     displacement(const SectionPoint &point, const SectionState &state) const;
-    /// Returns displacement, strain and stress at @p point of a section.
+    /// Returns the sample of @p point of a section at @p y in @p state.
     FieldSample
     sample_of_section(const SectionPoint &point,
                       const double        y,
                       const SectionState &state) const;
-    /// Returns R (X + Phi a) at @p at, and its derivatives.
+    /// Returns R (X + Phi a) at @p at.
     static RotatedVector
     rotated_point(const PointFields &at, const Frame &frame);
-    /// Returns the derivatives of the displacement at @p at (body axes) by the
-    /// local unknowns of the element.
+    /// Returns the displacement at @p at (body axes) per unit of each unknown.
     static std::vector<dealii::Tensor<1, 3>>
     by_local(const PointFields &at, const Element &element);
-    /// Adds @p share times the rows of the displacement at @p place to @p rows.
+    /// Adds @p share of the rows of the displacement at @p place to @p rows.
     void
     add_rows(const Location::Place         &place,
              const double                   share,
              const Vector                  &u,
              std::vector<LinearFunctional> &rows) const;
-    /// Adds to @p K the derivative by local unknowns of the generalized forces
-    /// of the point force @p force at @p at.
+    /// Adds to @p K the derivative of the work of @p force at @p at.
     static void
     add_force(const PointFields                &at,
               const dealii::Tensor<1, 3>       &force,
               const Element                    &element,
               dealii::LAPACKFullMatrix<double> &K);
 
-    /// Adds the row of add_force() for the spin component @p spin; @p row has
-    /// its derivatives by Q and by the rotated vector.
+    /// Adds the part of add_force() of the spin number @p spin, with @p row its
+    /// derivatives by Q and by the rotated vector.
     static void
     add_force_row(const PointFields                &at,
                   const Element                    &element,
@@ -392,20 +383,20 @@ namespace lamella
                   const unsigned int                spin,
                   dealii::LAPACKFullMatrix<double> &K);
 
-    /// Updates the maxima in @p deformation by the strains of a section.
+    /// Adds the strains of a section in @p state to @p deformation.
     void
     add_strains(const SectionState &state, Deformation &deformation) const;
 
-    /// Returns the strain at @p point of a section, in section axes.
+    /// Returns the strain at @p point of a section in @p state, section axes.
     Voigt
     strain_at(const SectionPoint &point, const SectionState &state) const;
 
     /// Reference length of the section.
     double h;
-    /// The section, or an LE-2 section of its mesh if section() is rigid.
+    /// The section, or an LE-2 section of its mesh if it is rigid.
     std::shared_ptr<const Section>      deformable_section;
     std::unique_ptr<const TwistStretch> twist_stretch;
-    /// Result of stiffening_by_shape() without the terms that D contains.
+    /// Result of stiffening_by_shape() less the part in the law.
     std::array<double, 3>                   stiffening;
     std::vector<std::vector<Station>>       stations;
     std::vector<std::shared_ptr<const Law>> laws;

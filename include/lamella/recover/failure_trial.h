@@ -12,25 +12,25 @@
 
 namespace lamella
 {
-  /// A load factor that was examined for first failure.
+  /// A load factor that was tried in the search for first failure.
   struct FailureTrial
   {
     double load_factor = 0.;
-    /// Smallest reserve factor of all plies; none if no factor brings failure.
+    /// Smallest reserve factor of all plies; empty if no ply can fail.
     std::optional<double> reserve;
     Checks                checks;
-    /// Rows of the probes, as in StepResults.
+    /// Rows of the probe table, as in StepResults.
     std::vector<std::vector<FieldRow>> probes;
   };
 
-  /// Result of the search for the load with the smallest reserve factor 1.
+  /// Load factor at which the smallest reserve factor is 1.
   struct FirstFailure
   {
-    /// Bracket of load factors: no ply fails at `safe`, one at `failing`.
+    /// Load factors: no ply fails at `safe`, one fails at `failing`.
     double safe = 0., failing = 0.;
-    /// The ply that fails at `failing`; none if no failure was found.
+    /// The ply that fails at `failing`; empty if no failure was found.
     std::optional<PlyReserve> where;
-    /// Trials in order, without load steps and factors that have no state.
+    /// Trials in order, except load steps and load factors without a solution.
     std::vector<FailureTrial> trials;
     /// Warnings about the state at `failing`, as for a load step.
     std::vector<std::string> warnings;

@@ -11,10 +11,10 @@
 
 namespace lamella
 {
-  /// Ply number of a mean over several plies: -1, shown as 0 in tables from 1.
+  /// Ply number of a mean over several plies; 0 in tables, which count from 1.
   constexpr unsigned int several_plies = dealii::numbers::invalid_unsigned_int;
 
-  /// The fields at a point on one side of ply interfaces: a row of tables.
+  /// Fields at a point, on one side of ply interfaces: a row of output tables.
   struct FieldRow
   {
     /// Name of the body.
@@ -23,20 +23,20 @@ namespace lamella
     unsigned int ply = 0;
     /// Undeformed position in the scene; the center of a box.
     dealii::Point<3> position;
-    /// Displacement, strains and stresses, scene axes and ply axes.
+    /// Displacement, strains and stresses, in scene axes and ply axes.
     FieldSample sample;
   };
 
-  /// A row of a line.
+  /// A row of the output of a line.
   struct LineRow
   {
-    /// Arc length from the start. Both sides of a ply interface have the same.
+    /// Arc length from the start, equal on both sides of a ply interface.
     double   s = 0.;
     FieldRow fields;
   };
 
-  /// A row of a cut: point (i, j) of the grid on cell @p cell of the section;
-  /// points between two cells occur once per cell.
+  /// A row of the output of a cut: point (i, j) of the grid on section cell
+  /// @p cell. Points between two cells occur once per cell.
   struct CutRow
   {
     unsigned int cell = 0, i = 0, j = 0;
@@ -48,17 +48,17 @@ namespace lamella
   {
     /// Number of interfaces that the line crosses.
     unsigned int interfaces = 0;
-    /// Largest jump of the traction sigma . d, d the line's direction, over the
-    /// largest stress component on the line. Equilibrium makes it zero where
-    /// the line is normal to the plies; the rest is discretization error.
+    /// Largest jump of the traction sigma . d, with the direction d of the
+    /// line, over the largest stress component on the line. It is a
+    /// discretization error if the line is normal to the plies.
     double of_stress = 0.;
-    /// Largest jump over the largest traction on the line; 0 for rounding.
+    /// Largest jump over the largest traction on the line; 0 if rounding.
     double of_traction = 0.;
   };
 
-  /// Relative closure errors of stresses by equilibrium for each probe, line
-  /// and cut: the largest difference from the traction on the upper face over
-  /// the largest transverse stress (recover/interlaminar.h).
+  /// Relative equilibrium defects of `equilibrium` stresses for each probe,
+  /// line and cut: the largest difference from the traction on the upper face
+  /// over the largest transverse stress (recover/interlaminar.h).
   struct EquilibriumDefects
   {
     std::vector<std::optional<double>> probes, lines, cuts;

@@ -11,35 +11,38 @@
 
 namespace lamella
 {
-  /// Contribution of an element along a beam to the error of a goal.
+  /// Contribution of an axis element of a beam to the error of a goal.
   struct ElementError
   {
-    /// Number of the body, and the element's ends along the axis [length].
+    /// Number of the body, and axial coordinates of the element [length].
     unsigned int body  = 0;
     double       begin = 0., end = 0.;
-    /// Signed contribution, in the unit of the goal.
+    /// Signed contribution to the error, in the unit of the goal.
     double error = 0.;
-    /// DoFs of the element's nodes, shared nodes included.
+    /// Number of DoFs of the element's nodes, including shared nodes.
     unsigned int dofs = 0;
   };
 
-  /// Change of a goal to a finer model: elements, contact and remainder.
+  /// Difference of the value of a goal between a model and a model with finer
+  /// axis elements, as a sum of contributions of elements and of contact.
   struct LocalErrors
   {
     std::vector<ElementError> elements;
-    /// True if the run is the finer model: elements have half of their pair's.
+    /// True if the run is the finer model: each element has half of the
+    /// contribution of the coarser element that contains it.
     bool of_pairs = false;
-    /// Contribution of contact: gaps of the finer model's active rows at
-    /// coarser displacements, and the difference of contact forces.
+    /// Contribution of contact: gaps of the finer model's active constraints at
+    /// coarser displacements, and differences of contact forces.
     double contact = 0.;
-    /// Rest of the change, rounding if the models are nested.
+    /// Remainder of the difference; rounding if the models are nested.
     double remainder = 0.;
   };
 
-  /// The tolerance of a number in a scene.
+  /// Error tolerance of a goal, as given in a scene.
   struct Tolerance
   {
-    /// Positive: a share of the scale of the number, or a value in its unit.
+    /// Positive tolerance: a value in the unit of the goal if absolute, else a
+    /// fraction of GoalResult::scale.
     double size        = 0.;
     bool   is_absolute = false;
   };
@@ -47,44 +50,45 @@ namespace lamella
   /// A goal of a run with its error estimate, in the unit of the quantity.
   struct GoalResult
   {
-    /// Name in the scene: `tip: uz`.
+    /// Name in the scene, for example `tip: uz`.
     std::string name;
     double      value = 0.;
-    /// Label of the unit (NamedQuantity::unit()); empty if it has none.
+    /// Unit for output (NamedQuantity::unit()); empty if there is none.
     std::string unit = {};
-    /// Estimated error, to be added to the value, and the error bound.
+    /// Signed error estimate, to be added to the value, and bound of |error|.
     double estimate = 0., bar = 0.;
-    /// Lower limit of the bar, however fast passes converge.
+    /// Lower limit of the bar, even if refinement passes converge fast.
     double least = 0.;
-    /// True if the bar is reliable; if not, `why` is the reason.
+    /// True if the bar is reliable; otherwise `why` gives the reason.
     bool        trusted = false;
     std::string why;
-    /// True if refinement converges to a limit (singularity_reason()).
+    /// True if the value converges under refinement (singularity_reason()).
     bool has_limit = true;
-    /// Reference of percentages: |value|, or if near zero RunGoals::scale_of().
+    /// Reference of relative errors, |value| or RunGoals::scale_of().
     double scale = 0.;
-    /// Tolerance, if the scene has one.
+    /// Tolerance, if the scene gives one.
     std::optional<Tolerance> tolerance;
-    /// Signed shares of the bar by source; of richer models, of the estimate.
+    /// Signed contributions of the error sources to the bar, or for finer
+    /// models to the estimate.
     std::vector<std::pair<std::string, double>> shares;
-    /// Share of the axis, by elements; none if it is not known.
+    /// Contribution of the axis by elements; empty if unknown.
     std::optional<LocalErrors> local;
 
-    /// Returns whether percentages refer to something else than the value.
+    /// Returns true if relative errors do not refer to the value itself.
     bool
     is_near_zero() const
     {
       return scale != std::abs(value);
     }
 
-    /// Returns the largest admissible error by the tolerance, which must exist.
+    /// Returns the largest error that the tolerance, which must exist, permits.
     double
     allowed_error() const
     {
       return tolerance->size * (tolerance->is_absolute ? 1. : scale);
     }
 
-    /// Returns whether the bar is reliable and within the tolerance.
+    /// Returns true if the bar is reliable and within the tolerance.
     bool
     met() const
     {

@@ -20,88 +20,92 @@
 
 namespace lamella
 {
-  /// A body whose section is a laminate: a rectangle of rectangular cells.
+  /// Geometry of a laminate: a beam with a rectangle of rectangular cells.
   struct LaminateBox
   {
     /// Frame at the lower left corner of the start: x across, z through plies.
     Placement frame;
-    /// Width, length and height.
+    /// Width, length and height [length].
     dealii::Point<3> size;
   };
 
-  /// Returns @p body as a laminate. Throws InputError under @p path unless it
-  /// is a beam whose section is a rectangle of rectangular cells.
+  /// Returns the geometry of @p body. Throws InputError with the path @p path
+  /// unless it is a laminate.
   LaminateBox
   laminate_box(const Body &body, const std::string &path);
 
-  /// Closure error of the integration of equilibrium [force/length^2]:
-  /// difference from the upper face's traction, largest transverse stress
-  /// (norms of {xz, yz, zz}), and largest in-plane stress.
+  /// Defect of the integration of equilibrium [force/length^2]: the difference
+  /// from the traction on the upper face, the largest transverse stress (norms
+  /// of {xz, yz, zz}), and the largest in-plane stress.
   struct EquilibriumDefect
   {
     double error = 0., largest = 0., in_plane = 0.;
 
-    /// Takes the maxima with @p other.
+    /// Sets each member to its maximum with that of @p other.
     void
     add(const EquilibriumDefect &other);
 
-    /// Returns error / largest, or 0 for rounding of in-plane stresses (1e-6).
+    /// Returns error / largest, or 0 if below 1e-6 of in-plane stresses.
     double
     relative() const;
   };
 
-  /**
-   * Transverse stresses by equilibrium, `Stress = equilibrium`
-   * (doc/theory/interlaminar-stress.md). In the column over each point (x, y)
-   * of a laminate,
-   *   sigma_xz,z = -(sigma_xx,x + sigma_xy,y)
-   *   sigma_yz,z = -(sigma_xy,x + sigma_yy,y)
-   *   sigma_zz,z = -(sigma_xz,x + sigma_yz,y)
-   * are integrated upwards from the traction on the lower face, with the
-   * in-plane stresses of the displacements (Rolfes and Rohwer, Int. J. Numer.
-   * Meth. Eng. 40 (1997) 51-60), continuous between plies. All other components
-   * are those of `recovered`.
-   *
-   * *Derivatives.* In-plane stresses are sampled at the p Gauss points of each
-   * element, along the axis and (layer-wise) across, in the elements at the
-   * column and one more on each side. A polynomial of degree p + 1 along and p
-   * across is fitted and differentiated. If one expansion spans the section,
-   * its own polynomial is used.
-   *
-   * *Shear warping.* With one quadratic cell per ply, u_y of a thick laminate
-   * lacks the warping by shear, and syy its share. The missing transverse shear
-   * strains S tau - gamma, integrated over the thickness, are a displacement e:
-   *   tau = tau_0 + P(tau'' - gamma''),   e,z = S tau - gamma,
-   *   P: delta,z = -Q (e,yy + a + b z),   delta = 0 on both faces,
-   * with Q of plane stress, and a, b such that the resultants do not change (a
-   * predictor-corrector after Noor, Burton and Peters, Comput. Meth. Appl.
-   * Mech. Eng. 82 (1990) 341-363, along the axis alone). tau_0'' is that of the
-   * fit; the added part has delta'' = c delta, c the mean ratio of tau_0'' to
-   * tau_0. This is exact for waves along the axis; c = 0 if tau_0 is at most
-   * linear. The correction is omitted if it exceeds half of tau_0.
-   *
-   * *Free edges.* In elements wider than thick, torsion leaves sigma_xy at free
-   * sides, where it must vanish within about one height. With e the fitted
-   * sigma_xy at an unloaded side less its mean through the thickness, sigma_xy
-   * becomes
-   *   sigma_xy - e phi(x),   phi = 1 at the side and 0 at the other,
-   *   phi'' = (pi / H)^2 (G_yz / G_xy) phi,
-   * the slowest decay of warping by torsion (Timoshenko and Goodier, Theory of
-   * Elasticity, Art. 109, for one material). G_xy is the mean of the plies' Q,
-   * 1 / G_yz that of their compliances. The resultant of the change is exact
-   * for any phi. Layers between different plies, as of an angle-ply laminate in
-   * tension, are as thin as a ply and are not described.
-   *
-   * *Closure.* The difference between the integrated stresses and the traction
-   * on the upper face is stored as closure error, then subtracted in proportion
-   * to the height. An object belongs to one state of one body. A column takes
-   * about a hundred Body::sample() per layer of cells, cached. Not collective.
-   */
+  /// Transverse stresses by equilibrium, `Stress = equilibrium`
+  /// (doc/theory/interlaminar-stress.md). In the column over each point (x, y)
+  /// of a laminate,
+  ///   sigma_xz,z = -(sigma_xx,x + sigma_xy,y)
+  ///   sigma_yz,z = -(sigma_xy,x + sigma_yy,y)
+  ///   sigma_zz,z = -(sigma_xz,x + sigma_yz,y)
+  /// are integrated from the traction on the lower face upwards, with the
+  /// in-plane stresses from the displacements (Rolfes and Rohwer, Int. J.
+  /// Numer. Meth. Eng. 40 (1997) 51-60). They are continuous between plies. All
+  /// other components are the `recovered` stresses (StressRecovery).
+  ///
+  /// *Derivatives.* In-plane stresses are evaluated at the p Gauss points of
+  /// each element, along the axis and (layer-wise theories) across it, in the
+  /// element of the column and one more on each side. A polynomial of degree p
+  /// + 1 along the axis and p across it is fitted and differentiated. If one
+  /// expansion spans the section (TE-N), the expansion's polynomial is used.
+  ///
+  /// *Shear warping.* With one quadratic cell per ply, the axial displacement
+  /// of a thick laminate lacks the warping by shear. Its effect on sigma_yy is
+  /// corrected. The missing transverse shear strain S tau - gamma (shear stress
+  /// tau, shear compliance S, strain gamma of the displacements), integrated
+  /// over the thickness, is a displacement e:
+  ///   tau = tau_0 + P(tau'' - gamma''),   e,z = S tau - gamma,
+  ///   P: delta,z = -Q (e,yy + a + b z),   delta = 0 on both faces,
+  /// with the shear stress tau_0 without correction, derivatives '' along the
+  /// axis, the plane-stress stiffness Q, and a, b such that the resultants do
+  /// not change (a predictor-corrector method after Noor, Burton and Peters,
+  /// Comput. Meth. Appl. Mech. Eng. 82 (1990) 341-363). tau_0'' is from the
+  /// fit; the correction delta = P(...) has delta'' = c delta with the mean
+  /// ratio c of tau_0'' to tau_0. This is exact for waves; c = 0 if tau_0 is at
+  /// most linear. A correction above half of tau_0 is omitted.
+  ///
+  /// *Free edges.* In elements wider than thick, torsion leaves sigma_xy at
+  /// free sides, where it must vanish within about one height. If e is the
+  /// fitted sigma_xy at an unloaded side minus its mean through the thickness,
+  /// sigma_xy is replaced by
+  ///   sigma_xy - e phi(x),   phi = 1 at the side and 0 at the other,
+  ///   phi'' = (pi / H)^2 (G_yz / G_xy) phi,
+  /// the slowest decay of warping by torsion (Timoshenko and Goodier, Theory of
+  /// Elasticity, Art. 109, for one material), with the height H, the mean G_xy
+  /// of the ply stiffnesses and the mean 1 / G_yz of the ply compliances. The
+  /// resultant of the change is exact for any phi. Boundary layers between
+  /// different plies, as in an angle-ply laminate in tension, are as thin as a
+  /// ply and are not resolved.
+  ///
+  /// *Defect.* The difference between the integrated stresses and the traction
+  /// on the upper face is stored as equilibrium defect, then subtracted in
+  /// proportion to the height. An object is for one state of one body. A column
+  /// costs about a hundred calls of Body::sample() per layer of cells, which
+  /// are cached. Not collective.
   class EquilibriumStress
   {
   public:
-    /// Stores references to @p body (number @p number, a laminate), its
-    /// displacements @p u and @p tractions. Throws as laminate_box() does.
+    /// Keeps references to @p body (number @p number, a laminate) and its
+    /// displacements @p u; uses its @p tractions. Throws InputError with the
+    /// path @p path as laminate_box() does.
     EquilibriumStress(const Body          &body,
                       const unsigned int   number,
                       const Vector        &u,
@@ -112,20 +116,20 @@ namespace lamella
     FieldSample
     sample(const Location &location);
 
-    /// Returns the closure error of the columns sampled since the last call.
+    /// Returns the defect of the columns evaluated since the last call.
     EquilibriumDefect
     reset_defect();
 
   private:
-    /// Order of stress components (Eq. 4).
+    /// Indices of the stress components (Eq. 4).
     static constexpr unsigned int xx = 0, yy = 1, zz = 2, xy = 3, xz = 4,
                                   yz = 5;
 
-    /// Returns the coordinates of the points of @p rule.
+    /// Returns the coordinates of the points of the quadrature @p rule.
     static std::vector<double>
     points_of(const dealii::Quadrature<1> &rule);
 
-    /// A cell of the section that a column passes.
+    /// A section cell that a column passes through.
     struct Layer
     {
       /// Heights above the lower face [length].
@@ -133,11 +137,11 @@ namespace lamella
       unsigned int ply;
     };
 
-    /// A function of z over a column at the nodes of its layers, layer by
-    /// layer; first xz, then yz, or zz alone.
+    /// A function of z in a column, by values at the nodes of its layers, layer
+    /// by layer; first the component xz, then yz, or zz alone.
     using Profile = dealii::Vector<double>;
 
-    /// Transverse stresses over a point of the lower face.
+    /// Transverse stresses in the column over a point of the lower face.
     struct Column
     {
       std::vector<Layer> layers;
@@ -158,12 +162,12 @@ namespace lamella
     /// Integrands of a column.
     struct Sources
     {
-      /// tau,z of {xz, yz} with derivatives along y up to the third;
+      /// tau,z of {xz, yz} with its derivatives along y up to the third;
       /// -sigma_zz,zz; second and third derivative of gamma.
       std::array<Profile, 4> shear;
       Profile                normal;
       std::array<Profile, 2> strain;
-      /// Largest of the in-plane stresses.
+      /// Largest in-plane stress.
       double in_plane = 0.;
     };
 
@@ -173,39 +177,40 @@ namespace lamella
     /// Computes the compliances, stiffnesses and axes of the plies.
     void
     make_plies();
-    /// Returns the length on which torsion decays from a free side.
+    /// Returns the length over which torsional warping decays from a free side.
     double
     torsional_decay() const;
     const Column &
     column_at(const double x, const double y);
     Column
     make_column(const double x, const double y);
-    /// Subtracts @p missed from @p column in proportion to the height.
+    /// Subtracts the stress @p missed at the upper face from @p column, in
+    /// proportion to the height.
     void
     distribute(const dealii::Tensor<1, 3> &missed, Column &column) const;
     /// Returns {sigma_xz, sigma_yz, sigma_zz} of @p column at the height @p z,
-    /// in or next to the layer of @p ply.
+    /// in the layer of @p ply at or next to it.
     dealii::Tensor<1, 3>
     transverse_stress(const Column      &column,
                       const unsigned int ply,
                       const double       z) const;
-    /// Returns the cells over (x, y), bottom to top.
+    /// Returns the section cells over (x, y), bottom to top.
     std::vector<Layer>
     layers_at(const double x, const double y) const;
-    /// Returns the stencil at @p through for derivatives along coordinate @p d
-    /// (0 or 1), up to the fourth.
+    /// Returns the stencil at @p through for derivatives by coordinate number
+    /// @p d (0 or 1), up to the fourth.
     Stencil
     stencil(const unsigned int d, const dealii::Point<3> &through) const;
     Sources
     sources(const std::vector<Layer> &layers, const double x, const double y);
-    /// phi of a side and its derivative along x.
+    /// phi of a free side and its derivative by x.
     struct FreeEdgeDecay
     {
       double value, slope;
     };
     FreeEdgeDecay
     free_edge_decay(const unsigned int side, const double x) const;
-    /// Corrections at free sides of sigma_xy and sigma_xy,x.
+    /// Corrections of sigma_xy and sigma_xy,x due to free sides.
     struct FreeEdgeCorrection
     {
       dealii::Tensor<1, 5> of_value, of_slope;
@@ -215,12 +220,13 @@ namespace lamella
     free_edge_corrections(const std::vector<Layer> &layers,
                           const double              x,
                           const double              y);
-    /// Returns e at a side less its mean over z, with derivatives.
+    /// Returns e at a free side, with its derivatives.
     const std::vector<dealii::Tensor<1, 5>> &
     free_edge_stress(const unsigned int        side,
                      const std::vector<Layer> &layers,
                      const double              y);
-    /// Adds the integrands of layer @p k to @p all, less @p edges_here.
+    /// Adds the integrands of layer number @p k to @p all, with the corrections
+    /// @p edges_here due to free sides subtracted.
     void
     add_sources(const unsigned int                     k,
                 const Layer                           &layer,
@@ -230,9 +236,10 @@ namespace lamella
                 Sources                               &all);
     /// sigma_xx, yy, xy and gamma_xz, yz of the element.
     using Sampled = std::array<double, 5>;
-    /// Derivatives of Sampled, by their order along x and along y.
+    /// Derivatives of Sampled, by order along x and along y.
     using Derivatives = std::array<std::array<dealii::Tensor<1, 5>, 5>, 3>;
-    /// Returns the derivatives at height @p z of @p ply; raises @p in_plane.
+    /// Returns the derivatives at the height @p z in @p ply; updates the
+    /// largest in-plane stress @p in_plane.
     Derivatives
     derivatives_at(const double       z,
                    const unsigned int ply,
@@ -242,28 +249,28 @@ namespace lamella
     /// Returns the cached fields at @p x in an element of @p ply.
     const Sampled &
     sampled_at(const dealii::Point<3> &x, const unsigned int ply);
-    /// Returns @p start + int f dz from the lower face of a profile.
+    /// Returns the profile @p start + int f dz, integrated from the lower face.
     Profile
     integral(const std::vector<Layer>  &layers,
              const Profile             &f,
              const std::vector<double> &start) const;
-    /// Returns the plane stresses {xy, yy} = Q of the strains @p displacement.
+    /// Returns the plane stresses {xy, yy} of the strains @p displacement.
     Profile
     plane_stress(const std::vector<Layer> &layers,
                  const Profile            &displacement) const;
     /// Returns int sigma dz of {xy, yy}, then int sigma z / H dz.
     std::array<double, 4>
     resultants(const std::vector<Layer> &layers, const Profile &stress) const;
-    /// Returns @p stress plus that of a + b z which makes its resultants zero.
+    /// Returns @p stress plus that of a + b z that makes its resultants zero.
     Profile
     without_resultants(const std::vector<Layer> &layers, Profile stress) const;
     /// Returns the correction delta of shear stresses and its derivative along
-    /// y; @p shear: tau_0 with its derivatives.
+    /// y. @p shear contains tau_0 with its derivatives.
     std::array<Profile, 2>
     correction(const std::vector<Layer>     &layers,
                const std::array<Profile, 4> &shear,
                const std::array<Profile, 2> &strain) const;
-    /// Returns delta by P above for tau'' = @p shear, gamma'' = @p strain.
+    /// Returns delta = P(...) for tau'' = @p shear, gamma'' = @p strain.
     Profile
     warped(const std::vector<Layer> &layers,
            const Profile            &shear,
@@ -284,19 +291,19 @@ namespace lamella
     StressRecovery    recovery;
     /// Tractions on the lower and the upper face.
     std::vector<FaceTractions::OnFace> faces;
-    /// Free sides among x = 0 and x = W; the decay length of torsion there.
+    /// True for free sides x = 0, x = W; decay length of torsional warping.
     std::array<bool, 2> is_free{};
     double              decay = 0.;
-    /// Rotations of strains, and so of stresses, between scene and body axes.
+    /// Transformations of strains and stresses between scene and body axes.
     ElasticTensor to_body, to_scene;
 
-    /// Points through a layer, in [0, 1]: sampling points and nodes, with
-    /// weights; matrices from samples to nodes, and from nodes to int_0^t.
+    /// Sampling points and nodes through a layer, in [0, 1], with weights;
+    /// matrices from samples to nodes, and from nodes to int_0^t.
     std::vector<double>        samples, sample_weights, nodes, node_weights;
     dealii::FullMatrix<double> to_nodes, integrate;
     /// Compliances {xz, yz} and plane-stress stiffnesses {xy, yy} by ply.
     std::vector<dealii::Tensor<2, 2>> shear_compliance, plane_stiffness;
-    /// Axes of the plies in the body's frame.
+    /// Axes of the plies in the frame of the body.
     std::vector<Triad> ply_frames;
 
     std::map<std::array<long, 2>, Column> columns;

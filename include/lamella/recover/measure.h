@@ -13,24 +13,25 @@
 
 namespace lamella
 {
-  /// The entries of a `subsection Measure NAME`: Of, Over, References.
+  /// Entries of a `subsection Measure NAME`: Of, Over, References.
   struct MeasureParameters
   {
     /// Declares the entries with defaults, patterns and descriptions.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the measure @p name of columns of @p probes. Of is PROBE[/PLY]:
-    /// COLUMN - PROBE[/PLY]: COLUMN, Over a number or `distance`. Throws
-    /// InputError for other forms, columns of different kinds, a difference
-    /// that is always zero, and if Over is zero.
+    /// Reads the measure @p name, a difference of columns of @p probes. Of has
+    /// the form PROBE[/PLY]: COLUMN - PROBE[/PLY]: COLUMN, Over is a number or
+    /// `distance`. Throws InputError for other forms, columns of different
+    /// kinds, a difference that is always zero, and if Over is zero.
     static Measure
     parse(const Entries            &in,
           const std::string        &name,
           const std::vector<Probe> &probes);
   };
 
-  /// Throws InputError of `Measures` if one has the name of another object.
+  /// Throws InputError of `Measures` if a measure has the name of another
+  /// object.
   void
   check_names_of_measures(const QuantityNames &names);
 } // namespace lamella

@@ -20,16 +20,14 @@ namespace lamella
     FieldValues      values;
   };
 
-  /**
-   * Least-squares polynomial through values at points, with a degree for each
-   * of three local coordinates. Terms are products of Legendre polynomials over
-   * the points' box, added by total degree. A term of which less than a tenth
-   * is independent of earlier ones at the points is omitted: two Gauss points
-   * across an element cannot separate a parabola from a constant. Polynomials
-   * of degrees that the points resolve are reproduced exactly. A fit of m
-   * points and n terms costs m n^2 operations, by orthogonalization and without
-   * normal equations. Values far outside the points' box are extrapolated.
-   */
+  /// Least-squares polynomial through values at points, with a degree for each
+  /// of three local coordinates. Terms are products of Legendre polynomials
+  /// over the points' box, added by total degree. A term is omitted if less
+  /// than a tenth of it is independent of previous terms at the points: two
+  /// Gauss points across an element cannot separate a parabola from a constant.
+  /// Polynomials of degrees that the points resolve are reproduced exactly. A
+  /// fit of m points and n terms costs m n^2 operations, by orthogonalization
+  /// and without normal equations. Outside the points' box it extrapolates.
   class PatchFit
   {
   public:
@@ -38,10 +36,10 @@ namespace lamella
 
     /// Fits @p points with local coordinates along the columns of @p frames,
     /// the edges of elements. The result is the mean of the fits in all frames,
-    /// so it is independent of the elements' order. The terms are those of
-    /// degree degrees[d] at most in coordinate d, (degrees[0] + 1)(degrees[1] +
-    /// 1)(degrees[2] + 1) in all. @p points and @p frames must not be empty.
-    /// Columns of a frame are linearly independent, of any length.
+    /// so it is independent of the elements' order. Terms have at most degree
+    /// degrees[d] in coordinate d; there are (degrees[0] + 1)(degrees[1] +
+    /// 1)(degrees[2] + 1). @p points and @p frames must not be empty. Columns
+    /// of a frame are linearly independent, of any length.
     PatchFit(const std::vector<PatchPoint>           &points,
              const std::vector<dealii::Tensor<2, 3>> &frames,
              const std::array<unsigned int, 3>       &degrees);
@@ -61,13 +59,13 @@ namespace lamella
     /// Degrees of the Legendre polynomials in the three coordinates.
     using Term = std::array<unsigned int, 3>;
 
-    /// The fit in one frame.
+    /// The fitted polynomial in the coordinates of one frame.
     struct Polynomial
     {
       /// Map to coordinates in which the points fill the box [-1, 1]^3.
       dealii::Tensor<2, 3> to_box;
       dealii::Point<3>     center;
-      /// Terms by total degree with their coefficients; zero if omitted.
+      /// Terms by total degree, with their coefficients; 0 if omitted.
       std::vector<Term>        terms;
       std::vector<FieldValues> coefficients;
 
@@ -80,12 +78,13 @@ namespace lamella
       fit(const std::vector<PatchPoint> &points);
     };
 
-    /// Returns all terms up to @p degrees, by total degree.
+    /// Returns all terms up to @p degrees, ordered by total degree.
     static std::vector<Term>
     terms_of(const std::array<unsigned int, 3> &degrees);
 
-    /// Returns the terms and the box of @p points in the coordinates of @p
-    /// frame. It may be flat along coordinates of degree 0.
+    /// Returns a polynomial with the terms up to @p degrees and the box of
+    /// @p points in the coordinates of @p frame. The box may be flat along
+    /// coordinates of degree 0.
     static Polynomial
     in_frame(const std::vector<PatchPoint>     &points,
              const dealii::Tensor<2, 3>        &frame,

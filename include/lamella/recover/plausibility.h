@@ -15,33 +15,33 @@
 
 namespace lamella
 {
-  /**
-   * Checks for results that suggest a mistake in the scene:
-   * - in the units of the scene: strains above 2 %, displacements above the
-   *   length of a body, loads that cause strains below 1e-9;
-   * - bodies that penetrate each other at the end of a load step without a
-   *   contact, although they were apart at the start;
-   * - bodies that move without strain and without a moving support.
-   * Strains and displacements are sampled at a thousand points of the surface
-   * of each body, few of them near stress singularities.
-   */
+  /// Checks for results that suggest a mistake in the scene:
+  /// - implausible values in the units of the scene: strains above 2 %,
+  ///   displacements above the length of a body, loads that cause strains below
+  ///   1e-9;
+  /// - bodies without a contact that penetrate each other at the end of a load
+  ///   step, although they were apart at the start;
+  /// - bodies that move without strain and without a moving support.
+  /// Strains and displacements are evaluated at a thousand points of the
+  /// surface of each body; few of these are near stress singularities.
   class Plausibility
   {
   public:
-    /// Refers to @p structure. Without @p units, values are not checked.
+    /// Keeps a reference to @p structure. Without @p units, values are
+    /// unchecked.
     Plausibility(const Structure                     &structure,
                  const Units                         &units,
                  const std::vector<ContactInterface> &contacts);
 
-    /// Returns a sentence for each fault of the displacements @p u and their @p
-    /// checks. The @p last load step has further checks.
+    /// Returns a sentence for each implausible result of the displacements @p u
+    /// and their @p checks. The @p last load step has additional checks.
     std::vector<std::string>
     plausibility_warnings(const BlockVector &u,
                           const Checks      &checks,
                           const bool         last);
 
   private:
-    /// The largest of some values, and its place.
+    /// The largest of some values, and its position.
     struct Extreme
     {
       double           value = 0.;
@@ -57,7 +57,7 @@ namespace lamella
           }
       }
     };
-    /// Deformed points of a body, rotations, bounding box, and extreme values.
+    /// Deformed points of a body, rotations, bounding box, and largest values.
     struct CurrentBody
     {
       std::vector<dealii::Point<3>> places;
@@ -66,10 +66,10 @@ namespace lamella
       Extreme                       strain, displacement;
     };
 
-    /// Returns at most some 500 surface nodes of body @p b, evenly chosen.
+    /// Returns about 500 surface nodes of body @p b, evenly selected.
     std::vector<SurfacePoint>
     sample_nodes(const unsigned int b) const;
-    /// Returns as many points in the interior of its surface facets.
+    /// Returns about 500 points within the surface facets of body @p b.
     std::vector<SurfacePoint>
     face_points(const unsigned int b) const;
     CurrentBody
@@ -80,23 +80,24 @@ namespace lamella
     add_unit_warnings(const std::vector<CurrentBody> &moved,
                       const bool                      is_rigid,
                       std::vector<std::string>       &sentences) const;
-    /// Adds a sentence on rigid motion. For bodies without strain.
+    /// Adds a sentence on rigid motion of bodies without strain.
     void
     add_rigid_motion(const std::vector<CurrentBody> &moved,
                      std::vector<std::string>       &sentences) const;
-    /// Returns the largest penetration of @p a into @p b, and its place: with
-    /// @p u of @p b, a point x of @p a is at X with X + u(X) = x, found by
-    /// Newton's method from the nearest surface point.
+    /// Returns the largest penetration of @p a into @p b, and its position.
+    /// With the displacements @p u of @p b, a point x of @p a coincides with
+    /// the material point X of b for which X + u(X) = x, found by Newton's
+    /// method from the nearest surface point.
     Extreme
     deepest(const CurrentBody &a,
             const CurrentBody &b,
             const unsigned int number_of_b,
             const Vector      &u) const;
-    /// Returns the distance of @p X, inside of body @p b, from the nearest of
-    /// the tangent planes at the points around. Zero below rounding.
+    /// Returns the distance of @p X, inside body @p b, from the nearest of the
+    /// tangent planes at the surrounding surface points. Zero below rounding.
     double
     depth(const dealii::Point<3> &X, const unsigned int b) const;
-    /// Returns whether the center of an element of @p a starts inside of @p b.
+    /// Returns true if an element center of @p a is initially inside @p b.
     bool
     are_nested(const Body &a, const Body &b) const;
     /// Adds sentences on overlapping bodies without a contact.
@@ -108,9 +109,9 @@ namespace lamella
     const Structure &structure;
     const Bodies    &bodies;
     Units            units;
-    /// Pairs of bodies that a contact joins, the lower number first.
+    /// Pairs of bodies with a contact, the lower number first.
     std::set<std::pair<unsigned int, unsigned int>> contacts;
-    /// sample_nodes() and face_points() of each body, made at their first use.
+    /// sample_nodes() and face_points() of each body, computed at first use.
     std::vector<std::vector<SurfacePoint>> nodes, faces;
   };
 } // namespace lamella

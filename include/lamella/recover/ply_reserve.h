@@ -10,35 +10,37 @@
 
 namespace lamella
 {
-  /// Reserve factor of a ply by one criterion (doc/theory/strength.md).
+  /// Reserve factor of a ply by one failure criterion (doc/theory/strength.md).
   struct PlyReserve
   {
-    /// Number of the body in the scene; ply from 0 at the bottom.
+    /// Number of the body in the scene; ply number from 0 at the bottom.
     unsigned int body = 0, ply = 0;
     /// Criterion as in the scene, and failure mode.
     std::string criterion, mode;
-    /// Factor on the loads at which the ply fails, with proportional stresses.
+    /// Factor by which the stresses must be multiplied for the ply to fail;
+    /// empty if it never fails.
     std::optional<double> reserve;
-    /// Value of the criterion: 1 at failure.
+    /// Value of the failure criterion; 1 at failure.
     double index = 0.;
     /// Undeformed position in the scene.
     dealii::Point<3> position;
-    /// Angle from axis 2 of the ply to the fracture plane's normal, positive
-    /// towards 3 [degrees], if any.
+    /// Angle from axis 2 of the ply to the normal of the fracture plane,
+    /// positive towards axis 3 [degrees], if the criterion gives it.
     std::optional<double> angle;
-    /// |element - recovered stress| / |recovered|: the discretization error.
+    /// |element stress - recovered stress| / |recovered stress|: an estimate of
+    /// the discretization error.
     double stress_discrepancy = 0.;
   };
 
-  /// Smallest reserve factor of a ply at a station of a beam's axis.
+  /// Smallest reserve factor of a ply in a section of a beam.
   struct ReserveAlong
   {
-    /// Number of the body in the scene; ply from 0 at the bottom.
+    /// Number of the body in the scene; ply number from 0 at the bottom.
     unsigned int body = 0, ply = 0;
-    /// Distance from the axis' start, and the position in the scene.
+    /// Distance from the start of the axis, and position in the scene.
     double           s = 0.;
     dealii::Point<3> position;
-    /// Largest 1/R of the elements' stresses; none if the station is left out.
+    /// Largest 1/R of the element stresses; empty if the section is excluded.
     std::optional<double> inverse_reserve;
   };
 } // namespace lamella

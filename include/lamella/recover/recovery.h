@@ -18,8 +18,8 @@
 
 namespace lamella
 {
-  /// Kind of strains and stresses where elements (axis elements times section
-  /// cells, or hexahedra) of one ply meet. Plies are never averaged.
+  /// Kind of strains and stresses at points shared by elements of a ply (axis
+  /// elements times section cells, or hexahedra). Plies are never averaged.
   enum class StressValues
   {
     undefined,
@@ -39,43 +39,42 @@ namespace lamella
       {StressValues::equilibrium, "equilibrium"}};
   };
 
-  /**
-   * Strains and stresses that are continuous within a ply, from the
-   * discontinuous ones of the elements. Displacements and FieldSample::jump
-   * stay those of the elements.
-   *
-   * `nodal`: the mean over the elements that share a node, interpolated over
-   * each element's nodes (Gauss-Lobatto points of the displacements' degree p).
-   * At a surface it is one-sided and converges with h^p.
-   *
-   * `recovered`: superconvergent patch recovery (Zienkiewicz and Zhu, Int. J.
-   * Numer. Meth. Eng. 33 (1992) 1331-1364). In the patch of all elements at a
-   * corner v, a polynomial P_v of degree p in each local coordinate is fitted
-   * to the values at the reduced Gauss points (p per coordinate), which
-   * converge with h^(p+1). Within an element
-   *   sigma(X) = sum_v N_v(X) P_v(X),   N_v trilinear, v its corners,
-   * which is continuous and reproduces what the fits reproduce (Blacker and
-   * Belytschko, Int. J. Numer. Meth. Eng. 37 (1994) 517-536).
-   * - A corner whose patch determines fewer terms than another corner of the
-   *   same elements, as on a surface, takes the polynomial of the one that
-   *   shares most of its elements.
-   * - A ply of one element through its thickness determines degree p - 1:
-   *   values are extrapolated from the reduced Gauss points. If p = 1, two
-   *   points are used along any coordinate with one element, since the center
-   *   alone misses bending; locking errors are then included.
-   * - A corner on the edge of a larger element takes the larger one's values.
-   * - If degrees differ between elements (LE-1 beside LE-2), each has its own
-   *   Gauss points, and the patch has the least degree.
-   * - Along coordinates with zero Body::recovery_degrees(), values are those at
-   *   the point: Taylor theories are recovered along the axis only.
-   * Patches are fitted on demand, each once, for one state of one body. A patch
-   * of eight bricks of degree p takes 8 p^3 Body::sample().
-   */
+  /// Strains and stresses that are continuous within a ply, computed from the
+  /// discontinuous values of the elements. Displacements and FieldSample::jump
+  /// are those of the elements.
+  ///
+  /// `nodal`: the mean over the elements that share a node, interpolated
+  /// between the nodes of each element (Gauss-Lobatto points of the
+  /// displacements' degree p). At a surface it converges with h^p.
+  ///
+  /// `recovered`: superconvergent patch recovery (Zienkiewicz and Zhu, Int. J.
+  /// Numer. Meth. Eng. 33 (1992) 1331-1364). In the patch of all elements at a
+  /// corner v, a polynomial P_v of degree p in each local coordinate is fitted
+  /// to the values at the reduced Gauss points (p per coordinate), which
+  /// converge with h^(p+1). Within an element
+  ///   sigma(X) = sum_v N_v(X) P_v(X),   N_v trilinear, v its corners,
+  /// which is continuous and reproduces what the fits reproduce (Blacker and
+  /// Belytschko, Int. J. Numer. Meth. Eng. 37 (1994) 517-536).
+  /// - A corner whose patch determines fewer terms than another corner of the
+  ///   same elements, such as on a surface, uses the polynomial of the corner
+  ///   that shares most of its elements.
+  /// - A ply with one element through its thickness determines degree p - 1:
+  ///   values are extrapolated from the reduced Gauss points. If p = 1, two
+  ///   points are used along coordinates with one element, since the center
+  ///   alone does not detect bending; locking errors are then included.
+  /// - A corner on the edge of a larger element uses the values of the larger
+  ///   one.
+  /// - If degrees differ between elements (LE-1 beside LE-2), each has its own
+  ///   Gauss points, and the patch has the lowest degree.
+  /// - Along coordinates with zero Body::recovery_degrees(), the values at the
+  ///   point are used: Taylor theories are recovered along the axis only.
+  /// Each patch is fitted once, when first needed, for one state of one body. A
+  /// patch of eight bricks of degree p costs 8 p^3 calls of Body::sample().
   class StressRecovery
   {
   public:
-    /// Stores references to @p body and the constant displacements @p u. @p
-    /// values must not be `equilibrium` (see EquilibriumStress).
+    /// Keeps references to @p body and the displacements @p u, which must not
+    /// change. @p values must not be `equilibrium` (see EquilibriumStress).
     StressRecovery(const Body        &body,
                    const Vector      &u,
                    const StressValues values);
@@ -88,17 +87,17 @@ namespace lamella
   private:
     using Place = Location::Place;
 
-    /// Cell and unit coordinates of a place, rounded to 1e-9; of several keys
-    /// of a point, the smallest cell's.
+    /// Cell and unit coordinates of a point, rounded to 1e-9; of several cells
+    /// at a point, the smallest cell number.
     using Key = std::pair<unsigned int, std::array<long, 3>>;
 
-    /// Weighted sum of fits of this object, a node's values; weights sum to 1.
+    /// Values at a node: a weighted average of fits of this object.
     using Source = std::vector<std::pair<double, const PatchFit *>>;
 
     static Key
     key_of(const Place &place);
 
-    /// Returns the element's own strains and stresses at @p place.
+    /// Returns the strains and stresses of the element itself at @p place.
     FieldValues
     element_values(const unsigned int ply, const Place &place) const;
 
@@ -107,39 +106,41 @@ namespace lamella
     FieldValues
     field(const unsigned int ply, const Place &place);
 
-    /// Returns the nodes of the element of @p place with their shape functions
-    /// there: for `recovered` the corners (trilinear N_v), for `nodal` the
-    /// Gauss-Lobatto points, along recovered coordinates.
+    /// Returns the nodes of the element of @p place with the values of their
+    /// shape functions at @p place: for `recovered` the corners (trilinear
+    /// N_v), for `nodal` the Gauss-Lobatto points, along recovered coordinates.
     std::vector<std::pair<Place, double>>
     nodes(const Place &place) const;
 
-    /// Returns whether @p place is at a node of its element, to 1e-4 of it. A
-    /// smaller element's corner on a larger one's edge is none.
+    /// Returns true if @p place is at a node of its element, to 1e-4 of its
+    /// size. A corner of a smaller element on an edge of a larger element is
+    /// not a node of the latter.
     bool
     is_node(const Place &place) const;
 
-    /// Returns @p place in each element of the ply there, by ascending cells.
+    /// Returns @p place in each adjacent element of the ply, by cells.
     const std::vector<Place> &
     meeting(const unsigned int ply, const Place &place);
 
-    /// Returns the source of the field at @p node, equal for all its elements.
+    /// Returns the fits for the values at @p node, equal for all elements.
     const Source &
     source(const unsigned int ply, const Place &node);
 
-    /// Returns the fit of the patch at @p node; for `nodal` its elements' mean.
+    /// Returns the fit of the patch at @p node; for `nodal` its mean.
     const PatchFit &
     own_fit(const unsigned int ply, const Place &node);
 
-    /// Returns the least degrees of @p elements (Body::recovery_degrees_of()).
+    /// Returns the lowest degrees of @p elements (Body::recovery_degrees_of()).
     std::array<unsigned int, 3>
     degrees_of(const std::vector<Place> &elements) const;
 
-    /// Returns the fits used at @p node: its own if that determines all terms;
-    /// else the richest of corners that share most elements, averaged.
+    /// Returns the fits used at @p node: its own if it determines all terms;
+    /// else the mean over the corners with most terms and shared elements.
     Source
     best_fits(const unsigned int ply, const Place &node);
 
-    /// Returns whether @p element, linear along @p d, has no neighbor there.
+    /// Returns true if @p element, linear along coordinate @p d, has no
+    /// neighbor in this direction.
     bool
     is_one_linear_layer(const unsigned int ply,
                         Place              element,
@@ -149,8 +150,8 @@ namespace lamella
     std::vector<PatchPoint>
     patch_points(const unsigned int ply, const std::vector<Place> &elements);
 
-    /// Returns the distinct frames of mean element edges in a patch, in
-    /// columns, whatever the order of directions.
+    /// Returns the distinct frames of mean element edges in a patch, as
+    /// columns, for any order of the element coordinates.
     std::vector<dealii::Tensor<2, 3>>
     frames(const std::vector<Place> &elements) const;
 
@@ -159,10 +160,10 @@ namespace lamella
     const StressValues kind;
     /// Body::recovery_degrees(): 0 along coordinates without recovery.
     const std::array<unsigned int, 3> degrees;
-    /// Unit coordinates in [0, 1] of an element's nodes, if recovered.
+    /// Unit coordinates in [0, 1] of the nodes of an element, if recovered.
     std::array<std::vector<double>, 3> node_coordinates;
 
-    /// Caches: patches of corners, values at Gauss points, fits and sources.
+    /// Caches of element patches, values at Gauss points, fits and sources.
     std::map<Key, std::vector<Place>>              element_patches;
     std::map<Key, std::vector<PatchPoint>>         gauss_points;
     std::map<Key, std::unique_ptr<const PatchFit>> fits;

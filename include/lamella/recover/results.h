@@ -18,18 +18,18 @@
 
 namespace lamella
 {
-  /// A pair of a contact at the end of a load step: a row with its geometry.
+  /// A contact constraint at the end of a load step: gap, force and geometry.
   struct ContactRow
   {
-    /// Positions, normal and area of the pair.
+    /// Position, normal and area of the contact point.
     ContactInterface::Point point;
-    /// g_init of Eq. 17 and g of Eq. 16 [length], or their means over the area.
+    /// g_init of Eq. 17 and g of Eq. 16 [length], or their averages.
     double initial_gap = 0., gap = 0.;
-    /// lambda, positive in compression; over the pair's area the mean pressure.
+    /// Contact force lambda; over the area, the mean pressure.
     double force = 0.;
-    /// Resultant on the second side, friction included.
+    /// Force and moment on the second side, friction included.
     Wrench on_second = {};
-    /// Friction: lambda_t on the second side, state, slip length, dissipation.
+    /// Friction: shear force on the second side, slip length, dissipation.
     struct Friction
     {
       dealii::Tensor<1, 3> shear;
@@ -46,7 +46,7 @@ namespace lamella
     }
   };
 
-  /// Numbers of pairs that closed and opened in a step, at first from none.
+  /// Numbers of contact points that closed and opened in a load step.
   struct StatusChanges
   {
     unsigned int closed = 0, opened = 0;
@@ -55,22 +55,22 @@ namespace lamella
   /// Results of one load step, in the order of the names in Results.
   struct StepResults
   {
-    /// Number of the step, from 1.
+    /// Number of the load step, from 1.
     unsigned int step = 0;
-    /// t, the factor on loads and prescribed displacements.
+    /// Load factor t, which multiplies loads and prescribed displacements.
     LoadFactor load_factor;
-    /// Displacements, contact forces and their solution history.
+    /// Displacements and contact forces, with data on the iterations.
     State  state;
     Checks checks;
-    /// SolvedStep::substeps and change.
+    /// Number of substeps, and their last change (SolvedStep).
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
-    /// Number of times that Newton's method halved the step (SolvedStep::cuts).
+    /// Number of bisections of the load step (SolvedStep::cuts).
     unsigned int halvings = 0;
-    /// Memory of the strategy at the end of the step.
+    /// Data of the contact strategy at the end of the step, for a restart.
     StrategyHistory memory;
 
-    /// Rows of each probe, one per ply that it touches, from the bottom.
+    /// Rows of each probe (one per ply, from the bottom), line and cut.
     std::vector<std::vector<FieldRow>> probes;
     std::vector<std::vector<LineRow>>  lines;
     std::vector<std::vector<CutRow>>   cuts;
@@ -79,106 +79,106 @@ namespace lamella
     /// Value of each measure.
     std::vector<double> measures;
     EquilibriumDefects  defects;
-    /// Pairs of each contact, in the order of its rows.
+    /// Contact points of each contact, in the order of its constraints.
     std::vector<std::vector<ContactRow>> contacts;
-    /// Status changes of each contact.
+    /// Numbers of opened and closed contact points of each contact.
     std::vector<StatusChanges> changes;
-    /// Rows of each ply of the swept bodies, by body, ply and criterion,
-    /// without criteria that have no point.
+    /// Reserve factors of each ply of the evaluated bodies, by body, ply and
+    /// criterion, without criteria that apply to no point.
     std::vector<PlyReserve> plies;
-    /// Rows of each ply of the swept beams, by body, ply and s.
+    /// Reserve factors along the axes of beams, by body, ply and s.
     std::vector<ReserveAlong> plies_along;
 
-    /// Warnings about this step, a sentence each.
+    /// Warnings about this step, one sentence each.
     std::vector<std::string> warnings;
 
-    /// Drops the state's vectors, the strategy's memory and all rows, which are
-    /// nearly all of its memory, but not checks, jumps, measures, closures,
+    /// Releases vectors of the state, data of the strategy and all rows, which
+    /// are nearly all of the memory, but not checks, jumps, measures, defects,
     /// changes, reserve factors of plies and warnings.
     void
     drop_fields();
   };
 
-  /// Facts about a body in the results.
+  /// Model data of a body in the results.
   struct BodySummary
   {
-    /// Name and theory as in the scene: `upper`, `LE-2`.
+    /// Name and theory as in the scene, for example `upper`, `LE-2`.
     std::string name, theory;
-    /// Number of DoFs, including prescribed ones.
+    /// Number of DoFs, including prescribed DoFs.
     unsigned int dofs = 0;
-    /// Statistics of the solver; none under the `full` strategy.
+    /// Statistics of the linear solver; empty for the `full` strategy.
     std::optional<SolverStatistics> solver;
-    /// Name of each ply's material.
+    /// Name of the material of each ply.
     std::vector<std::string> materials = {};
   };
 
-  /// Facts about a contact in the results.
+  /// Data of a contact in the results.
   struct ContactSummary
   {
     /// Names of the contact and of its second body or obstacle.
     std::string    name, second_name;
     Discretization discretization = Discretization::undefined;
     Enforcement    enforcement    = Enforcement::undefined;
-    /// Numbers of gap rows, and of unpaired nodes on either side.
+    /// Number of contact constraints, and of unpaired nodes on either side.
     unsigned int rows = 0, unpaired = 0, unpaired_second = 0;
-    /// Range of g_init over the rows [length].
+    /// Smallest and largest initial gap [length].
     double initial_gap_min = 0., initial_gap_max = 0.;
     /// Friction coefficient of Coulomb's law.
     double friction = 0.;
-    /// Surface that carries the rows; null if unknown.
+    /// Slave surface; null if unknown.
     std::shared_ptr<const SlaveSurface> surface = {};
   };
 
   /// Results of a run, without references to a scene, body or solver.
   struct Results
   {
-    /// Title of the scene; units are labels, numbers are as in the scene.
+    /// Title of the scene; units are labels, and numbers are as in the scene.
     std::string title;
     Units       units;
-    /// Bodies and names, in the order of the scene.
+    /// Bodies, contacts and names, in the order of the scene.
     std::vector<BodySummary>    bodies;
     std::vector<ContactSummary> contacts;
     std::vector<std::string>    supports, probes, lines, cuts, measures;
     /// Resultant of each load at load factor 1.
     std::vector<LoadResultant> loads;
-    /// Diagonal of the bounding box of all bodies.
+    /// Diagonal of the bounding box of all bodies [length].
     double size = 0.;
 
-    /// Solved steps, in the order of their load factors.
+    /// Solved load steps, in order.
     std::vector<StepResults> steps;
-    /// Number of steps in the scene, and whether all were solved.
+    /// Number of load steps in the scene, and true if all were solved.
     unsigned int load_steps = 0;
     bool         converged  = false;
-    /// Notes about the scene, printed before and after those of the steps.
+    /// Notes about the scene, printed before and after those of steps.
     std::vector<std::string> notes, endnotes;
-    /// First failure, if the scene requests its search.
+    /// First failure, if the scene requests the search for it.
     std::optional<FirstFailure> first_failure;
-    /// Goals of the last step; none if no errors were estimated.
+    /// Goals of the last step; empty if no errors were estimated.
     std::vector<GoalResult> goals;
-    /// Reason why there are no goals; empty if there are.
+    /// Reason why there are no goals; empty if there are goals.
     std::string no_goals_reason;
-    /// Largest condition number of condensed stiffnesses; a lower bound, or 0.
+    /// Lower bound of the largest condition number of stiffnesses, or 0.
     double condition_estimate = 0.;
 
-    /// Wall seconds by phase (phase_names()), and `total`.
+    /// Wall-clock seconds by phase (phase_names()), and `total`.
     std::map<std::string, double> seconds;
     /// Number of MPI processes of the run.
     unsigned int processes = 1;
-    /// Peak memory in bytes: of the largest process, and of all.
+    /// Peak memory in bytes: of the largest process, and of all processes.
     double peak_memory = 0., peak_memory_of_all = 0.;
 
     /// Returns the number of DoFs of all bodies.
     unsigned int
     n_dofs() const;
 
-    /// Returns notes, the warnings of all steps, and endnotes. Warnings name
-    /// their step if there are several, or first failure. Warnings that differ
-    /// by numbers only are merged, with the numbers of the largest load factor;
-    /// those that differ by a name are merged with all names.
+    /// Returns notes, the warnings of all steps, and endnotes. If there are
+    /// several steps, warnings contain the step or `first failure`. Warnings
+    /// that differ by numbers only are merged, with the numbers of the largest
+    /// load factor; warnings that differ by a name are merged with all names.
     std::vector<std::string>
     all_warnings() const;
 
-    /// Returns the largest stiffening, smallest buckling factor of all steps.
+    /// Returns the largest stiffening and smallest buckling factor of steps.
     NonlinearityEstimate
     worst_nonlinearity() const;
 
@@ -186,13 +186,13 @@ namespace lamella
     const StepResults &
     last() const;
 
-    /// Returns the row of the probe @p name in the last step: of @p ply (from
-    /// 1), or the first if 0. Throws InputError if it does not exist.
+    /// Returns the row of the probe @p name in the last step for @p ply (from
+    /// 1), or the first row if 0. Throws InputError if there is none.
     const FieldRow &
     probe(const std::string &name, const unsigned int ply = 0) const;
 
-    /// Returns the resultant of the support or contact @p name in the last
-    /// step. Throws InputError for an unknown name.
+    /// Returns the resultant of the support @p name in the last step; contact()
+    /// does for a contact. Throws InputError for an unknown name.
     const Resultant &
     support(const std::string &name) const;
     const KktResidual &

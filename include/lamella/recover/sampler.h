@@ -15,88 +15,90 @@
 
 namespace lamella
 {
-  /// Samples the fields of a state at probes, along lines and over cuts. The
-  /// constructor locates all of them, so positions outside of bodies are found
-  /// before solving. Lines are split into pieces of one ply each and sampled on
-  /// both sides of every interface. A line in an interface is sampled in the
-  /// lower ply, then in the upper one. Every process samples everything.
+  /// Evaluates the fields of a state at probes, along lines and on cuts. The
+  /// constructor finds the elements of all points, so points outside the bodies
+  /// are detected before the solution. Lines are divided into segments within
+  /// one ply and evaluated on both sides of every interface. A line in an
+  /// interface is evaluated in the lower ply, then in the upper ply. Every
+  /// process evaluates everything.
   class Sampler
   {
   public:
-    /// Stores references to the four lists. Stresses of bodies with finite
+    /// Keeps references to the four lists. Stresses of bodies with finite
     /// rotations are in scene axes if @p in_scene_axes, else in material axes.
-    /// Throws InputError, naming the entry, for positions outside of their
-    /// body, and for equilibrium of a body that is no laminate.
+    /// Throws InputError, naming the entry, for points outside their body, and
+    /// for `equilibrium` stresses of a body that is not a laminate.
     Sampler(const Bodies             &bodies,
             const std::vector<Probe> &probes,
             const std::vector<Line>  &lines,
             const std::vector<Cut>   &cuts,
             const bool                in_scene_axes = false);
 
-    /// Appends the probes, lines, cuts and jumps for the displacements @p u to
-    /// @p results, which must not have any. A probe has a row per ply (a box
-    /// one, or two: box_points()), a line rows along its pieces and an
-    /// InterfaceJump, a cut the grids of its cells; stresses by equilibrium add
-    /// closure errors for the @p tractions on faces.
+    /// Adds the fields of probes, lines and cuts, and the jumps, for the
+    /// displacements @p u to @p results, which must not have any. A probe has
+    /// one row per ply (a box one row, or two: box_points()), a line has rows
+    /// along its segments and an InterfaceJump, a cut the grids of its cells.
+    /// `equilibrium` stresses also give defects for the @p tractions on faces.
     void
     sample(const BlockVector   &u,
            StepResults         &results,
            const FaceTractions &tractions = FaceTractions()) const;
 
     /// Throws InputError with the entry of @p quantity if its probe is not in
-    /// the ply that it names, or lies between two plies, none named, and is not
-    /// continuous there on every mesh. Checks the terms of measures, too.
+    /// the ply that it gives, or if it gives none, the probe is between two
+    /// plies, and the quantity may be discontinuous there. For measures checks
+    /// the terms.
     void
     check(const NamedQuantity &quantity) const;
 
-    /// Returns @p quantity, in the lower ply if its probe lies between two.
+    /// Returns @p quantity, with the lower ply of a probe between two plies.
     NamedQuantity
     in_lower_ply(NamedQuantity quantity) const;
 
-    /// Returns the probes for the displacements @p u, as in StepResults.
+    /// Returns StepResults::probes for the displacements @p u.
     std::vector<std::vector<FieldRow>>
     sample_probes(const BlockVector &u, const FaceTractions &tractions) const;
 
   private:
-    /// Returns the plies of probe @p probe, from 1; "0" for a box over several.
+    /// Returns the plies of probe number @p probe, from 1; "0" for several.
     std::vector<std::string>
     plies_at(const unsigned int probe) const;
-    /// Returns the number of the existing probe called @p probe.
+    /// Returns the number of the existing probe named @p probe.
     unsigned int
     number_of(const std::string &probe) const;
-    /// Returns whether @p quantity has two values: see check().
+    /// Returns true if @p quantity may have two values (check()).
     bool
     is_between_plies(const NamedQuantity &quantity) const;
-    /// Returns whether @p column is a traction on ply faces from equilibrium.
+    /// Returns true if @p column is a traction on ply faces from equilibrium.
     bool
     is_traction_by_equilibrium(const Probe       &probe,
                                const std::string &column) const;
 
-    /// A sample of a line and its arc length from the start [length].
+    /// A point of a line, and its arc length from the start [length].
     struct LinePoint
     {
       double   s;
       Location location;
     };
 
-    /// Returns Line::samples equally spaced places, ends included, in each ply
-    /// of the line. Throws InputError outside of the body.
+    /// Returns Line::samples equally spaced points, ends included, in each ply
+    /// of the line. Throws InputError for points outside the body.
     std::vector<LinePoint>
     places_of(const Line &line) const;
-    /// Throws InputError if the body has no section there.
+    /// Throws InputError if the body has no section at the position of @p cut.
     void
     check_cut(const Cut &cut) const;
 
-    /// The recoveries of one state, by body and kind.
+    /// Stress recovery objects of one state, by body and kind.
     class Recoveries;
     using Fields = std::function<FieldSample(const Location &)>;
-    /// Returns @p fields in the axes of the output.
+    /// Returns @p fields transformed to the axes of the output.
     Fields
     told(Fields fields) const;
-    /// Adds the probes and their closure errors to @p results.
+    /// Adds the rows of probes and their equilibrium defects to @p results.
     void
     sample_probes(Recoveries &recoveries, StepResults &results) const;
-    /// Returns the mean of @p fields over @p points of the probe @p p.
+    /// Returns the mean of @p fields over @p points of probe number @p p.
     FieldRow
     mean_row(const unsigned int p,
              const BoxPoints   &points,
@@ -108,7 +110,7 @@ namespace lamella
            const Fields      &fields) const;
     std::vector<LineRow>
     line_rows(const unsigned int line, Recoveries &recoveries) const;
-    /// Returns the rows of a cut, of the elements' own or recovered fields.
+    /// Returns the rows of a cut, with element or recovered stresses.
     std::vector<CutRow>
     cut_rows(const Cut         &cut,
              const BlockVector &u,
@@ -120,28 +122,26 @@ namespace lamella
     const std::vector<Cut>   &cuts;
     const bool                in_scene_axes;
 
-    /// Points of each row of each probe, and places of each line, in order.
+    /// Points of each row of each probe, and points of each line, in order.
     std::vector<std::vector<BoxPoints>> probe_points;
     std::vector<std::vector<LinePoint>> line_sample_points;
   };
 
-  /**
-   * Returns the interface jump of the @p rows of a line in direction @p d.
-   * Where consecutive rows have the same arc length and different plies, the
-   * tractions t = sigma . d / |d| on both sides are compared:
-   *   of_stress   = max |t_upper - t_lower| / max |sigma_ij|,
-   *   of_traction = max |t_upper - t_lower| / max |t|,
-   * with denominators over the whole line. Equilibrium makes the jump zero
-   * where the line is normal to the plies, so it estimates the error of
-   * transverse stresses. of_traction is 0 for tractions below 1e-9 of the
-   * stresses.
-   */
+  /// Returns the interface jump from the @p rows of a line in direction @p d.
+  /// Where consecutive rows have the same arc length and different plies, the
+  /// tractions t = sigma . d / |d| on both sides are compared:
+  ///   of_stress   = max |t_upper - t_lower| / max |sigma_ij|,
+  ///   of_traction = max |t_upper - t_lower| / max |t|,
+  /// with the maxima in the denominators over the whole line. Equilibrium
+  /// requires zero jumps if the line is normal to the plies, so the jumps
+  /// estimate the error of transverse stresses. of_traction is 0 for tractions
+  /// below 1e-9 of the stresses.
   InterfaceJump
   interface_jump(const std::vector<LineRow> &rows,
                  const dealii::Tensor<1, 3> &d);
 
-  /// Calls @p use with `probe`, `line` or `cut`, its name and error for each of
-  /// @p defects of a load step of @p results.
+  /// Calls @p use with the kind `probe`, `line` or `cut`, the name and the
+  /// value for each of @p defects of a load step of @p results.
   void
   for_each_defect(const Results                           &results,
                   const EquilibriumDefects                &defects,

@@ -22,51 +22,49 @@
 
 namespace lamella
 {
-  /// The entries of `subsection Strength`: plies and criteria to evaluate.
+  /// Entries of `subsection Strength`: failure criteria and plies.
   struct StrengthParameters
   {
-    /// Criteria, each once; none (no sweep) by default.
+    /// Failure criteria, each once; by default none: no evaluation.
     std::vector<Criterion> criteria;
-    /// Numbers of the scene's bodies, ascending.
+    /// Numbers of the bodies to be evaluated, ascending.
     std::vector<unsigned int> bodies;
-    /// Boxes to leave out: lower and upper corner, scene axes.
+    /// Boxes that are excluded: lower and upper corner, scene axes.
     std::vector<std::array<dealii::Point<3>, 2>> excluded_boxes;
     /// Kind of stresses: `recovered` or `equilibrium`.
     StressValues stress = StressValues::recovered;
 
-    /// Declares the entries in the subsection that @p prm is in.
+    /// Declares the entries in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the parameters for a scene with the names @p bodies. Throws
-    /// InputError for unknown or repeated names, and for invalid boxes.
+    /// Reads the parameters for a scene with bodies of the names @p bodies.
+    /// Throws InputError for unknown or repeated names, and for invalid boxes.
     static StrengthParameters
     parse(const Entries &in, const std::vector<std::string> &bodies);
   };
 
-  /**
-   * Reserve factors of all plies, over whole bodies.
-   *
-   * The elements' own stresses are evaluated at 3 x 3 x 3 Gauss-Lobatto points
-   * of each element, which include both faces and the middle of each ply. For
-   * each ply and criterion, points whose 1/R is at least 0.8 of the ply's
-   * largest are evaluated again with recovered stresses (StressRecovery or
-   * EquilibriumStress), and the smallest reserve factor R is kept. The critical
-   * point is missed only if an element's own stresses are wrong by a fifth.
-   *
-   * The interlaminar criterion uses faces of elements in the plane of their ply
-   * that another ply touches. A ply whose material has core strengths is a
-   * core. Core shear and core crushing apply to cores, face wrinkling to plies
-   * of a laminate or wall next to a core, all others to plies that are not
-   * cores. The largest 1/R at each station of a beam's axis is kept by ply
-   * (ReserveAlong). An element costs 27 stress samples and evaluations of each
-   * criterion. Processes share the elements; all get the same rows.
-   */
+  /// Evaluates the reserve factors of all plies of whole bodies.
+  ///
+  /// Element stresses are evaluated at 3 x 3 x 3 Gauss-Lobatto points of each
+  /// element, which include both faces and the middle of each ply. For each ply
+  /// and criterion, points whose inverse reserve factor 1/R is at least 0.8 of
+  /// the ply's largest are evaluated again with recovered stresses
+  /// (StressRecovery or EquilibriumStress), and the smallest R is the result.
+  /// The critical point is missed only for stress errors of a fifth.
+  ///
+  /// The interlaminar criterion uses element faces parallel to the ply that are
+  /// interfaces to another ply. A ply whose material has core strengths is a
+  /// core. Core shear and core crushing apply to cores, face wrinkling to plies
+  /// of a laminate or wall adjacent to a core, all other criteria to plies that
+  /// are not cores. The largest 1/R along a beam's axis is stored by ply
+  /// (ReserveAlong). An element costs 27 stress evaluations. Elements are
+  /// distributed over processes.
   class StrengthSweep
   {
   public:
-    /// Stores a reference to @p bodies. Throws InputError for missing material
-    /// data, and for equilibrium of a body that is no laminate. Collective.
+    /// Keeps a reference to @p bodies. Throws InputError for missing material
+    /// data, and for `equilibrium` stresses without a laminate. Collective.
     StrengthSweep(const Bodies &bodies, const StrengthParameters &parameters);
 
     struct Found
@@ -75,17 +73,17 @@ namespace lamella
       std::vector<ReserveAlong> along;
     };
 
-    /// Returns the rows of StepResults::plies and plies_along for the
-    /// displacements @p u and @p tractions on faces. @p thermal_part are the
-    /// displacements of heat alone: their stresses are constant, and the
-    /// reserve factor multiplies the rest. Collective.
+    /// Returns StepResults::plies and plies_along for the displacements @p u
+    /// and @p tractions on faces. @p thermal_part are the displacements due to
+    /// heat alone: their stresses are constant, and the reserve factor
+    /// multiplies the remaining stresses. Collective.
     Found
     sweep(const BlockVector   &u,
           const FaceTractions &tractions    = FaceTractions(),
           const BlockVector   *thermal_part = nullptr) const;
 
-    /// Returns the largest 1/R of ply @p ply of body @p body under @p
-    /// ply_stress; 0 if no R is finite. Omits the interlaminar criterion.
+    /// Returns the largest 1/R of ply @p ply of body @p body for the stress
+    /// @p ply_stress; 0 if no R is finite. Omits the interlaminar criterion.
     double
     inverse_reserve(const unsigned int body,
                     const unsigned int ply,
@@ -95,7 +93,7 @@ namespace lamella
     /// Number of subdivisions of each element in each direction.
     static constexpr unsigned int intervals = 2;
 
-    /// A criterion to evaluate on a ply.
+    /// A failure criterion to be evaluated in a ply.
     struct Task
     {
       unsigned int   ply;
@@ -103,50 +101,52 @@ namespace lamella
       FailureSurface surface;
     };
 
-    /// A body with its tasks and other data that do not change.
+    /// A body with its failure criteria and other constant data.
     struct SweptBody
     {
       unsigned int      body;
       std::vector<Task> tasks;
-      /// Per element of this process: whether another ply touches its faces at
-      /// the ends of the first and the third unit coordinate, and these lie in
-      /// its ply's plane; else empty.
+      /// For each element of this process: true if its face at the ends of the
+      /// first and the third unit coordinate is parallel to the ply and an
+      /// interface to another ply; else empty.
       std::vector<std::array<bool, 4>> touched;
     };
 
-    /// Returns the tasks of the plies of @p body, taking account of cores.
+    /// Returns the criteria for the plies of @p body, with regard to cores.
     std::vector<Task>
     tasks_of(const Body &body) const;
-    /// Throws InputError unless @p ply of @p body has the data of @p criterion.
+    /// Throws InputError unless the material of @p ply of @p body has the
+    /// strengths for @p criterion.
     void
     require(const Criterion criterion, const Ply &ply, const Body &body) const;
 
-    /// Returns whether @p task uses point @p k with faces @p touched.
+    /// Returns true if @p task applies to point number @p k of an element with
+    /// the interfaces @p touched.
     static bool
     uses_point(const Task                &task,
                const std::array<bool, 4> &touched,
                const unsigned int         k);
-    /// Returns whether @p x is in a box that is left out.
+    /// Returns true if @p x is in an excluded box.
     bool
     is_excluded(const dealii::Point<3> &x) const;
 
-    /// Largest 1/R of a beam along its axis, by ply and station.
+    /// Largest 1/R along the axis of a beam, by ply and position.
     class Along;
 
-    /// Displacements of a body, and those of heat alone or null.
+    /// Displacements of a body, and those due to heat alone or null.
     struct Displacements
     {
       const Vector &u;
       const Vector *thermal_part;
     };
-    /// Stresses of an element, and those of heat alone or null; its faces.
+    /// Stresses of an element, due to heat alone or null, and its interfaces.
     struct SweptCell
     {
       const OutputCell   &loaded;
       const OutputCell   *thermal_part;
       std::array<bool, 4> touched;
     };
-    /// Points of a task that may be near failure.
+    /// Points of a criterion that may be near failure.
     class Candidates;
     /// Adds points of @p cell for @p task to @p along and @p candidates.
     void
@@ -154,26 +154,25 @@ namespace lamella
                   const Task      &task,
                   Along           &along,
                   Candidates      &candidates) const;
-    /// Returns for each task the points of this process near failure.
+    /// Returns this process's points near failure for each criterion.
     std::vector<std::vector<dealii::Point<3>>>
     find_candidates(const SweptBody     &swept,
                     const Displacements &at,
                     Along               &along) const;
-    /// Source of a body's stresses with @p u, and of heat alone or null.
+    /// Evaluates stresses of a body, and those due to heat alone or null.
     struct Stresses
     {
       const Vector                                &u;
       std::function<FieldSample(const Location &)> recovered;
       StressRecovery                              *thermal_recovery;
     };
-    /// Returns the worst row of @p task at @p points.
+    /// Returns the smallest reserve factor of @p task at @p points.
     std::optional<PlyReserve>
     worst_row(const SweptBody                     &swept,
               const Task                          &task,
               const std::vector<dealii::Point<3>> &points,
               const Stresses                      &stresses) const;
-    /// Adds the worst row of each task at its @p points to @p plies.
-    /// Collective.
+    /// Adds each criterion's smallest reserve factor to @p plies. Collective.
     void
     add_worst_rows(const SweptBody                                  &swept,
                    const std::vector<std::vector<dealii::Point<3>>> &points,
@@ -187,24 +186,25 @@ namespace lamella
     std::vector<SweptBody>                       all;
   };
 
-  /// Returns whether @p a is nearer to failure than @p b: by reserve factor,
-  /// without one by index, and if equal (to 1e-7) by position.
+  /// Returns true if @p a is nearer to failure than @p b: by reserve factor, if
+  /// there is none by index, and if equal (to 1e-7) by position.
   bool
   is_worse(const PlyReserve &a, const PlyReserve &b);
 
-  /// Returns whether @p a is before @p b, by x, y, z, equal within @p same.
+  /// Returns true if @p a is before @p b by x, y, z, equal within @p same.
   bool
   is_before(const dealii::Point<3> &a,
             const dealii::Point<3> &b,
             const double            same);
 
-  /// Returns the worst of @p rows; null if there are none.
+  /// Returns the entry of @p rows nearest to failure; null if there are none.
   const PlyReserve *
   worst_of(const std::vector<PlyReserve> &rows);
 
-  /// Returns a warning about the worst of @p rows: one of @p supports or of @p
-  /// loads on a line or a point acts there, or element and recovered stresses
-  /// differ by more than a tenth: perhaps a singularity. Empty without doubt.
+  /// Returns a warning about the entry of @p rows nearest to failure if it is
+  /// perhaps at a stress singularity: one of @p supports or of @p loads on a
+  /// line or a point acts there, or element and recovered stresses differ by
+  /// more than a tenth. Empty otherwise.
   std::string
   worst_reserve_warning(const std::vector<PlyReserve> &rows,
                         const std::vector<Support>    &supports,

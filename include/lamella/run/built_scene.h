@@ -24,14 +24,15 @@ namespace lamella
 {
   /// A scene with all objects built from it before the solution: sections,
   /// bodies with the fields of their nodes, supports, loads, contacts with
-  /// their gap rows, places of probes. All errors of a scene are found here. No
-  /// stiffness matrix is assembled. Each process holds all of it. Not movable
-  /// or copyable, since solvers refer to its parts.
+  /// their gap constraints, and probes. All errors of a scene are found during
+  /// construction. No stiffness matrix is assembled. Each process has all
+  /// objects. Not movable or copyable: solvers refer to members.
   class BuiltScene
   {
   public:
-    /// Builds a copy of @p scene with fields of SV-N by @p rules. Progress goes
-    /// to @p out, seconds to @p timer. Throws InputError. Collective.
+    /// Builds the objects of a copy of @p scene; @p rules are the parameters
+    /// for the fields of SV-N. Prints progress to @p out; @p timer measures
+    /// time. Throws InputError. Collective.
     BuiltScene(const Scene         &scene,
                const FieldRules    &rules,
                std::ostream        &out,
@@ -40,7 +41,7 @@ namespace lamella
     BuiltScene &
     operator=(const BuiltScene &) = delete;
 
-    /// Returns the scene with graded axes and resolved automatic choices.
+    /// Returns the scene with graded axes and the choices made for `auto`.
     const Scene &
     scene() const
     {
@@ -51,7 +52,7 @@ namespace lamella
     Scene
     with_automatic_contacts() const;
 
-    /// Returns the rules by which the fields of SV-N were chosen.
+    /// Returns the parameters by which the fields of SV-N were chosen.
     const FieldRules &
     rules() const
     {
@@ -75,28 +76,28 @@ namespace lamella
     void
     print_plans(std::ostream &out) const;
 
-    /// Returns the rows and geometry of each contact.
+    /// Returns the constraints and geometry of each contact.
     const std::vector<ContactInterface> &
     interfaces() const
     {
       return contacts;
     }
 
-    /// Returns a view of these rows with consecutive numbers.
+    /// Returns a view of all gap constraints with consecutive numbers.
     const GapConstraints &
     rows() const
     {
       return gap_constraints;
     }
 
-    /// Renews rows() after contacts were paired anew, which changes their rows.
+    /// Renews rows() after contacts were paired anew.
     void
     number_rows()
     {
       gap_constraints = GapConstraints(contacts);
     }
 
-    /// Updates numbers of rows and slave surfaces in @p found.
+    /// Updates numbers of constraints and slave surfaces in @p found.
     void
     update_pairing_facts(std::vector<ContactSummary> &found) const;
 
@@ -107,7 +108,7 @@ namespace lamella
       return moving;
     }
 
-    /// Returns the places of probes, lines and cuts in their bodies.
+    /// Returns the evaluation of probes, lines and cuts.
     const Sampler &
     sampler() const
     {
@@ -121,16 +122,16 @@ namespace lamella
       return sweep.get();
     }
 
-    /// Returns the checks of results; lists surface points at its first use.
+    /// Returns the plausibility checks, which list surface points at first use.
     Plausibility &
     plausibility() const
     {
       return *units_check;
     }
 
-    /// Returns @p quantities of the scene, as goals are; those that only
-    /// References request are set to the lower ply if their probe lies between
-    /// two. Throws InputError for a wrong or missing ply (Sampler::check()).
+    /// Returns @p quantities of the scene (such as goals) with a ply. Those
+    /// requested by References only get the lower ply of two. Throws InputError
+    /// for a wrong or missing ply (Sampler::check()).
     std::vector<NamedQuantity>
     with_resolved_plies(std::vector<NamedQuantity> quantities) const;
 
@@ -138,11 +139,11 @@ namespace lamella
     FaceTractions
     tractions_at(const State &state, const LoadFactor &factor) const;
 
-    /// Returns contact, body and position of the gap row @p row, for messages.
+    /// Returns contact, body and position of constraint @p row, for messages.
     std::string
     describe_row(const unsigned int row) const;
 
-    /// Returns results of the scene itself: names, sizes, notes; no step.
+    /// Returns results of the scene without load steps: names, sizes, notes.
     Results
     facts() const;
 
@@ -150,22 +151,22 @@ namespace lamella
     /// Builds section meshes, bodies, supports, loads and stabilizing springs.
     void
     build_structure(std::ostream &out);
-    /// Returns the bodies with the fields that the scene requests at each node,
-    /// with temporary conditions and contacts if they depend on these.
+    /// Returns the bodies with the fields at each node that the scene requests.
+    /// Creates temporary supports, loads and contacts if needed.
     Bodies
     make_bodies_with_fields();
-    /// Finds the motions of @p bodies that isostatic supports remove.
+    /// Finds the rigid motions of @p bodies that isostatic supports constrain.
     void
     set_isostatic_motions(const Bodies &bodies);
-    /// Searches and pairs the gap rows of all contacts, without duplicates.
+    /// Pairs all contacts, without duplicate constraints.
     void
     build_contacts();
-    /// Returns the initial overlap [length] of contact @p contact at @p at if
-    /// supports constrain both sides there, else zero.
+    /// Returns the initial overlap [length] of contact number @p contact at
+    /// @p at if supports constrain both sides at this point, else zero.
     double
     constrained_overlap(const unsigned int             contact,
                         const ContactInterface::Point &at) const;
-    /// Throws InputError for initial overlap where supports fix both sides.
+    /// Throws InputError for initial overlap between two constrained sides.
     void
     check_constrained_overlaps() const;
     /// Appends the notes on the scene to @p found.
@@ -187,7 +188,7 @@ namespace lamella
     Contacts                      moving;
     /// Notes from the choice of fields.
     std::vector<std::string> field_notes;
-    /// Reason for the fields of each body's nodes.
+    /// Reason for the fields of the nodes of each body.
     std::vector<std::string>       reasons;
     std::unique_ptr<Sampler>       places;
     std::unique_ptr<StrengthSweep> sweep;

@@ -10,7 +10,7 @@
 
 namespace lamella
 {
-  /// Command line as typed; no file has been read.
+  /// Options of the command line as entered; no file has been read.
   struct CommandLine
   {
     enum class Task
@@ -25,35 +25,35 @@ namespace lamella
     /// File of the scene; for a report the folder of results, for a new scene
     /// its name. Empty with --help, --version and --print-parameters only.
     std::string scene;
-    /// Output folder, deck or page, as given, or the default of the task.
+    /// Output folder, CalculiX deck or report page; else the default.
     std::string output;
-    /// True if `output` was given: --validate writes its sections there then.
+    /// True if `output` was given: --validate then writes sections there.
     bool output_is_given = false;
-    /// Options of CalculiX; empty if not given.
+    /// Options for CalculiX; empty if not given.
     std::string element, contact_stiffness;
     /// Template of a new scene.
     std::string kind;
-    /// Overrides PATH=VALUE of --set, in their order.
+    /// Overrides PATH=VALUE of --set, in order.
     std::vector<std::string> overrides;
     /// Number of threads of this process, 1 to 1024.
     unsigned int threads = 1;
-    /// Resume the run in `output`.
+    /// True to resume the run in `output`.
     bool resume = false;
-    /// Build the scene and print a summary of it, without solving.
+    /// True to build the scene and print a summary, without solving.
     bool validate = false;
-    /// Print all entries; with a scene, their resolved values.
+    /// True to print all entries; with a scene, their resolved values.
     bool print_parameters = false;
-    /// Print version or help and exit.
+    /// True to print the version, or help, and exit.
     bool version = false;
     bool help    = false;
 
-    /// Returns the parsed words after the program's name. Throws InputError for
-    /// unknown words, missing values and scenes, and contradicting options.
+    /// Parses the arguments @p words without the name of the program. Throws
+    /// InputError for unknown, missing and contradictory options.
     static CommandLine
     parse(const std::vector<std::string> &words);
   };
 
-  /// Word before the scene; none for a run.
+  /// Word before the scene for each task; none for a run.
   template <>
   struct Names<CommandLine::Task>
   {
@@ -65,7 +65,7 @@ namespace lamella
   };
 
   /// Returns the text of --help, with the exit status: 0 success, 1 wrong
-  /// input, 2 failed numerics.
+  /// input, 2 failed solution.
   std::string
   usage();
 } // namespace lamella

@@ -15,60 +15,63 @@
 
 namespace lamella
 {
-  /// Throws InputError of `Find` if nothing grows with the load factor: no load
-  /// but temperatures, weight, or displacement of a support or an obstacle.
+  /// Throws InputError with the path `Find` if nothing increases with the load
+  /// factor: no load except temperatures, no weight, and no displacement of a
+  /// support or an obstacle.
   void
   check_load_growth(const Structure                     &structure,
                     const std::vector<ContactInterface> &contacts);
 
-  /**
-   * Search for the load factor at which the smallest reserve factor is 1. The
-   * interval is between a safe load factor and an upper end, at which a ply
-   * fails or no solution exists (rotations beyond their limit, contact without
-   * convergence). Load steps come first; if all are safe, the largest is
-   * doubled up to ten times. The interval is then bisected to 0.1 %. The result
-   * is a failure or the load at which solutions are lost, whichever comes
-   * first.
-   */
+  /// Search for the load factor at which the smallest reserve factor is 1, by
+  /// bisection between a safe load factor and an upper one, at which a ply
+  /// fails or no solution exists (rotations beyond their limit, contact that
+  /// does not converge). Load steps are evaluated first; if all are safe, the
+  /// largest load factor is doubled up to ten times. The interval is then
+  /// bisected to 0.1 %. The result is a failure, or the load factor above which
+  /// no solution exists, whichever is lower.
   class FirstFailureSearch
   {
   public:
-    /// Function that solves at a load factor within a load step of a number (or
-    /// beyond the last one) and sets the reserve factors in the third argument.
-    /// Throws NumericsError without a solution.
+    /// Function that solves at the load factor of its first argument. The
+    /// second argument is the number (from 0) of the load step that contains
+    /// this factor, or the number of steps if it is beyond the last. Sets the
+    /// third argument to the reserve factors. Throws NumericsError if it finds
+    /// no solution.
     using TrySolve = std::function<FailureTrial(const double,
                                                 const unsigned int,
                                                 std::vector<PlyReserve> &)>;
 
-    /// Prints a line per trial to @p out, which is referred to.
+    /// Keeps a reference to @p out and prints a line per trial to it.
     FirstFailureSearch(const TrySolve &try_load, std::ostream &out);
 
-    /// Returns the first failure after the run's @p steps with reserve factors.
+    /// Returns the first failure for a run with the load steps @p steps, which
+    /// contain reserve factors.
     FirstFailure
     find(const std::vector<StepResults> &steps);
 
-    /// Returns a sentence if no ply fails or solutions are lost; else empty.
+    /// Returns a sentence if no ply fails or solutions end before; else empty.
     std::string
     note() const;
 
   private:
-    /// Returns whether a ply fails at @p factor with reserve factors @p plies.
+    /// Updates the interval by the reserve factors @p plies at @p factor.
+    /// Returns true if a ply fails.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
-    /// Solves at @p factor within step @p load_step and narrows the interval.
+    /// Solves at @p factor in load step @p load_step, updates the interval.
     void
     attempt(const double factor, const unsigned int load_step);
-    /// Returns the smaller one of the two upper ends, if any.
+    /// Returns the lowest known load factor of failure or without solution.
     std::optional<double>
     upper() const;
-    /// Returns whether the interval is narrow enough.
+    /// Returns true if the interval is small enough.
     bool
     is_interval_narrow() const;
 
     TrySolve      try_load;
     std::ostream &out;
     FirstFailure  result;
-    /// Load factor without a solution, and the reason.
+    /// Lowest load factor without a solution, and the reason.
     std::optional<double> without_state;
     std::string           reason;
   };

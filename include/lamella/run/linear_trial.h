@@ -10,49 +10,48 @@
 
 namespace lamella
 {
-  /**
-   * Choice for `Rotations = auto`. The scene is solved with linear kinematics,
-   * and the effect of large deflections is estimated as the largest of
-   *   r        stiffening by tension (NonlinearityEstimate::stiffening),
-   *   theta^2  square of the largest rotation [rad], the order of the error of
-   *            deflections; theta with follower loads,
-   *   a        amplification by compression
-   *            (NonlinearityEstimate::amplification)
-   * over all load steps. Large rotations are chosen if it exceeds
-   * `needs_finite_rotations` = 2e-3, if loads exceed buckling loads, if
-   * rotations exceed their limit, or if the linear solution fails, unless the
-   * scene cannot be built with large rotations.
-   */
+  /// Choice of the kinematics for `Rotations = auto`. The scene is solved with
+  /// linear kinematics, and the effect of large deflections is estimated as the
+  /// largest of
+  ///   r        stiffening by tension (NonlinearityEstimate::stiffening),
+  ///   theta^2  square of the largest rotation [rad], the order of the error of
+  ///            deflections; theta with follower loads,
+  ///   a        amplification by compression
+  ///            (NonlinearityEstimate::amplification)
+  /// over all load steps. Finite rotations are chosen if it exceeds
+  /// `needs_finite_rotations` = 2e-3, if loads exceed buckling loads, if
+  /// rotations exceed their limit, or if the linear solution fails, unless the
+  /// scene cannot be built with finite rotations.
   class LinearTrial
   {
   public:
-    /// Builds @p scene, read from @p text, with linear and large rotations, and
-    /// solves the linear one. Throws InputError as Simulation does.
+    /// Builds @p scene, read from @p text, with linear and with finite
+    /// rotations, and solves the linear model. Throws as Simulation does.
     LinearTrial(const Scene &scene, const SceneText &text, std::ostream &out);
 
-    /// Returns whether the linear run is the result.
+    /// Returns true if linear kinematics are sufficient.
     bool
     is_linear_sufficient() const
     {
       return linear_suffices;
     }
 
-    /// Returns the linear run if it suffices, else the unsolved large one.
+    /// Returns the linear run if sufficient, else the large one, not solved.
     Simulation &
     chosen() const
     {
       return linear_suffices ? *linear : *large;
     }
 
-    /// Calls @p bars and writes the sufficient linear run into @p directory.
+    /// Calls @p bars and writes the (sufficient) linear run into @p directory.
     void
     write(const std::string &directory, const PostProcessing &bars) const;
 
   private:
-    /// Makes the simulation with large rotations, or stores why it is refused.
+    /// Builds the model with finite rotations, or stores why it cannot be.
     void
     build_large(const Scene &scene, const SceneText &text, std::ostream &out);
-    /// Evaluates the results of the linear run.
+    /// Decides whether the linear run is sufficient.
     void
     judge(const Scene &scene);
 

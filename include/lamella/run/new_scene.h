@@ -9,13 +9,13 @@
 
 namespace lamella
 {
-  /// Returns the kinds of templates for new scenes, the default first.
+  /// Returns the names of the templates for new scenes, the default first.
   std::vector<std::string>
   kinds_of_new_scenes();
 
-  /// Writes the template @p kind as the scene NAME.prm, with the folder in @p
-  /// name, and prints the next steps to @p out. Throws InputError for an
-  /// unknown kind, and for a file that exists or cannot be written.
+  /// Writes the template @p kind to the scene file NAME.prm, where @p name may
+  /// contain a folder, and prints the next steps to @p out. Throws InputError
+  /// for an unknown template, and for a file that exists or cannot be written.
   void
   write_new_scene(const std::string &name,
                   const std::string &kind,

@@ -11,26 +11,27 @@
 
 namespace lamella
 {
-  /// Returns the simulation of @p scene, read from @p text. InputErrors of
-  /// building bodies have the line of the text.
+  /// Returns the simulation of @p scene, read from @p text. InputErrors during
+  /// construction of bodies contain the line of the text.
   std::unique_ptr<Simulation>
   make_simulation(const Scene &scene, const SceneText &text, std::ostream &out);
 
-  /// Function that may add results (Simulation::set_goals()) after all steps.
+  /// Function called after all load steps, which may add results
+  /// (Simulation::set_goals()).
   using PostProcessing = std::function<void()>;
 
-  /// Solves @p simulation, writes each completed step into @p directory
-  /// (ResultsWriter) and prints the main results. With @p resume, the run in
-  /// the folder is continued. Throws what Simulation::solve() throws, after
-  /// writing the steps before, and InputError for a folder that cannot be
-  /// written, belongs to another run, or has nothing to resume.
+  /// Solves @p simulation, writes each completed load step into the folder
+  /// @p directory (ResultsWriter) and prints the main results. With @p resume,
+  /// continues the run in this folder. Throws what Simulation::solve() throws,
+  /// after writing the completed steps, and InputError if the folder cannot be
+  /// written, belongs to another run, or has no step to resume from.
   void
   run_scene(Simulation           &simulation,
             const std::string    &directory,
             const bool            resume          = false,
             const PostProcessing &post_processing = {});
 
-  /// Writes all steps of @p simulation into @p directory, as run_scene() does.
+  /// Writes all steps of @p simulation into @p directory as run_scene() does.
   void
   write_run(Simulation &simulation, const std::string &directory);
 

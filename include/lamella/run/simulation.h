@@ -27,58 +27,55 @@ namespace lamella
 {
   class MemoryBudget;
 
-  /// The main loop from a scene to its results: for each load factor a Step
-  /// from the previous state, and its results: fields at probes, lines and
-  /// cuts, and reserve factors of plies. Then the search for first failure, if
-  /// requested. Owns all that is built of the scene, and the results. On
-  /// several processes each holds all of it and calls the same functions; all
-  /// but the root process pass a stream without output.
+  /// A run from a scene to its results. For each load factor, a Step is solved
+  /// from the previous state, and its results are evaluated: fields at probes,
+  /// lines and cuts, and reserve factors of plies. The search for first failure
+  /// follows, if requested. Owns all objects built from the scene, and the
+  /// results. All processes have all of it and call the same functions;
+  /// processes except the root pass a stream without output.
   class Simulation
   {
   public:
     /// Builds the scene (BuiltScene); throws InputError for all its errors. No
-    /// stiffness is assembled. Progress goes to @p out. What it needs of @p
-    /// given is copied. @p rules choose the fields of SV-N. Collective.
+    /// stiffness is assembled. Prints progress to @p out. @p given is copied.
+    /// @p rules are parameters for the fields of SV-N. Collective.
     Simulation(const Scene      &given,
                std::ostream     &out,
                const FieldRules &rules = FieldRules());
     ~Simulation();
 
-    /// Callback for the results after each step; its exceptions end the run.
+    /// Callback for the results after each step; an exception ends the run.
     using Observer = std::function<void(const Results &)>;
 
-    /**
-     * Solves all load steps that are not solved yet, and returns results().
-     * Throws InputError if the memory does not suffice, NumericsError for a
-     * step that cannot be solved reliably, or with a too short search distance;
-     * results() then has the steps before it. If a stiffness is ill-conditioned
-     * before the first step, bodies with fields of their own get all fields of
-     * their sections, once. If contact points miss a penetrating body, an
-     * automatic axis gets shorter elements there, and all steps are repeated.
-     * With an @p observer, state and tables of a step are dropped after the
-     * next one. Collective.
-     */
+    /// Solves all remaining load steps and returns results(). Throws InputError
+    /// if the memory is insufficient, and NumericsError for a step that cannot
+    /// be solved reliably, or whose search distance is too short; results()
+    /// then contains the previous steps. If a stiffness is ill-conditioned
+    /// before the first step, bodies of SV-N get all fields of their sections,
+    /// once. If a body penetrates between contact points, an `auto` axis gets
+    /// shorter elements there, and all steps are repeated. With an @p observer,
+    /// state and tables of a step are released after the next step. Collective.
     const Results &
     solve(const Observer &observer = {});
 
-    /// Takes @p steps of an earlier run as done, before solve(). The last of
-    /// them has its state and warnings.
+    /// Sets @p steps of an earlier run as completed; call it before solve().
+    /// The last of them must contain its state and warnings.
     void
     resume(std::vector<StepResults> steps);
 
-    /// Returns the results so far; before solve() names, notes and loads only.
+    /// Returns the results so far; before solve() names, notes, loads only.
     const Results &
     results() const
     {
       return found;
     }
 
-    /// Adds the goals of the last step with errors, or why there are none.
+    /// Sets the goals with error bars, or the reason why there are none.
     void
     set_goals(std::vector<GoalResult> goals,
               const std::string      &missing_reason = "");
 
-    /// Adds a note on the scene as a whole, a sentence without a full stop.
+    /// Adds a note on the whole run, a sentence without a full stop.
     void
     add_endnote(const std::string &note)
     {
@@ -89,11 +86,11 @@ namespace lamella
     void
     release_solver();
 
-    /// Stores seconds, memory and solver statistics so far in the results.
+    /// Stores times, memory and solver statistics up to now in the results.
     void
     record_costs();
 
-    /// Returns the scene's model, which solve() may build anew.
+    /// Returns the objects built from the scene, which solve() may replace.
     const BuiltScene &
     model() const
     {
@@ -107,7 +104,7 @@ namespace lamella
       return *solver;
     }
 
-    /// Returns whether the run has changed the axis or the contacts of its
+    /// Returns true if the run has changed the axis or the contacts of its
     /// scene, so that its load steps cannot be resumed.
     bool
     is_revised() const
@@ -115,7 +112,7 @@ namespace lamella
       return revised;
     }
 
-    /// Returns the stream for progress.
+    /// Returns the stream for progress messages.
     std::ostream &
     output() const
     {
@@ -131,78 +128,78 @@ namespace lamella
 
     void
     build(const Scene &given, const FieldRules &rules);
-    /// Rebuilds the scene with all fields of the section for bodies with fields
-    /// of their own. Returns false, without any change, if there are none.
+    /// Rebuilds the scene with all section fields for bodies of SV-N. Returns
+    /// false, without effect, if there are none.
     bool
     rebuild_with_all_fields();
-    /// Rebuilds the scene with shorter elements where contact points @p missed
-    /// a body. Returns false, without any change, for a prescribed axis.
+    /// Rebuilds the scene with shorter elements at the penetration @p missed
+    /// between contact points. Returns false if the axis is not `auto`.
     bool
     shorten_elements(const UndetectedPenetration &missed);
 
-    /// Prints @p what was changed and rebuilds all for the scene @p changed.
+    /// Prints the change @p what and rebuilds all for the scene @p changed.
     void
     revise(Scene changed, const std::string &what);
-    /// Rebuilds the scene with contact constraints at nodes of the ends that @p
-    /// missing names. Returns false, without any change, for steps of an
-    /// earlier run and if an end faces nothing.
+    /// Rebuilds the scene with contact constraints at the end nodes in
+    /// @p missing. Returns false, without effect, if load steps were resumed or
+    /// if an end faces no surface.
     bool
     add_ends(const MissingEnds &missing);
 
-    /// Solves the load steps with the fields that are built.
+    /// Solves the load steps with the current model.
     const Results &
     solve_as_built(const Observer &observer);
     /// Checks the memory, factorizes, and creates the load step.
     void
     prepare();
-    /// Returns the load step of linear kinematics, and makes its solver.
+    /// Creates the load step of linear kinematics and its solver.
     std::unique_ptr<Step>
     make_linear_step(const MemoryBudget &budget);
-    /// Returns the load step of large rotations, which makes its own solvers.
+    /// Creates the load step of finite rotations, with its own solvers.
     std::unique_ptr<Step>
     make_large_step(const MemoryBudget &budget);
-    /// Numbers the contact constraints again after a new pairing.
+    /// Renumbers the contact constraints after a new pairing.
     void
     renumber_rows();
     void
     make_solver(const MemoryBudget &budget);
-    /// Returns the stiffness with solvers; prints the sizes of factors.
+    /// Returns the tangent with solvers; prints the sizes of factors.
     std::shared_ptr<const TangentOperator>
     linearize(const MemoryBudget &budget);
-    /// Returns the state of heated bodies at load factor zero, whose stresses
-    /// do not grow with loads; null if unused.
+    /// Returns the displacements of heated bodies at load factor zero, whose
+    /// stresses do not increase with loads; null if not needed.
     std::shared_ptr<const BlockVector>
     solve_thermal_state(Step &step);
-    /// Computes checks and contact results of an earlier run's last state.
+    /// Computes checks and contact results of the last state of an earlier run.
     void
     complete_last_step();
-    /// Solves the load steps that are left.
+    /// Solves the remaining load steps.
     void
     do_steps(const Observer &observer);
     /// Solves the next load step and appends its results.
     void
     do_step(const Observer &observer);
-    /// Searches the load at which the smallest reserve factor is 1
-    /// (FirstFailureSearch). Adds an endnote if nothing fails or solutions end.
+    /// Searches the load factor at which the smallest reserve factor is 1
+    /// (FirstFailureSearch). Adds a note if nothing fails.
     void
     find_first_failure();
 
     std::ostream &out;
-    /// Wall seconds of each Phase, and of the object's lifetime.
+    /// Wall-clock time of each Phase, and since construction.
     dealii::TimerOutput timer;
     dealii::Timer       wall;
 
-    /// Each refers to those above; those below `built` are null before
-    /// prepare(), and `solver` with finite rotations.
+    /// Each keeps references to the previous objects. Those after `built` are
+    /// null before prepare(), and `solver` also with finite rotations.
     std::unique_ptr<BuiltScene>    built;
     std::unique_ptr<ContactSolver> solver;
     std::unique_ptr<StepRecorder>  recorder;
     std::unique_ptr<LoadPath>      path;
 
     Results found;
-    /// Flag of each body with an automatic axis, or that of another model.
+    /// True for `auto` axes, in comparison models and runs to a tolerance.
     std::vector<bool> may_refine;
-    /// True if the last step comes from an earlier run and has its state only.
+    /// True if the last step is of an earlier run and has a state only.
     bool last_has_state_only = false;
     bool revised             = false;
   };

@@ -11,7 +11,7 @@
 
 namespace lamella
 {
-  /// Exception: a body penetrates an inactive contact between its points.
+  /// Exception: a body penetrates another one between inactive contact points.
   struct UndetectedPenetration : public NumericsError
   {
     UndetectedPenetration(const std::string &message,
@@ -24,32 +24,33 @@ namespace lamella
       , longest(longest)
     {}
 
-    /// The body that needs shorter elements, the place along its axis, and the
-    /// longest sufficient length [length]; 0 if unknown.
+    /// The body that needs shorter elements, the position along its axis, and
+    /// the largest sufficient element length [length]; 0 if unknown.
     unsigned int body;
     double       y, longest;
   };
 
-  /// Recorder of load step results: fields at probes, lines and cuts, contact
-  /// pairs, reserve factors of plies, measures, and warnings.
+  /// Computes the results of load steps: fields at probes, lines and cuts,
+  /// contact points, reserve factors of plies, measures, and warnings.
   class StepRecorder
   {
   public:
-    /// Refers to @p facts with the names of @p built's requests. @p
-    /// thermal_part is the state of heated bodies at load factor zero, whose
-    /// stresses do not grow with loads, or null.
+    /// Keeps references to @p built and to @p facts, which has the names of
+    /// probes, lines, cuts and measures. @p thermal_part are the displacements
+    /// of heated bodies at load factor zero (constant stresses), or null.
     StepRecorder(const BuiltScene                  &built,
                  const Results                     &facts,
                  std::shared_ptr<const BlockVector> thermal_part = nullptr);
 
-    /// Returns the results of step number @p step, from 1, without measures. @p
-    /// previous, the state before, shows which pairs opened and closed.
+    /// Returns the results of load step number @p step, from 1, without
+    /// measures. Contact points that opened and closed are found by comparison
+    /// with the state @p previous.
     StepResults
     record(const unsigned int step,
            const SolvedStep  &solved,
            const State       &previous) const;
 
-    /// Adds the measures of the last step to @p results.
+    /// Adds the values of measures in the last step to @p results.
     void
     add_measures(Results &results) const;
 
@@ -58,18 +59,19 @@ namespace lamella
     std::string
     note_on_idle_contacts() const;
 
-    /// Returns the failure results of @p solved, a state beside the load path,
-    /// and sets its reserve factors @p plies.
+    /// Returns the failure results of @p solved, a solution of the search for
+    /// first failure, and sets its reserve factors @p plies.
     FailureTrial
     trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
 
-    /// Returns the warnings of @p solved, a state beside the load path.
+    /// Returns the warnings of @p solved, a solution of the search for first
+    /// failure with the reserve factors @p plies.
     std::vector<std::string>
     warnings_off_path(const SolvedStep       &solved,
                       std::vector<PlyReserve> plies) const;
 
-    /// Returns the largest change of goals between @p one and @p other, two
-    /// ends of a step from @p before, over its scale
+    /// Returns the largest change of a goal between @p one and @p other, two
+    /// solutions of a step from @p before, over its scale
     /// (ResultNumbers::scale_of()).
     double
     change_of_goals(const SolvedStep &one,
@@ -80,48 +82,47 @@ namespace lamella
     /// Returns results with @p solved as the only step, to evaluate goals.
     Results
     minimal_results(const SolvedStep &solved, const State &before) const;
-    /// Returns whether @p row of @p contact was active in @p previous.
+    /// Returns true if row @p row of @p contact was active in @p previous.
     bool
     was_active(const State       &previous,
                const unsigned int contact,
                const unsigned int row) const;
-    /// Writes the pairs of all contacts into @p results.
+    /// Adds the contact points of all contacts to @p results.
     void
     record_contacts(const SolvedStep &solved,
                     const State      &previous,
                     StepResults      &results) const;
-    /// Writes reserve factors of plies into @p results.
+    /// Adds the reserve factors of plies to @p results.
     void
     record_strength(StepResults &results, const FaceTractions &tractions) const;
     /// Returns warnings about the state, the assumptions of contact, and the
-    /// step, equilibrium defects and plies in @p sampled.
+    /// fields, equilibrium defects and plies in @p sampled.
     std::vector<std::string>
     warnings(const SolvedStep &solved, const StepResults &sampled) const;
-    /// Returns warnings of few points on rollers at finite rotations.
+    /// Returns warnings on rollers with few points at finite rotations.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;
-    /// Throws UndetectedPenetration if an inactive contact is penetrated.
+    /// Throws UndetectedPenetration if bodies penetrate in an inactive contact.
     void
     require_found(const SolvedStep &solved) const;
     [[noreturn]] void
     throw_undetected_penetration(const ContactInterface    &contact,
                                  const CylinderPenetration &penetration,
                                  const unsigned int         body) const;
-    /// Returns whether contact number @p contact, or another one of the same
-    /// two bodies, has an active constraint.
+    /// Returns true if contact number @p contact, or another contact of the
+    /// same two bodies, has an active constraint.
     bool
     touches(const unsigned int contact, const SolvedStep &solved) const;
-    /// Returns the deepest end of a body in contact number @p c, if it is deep
-    /// enough to change the contact force by 0.1 %.
+    /// Returns the deepest penetration of a body end in contact number @p c, if
+    /// it changes the contact force by more than 0.1 %.
     std::optional<EndPenetration>
     end_penetration(const unsigned int c, const SolvedStep &solved) const;
-    /// Returns warnings where an end of a body lies in another one and has no
-    /// contact constraints. Throws MissingEnds if a contact's discretization
-    /// is automatic.
+    /// Returns warnings if an end of a body penetrates another body without
+    /// contact constraints. Throws MissingEnds if the discretization is `auto`.
     std::vector<std::string>
     warnings_of_ends(const SolvedStep &solved) const;
-    /// Returns @p checks with the resultants of contacts that are parts of
-    /// others (ContactPair::part_of) in those others.
+    /// Returns @p checks, in which the resultants of contacts that complement
+    /// others at body ends (ContactPair::part_of) are added to the latter.
     Checks
     with_part_resultants(Checks checks) const;
     /// Returns the largest couple of a load, or force of a load, support or
@@ -130,17 +131,16 @@ namespace lamella
     double
     largest_moment(const SolvedStep &solved) const;
     /// Returns warnings of forces in isostatic supports if the loads are not in
-    /// equilibrium in the removed motions.
+    /// equilibrium for the motions that these supports constrain.
     std::vector<std::string>
     warnings_of_isostatic_supports(const SolvedStep &solved) const;
-    /// Returns the numbers of the contacts of note_on_idle_contacts().
+    /// Returns the numbers of the contacts in note_on_idle_contacts().
     std::vector<unsigned int>
     idle_contacts() const;
-    /// Returns whether contact number @p c has had a force above rounding,
-    /// which strains a body.
+    /// Returns true if contact @p c has had a force that strains a body.
     bool
     has_carried_force(const unsigned int c) const;
-    /// Returns warnings of stresses by equilibrium that do not balance.
+    /// Returns warnings on `equilibrium` stresses with large defects.
     std::vector<std::string>
     warnings_of_defects(const EquilibriumDefects &defects) const;
 
