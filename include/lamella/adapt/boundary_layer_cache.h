@@ -30,8 +30,7 @@ namespace lamella
   /// Cache of boundary-layer modes for all models of one scene. A section of
   /// higher degree (LE-4) reuses the modes of a lower degree (LE-3) if no
   /// stresses are requested near the end (ConstrainedSection::is_sampled): the
-  /// degree matters little for the rest of the body, and solving for the modes
-  /// is the largest cost of a model.
+  /// degree matters little elsewhere, and the modes are the largest cost.
   class BoundaryLayerModes
   {
   public:

@@ -33,13 +33,11 @@ namespace lamella
     double rest = 1e-2;
     /// Largest number of DoFs of an end segment; above it there are no modes.
     double max_dofs = 1e5;
-    /// Distance over B within which requested stresses require modes of the
-    /// section's own degree.
+    /// Distance over B within which stresses require modes of full degree.
     double sampled = 1.;
   };
 
-  /// Constraint of a whole section, and the side of it on which the body is. A
-  /// free end has no rows.
+  /// Constraint of a whole section, with the body's side; no rows at free ends.
   struct ConstrainedSection
   {
     /// Rows r of the constraints r(u) = 0 in the fields of the section.

@@ -18,8 +18,7 @@ namespace lamella
 
   /// Returns the loads of boundary_layer_modes() at the node @p far_node of the
   /// end segment @p piece, at the distance @p arm from the constrained end.
-  /// They do no work on the free rigid @p motions, and their section forces are
-  /// orthonormal in energy.
+  /// They do no work on free rigid @p motions and are orthonormal in energy.
   std::vector<Vector>
   end_loads(const SaintVenant         &states,
             const Beam                &piece,

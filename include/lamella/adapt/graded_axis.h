@@ -20,8 +20,7 @@ namespace lamella
     double clamp = 0.15, contact = 0.125;
     /// Element length at point and line supports and loads, and load edges.
     double edge = 0.25;
-    /// Largest element length where bodies are in contact, and number of
-    /// elements up to which it is used.
+    /// Largest element length in contact, up to max_inside elements.
     double inside = 0.5, max_inside = 40.;
     /// Growth of element length per length (neighbors differ by about 1.8).
     double growth = 0.6;

@@ -26,8 +26,7 @@ namespace lamella
     std::string name;
     /// Independent section load vectors f, normalized to unit length.
     std::vector<Vector> loads;
-    /// Area-weighted mean of all load vectors and their linear part across the
-    /// axis, the load for distant nodes.
+    /// Area-weighted mean and linear part of all, the load on distant nodes.
     std::vector<Vector> smooth;
     /// Range of the loaded axis elements, or position of the node [length].
     double begin = 0., end = 0.;

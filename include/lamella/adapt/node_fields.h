@@ -34,8 +34,7 @@ namespace lamella
     /// Smallest ratio of the largest to the smallest wave number.
     double min_wave_ratio = 2.;
     /// Tolerances of Warping::basis() for fields near interactions and
-    /// elsewhere. The former is multiplied by (reference_waves / N)^2 for more
-    /// wave numbers N.
+    /// elsewhere. The former times (reference_waves / N)^2 for larger N.
     double       near_tolerance = 3e-2, far_tolerance = 1e-2;
     unsigned int reference_waves = 6;
     /// Negligible independent part of a unit load vector of a node's heat.
@@ -52,8 +51,7 @@ namespace lamella
       std::make_shared<BoundaryLayerModes>();
     /// Parameters of the choice of models (plan()).
     PlanRules plan = {};
-    /// Names of bodies that have all fields, since fewer fields could not be
-    /// solved in double precision.
+    /// Names of bodies with all fields, as fewer could not be solved.
     std::vector<std::string> unsolved = {};
   };
 
@@ -66,16 +64,14 @@ namespace lamella
     double begin = 0., end = 0.;
   };
 
-  /// Returns the ranges of the axes of @p bodies with stresses requested by
-  /// @p probes, @p lines and @p cuts.
+  /// Returns the axial ranges of @p probes, @p lines and @p cuts in @p bodies.
   std::vector<StressRange>
   stress_ranges(const Bodies             &bodies,
                 const std::vector<Probe> &probes,
                 const std::vector<Line>  &lines,
                 const std::vector<Cut>   &cuts);
 
-  /// Returns the intervals along the axis of body number @p body in which
-  /// stresses are requested.
+  /// Returns the ranges of body number @p body as (begin, end).
   std::vector<std::pair<double, double>>
   requested_ranges(const unsigned int              body,
                    const std::vector<StressRange> &requested);

@@ -20,8 +20,7 @@ namespace lamella
     /// Fraction of a beam's length with possible contact above which SV-N does
     /// not have fewer fields than LE, and is slow to compute.
     double max_contact_share = 0.5;
-    /// Numbers of wave numbers: in SV-N that replaces another theory,
-    /// increment, smallest, largest.
+    /// Wave numbers: if SV-N replaces a theory, increment, least, most.
     unsigned int substitute_waves = 10, wave_increment = 4, min_waves = 6,
                  max_waves = 40;
     /// Initial degree of LE, the smallest with coarser models for errors.

@@ -25,7 +25,7 @@ namespace lamella
     /// Computes the Saint-Venant states and warpings of @p section, and its
     /// section functions from constant loads along the axis: the thermal loads
     /// @p heat and the weight vectors @p weights. Throws NumericsError if its
-    /// matrices cannot be factorized.
+    /// matrices are singular.
     SectionFields(std::shared_ptr<const Section>               section,
                   const Theory                                &theory,
                   const FieldRules                            &rules,
@@ -37,8 +37,7 @@ namespace lamella
     group_of(const LocalInteraction &interaction);
 
     /// Returns the groups of a free end or of a clamped section @p held: the
-    /// zones of its boundary-layer modes, or if there are none the group of the
-    /// tractions of @p interaction.
+    /// zones of its boundary-layer modes, or the tractions of @p interaction.
     std::vector<unsigned int>
     groups_of(const LocalInteraction                &interaction,
               const std::vector<ConstrainedSection> &held);
@@ -54,8 +53,7 @@ namespace lamella
       return theory.order > 0 && !groups.empty();
     }
 
-    /// Returns the number of load vectors of group @p group that a support
-    /// constrains; 0 for a clamp.
+    /// Returns the number of constrained load vectors of @p group (no clamp).
     std::size_t
     n_constrained(const unsigned int group) const
     {
@@ -87,15 +85,13 @@ namespace lamella
       std::vector<Vector> loads, smooth;
       double              element = 0.;
       bool                is_held = false;
-      /// Section functions from the loads near interactions, and from the
-      /// smooth loads far from them.
+      /// Section functions from the loads, and from the smooth loads.
       std::vector<Vector> near, far;
       /// Extent of a zone whose boundary-layer modes are in `near`; else 0.
       double influence_length = 0.;
       /// True if the group constrains a whole section.
       bool holds = false;
-      /// Returns the sort key of groups near a node: load vectors first, then
-      /// outer zones before inner zones.
+      /// Returns the sort key: load vectors, then outer zones, inner zones.
       std::pair<double, std::size_t>
       order() const
       {

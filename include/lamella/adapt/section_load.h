@@ -43,9 +43,8 @@ namespace lamella
     bool at_node = false, of_clamp = false;
   };
 
-  /// Returns the section load vector of the @p row of a support or a contact at
-  /// @p position, the same at all nodes. If @p normal, drops a small axial
-  /// part.
+  /// Returns the section load vector of a support or contact @p row at
+  /// @p position, equal at all nodes. If @p normal, drops a small axial part.
   SectionLoad
   load_of_row(const Beam             &beam,
               const LinearFunctional &row,
@@ -68,8 +67,7 @@ namespace lamella
                     const unsigned int              n_fields,
                     const InteractionRules         &rules);
 
-  /// Returns the area-weighted mean of the load vectors @p loads, and their
-  /// linear part across the axis.
+  /// Returns the area-weighted mean and transverse linear part of @p loads.
   std::vector<Vector>
   smooth_loads(const std::vector<SectionLoad> &loads,
                const unsigned int              n_fields);

@@ -13,13 +13,12 @@
 
 namespace lamella
 {
-  /// Returns the theories of those segments @p pieces of an axis of length
-  /// @p length that contain @p y.
+  /// Returns the theories of the segments @p pieces of the axis that contain
+  /// @p y.
   std::vector<Theory>
   theories_at(const double y, const TheoryPieces &pieces, const double length);
 
-  /// Returns the numbers of the section fields of LE-@p degree: all fields, or
-  /// those up to a lower degree.
+  /// Returns the field numbers of LE-@p degree, all or up to a lower degree.
   std::vector<unsigned int>
   list_of_degree(const Section &section, const unsigned int degree);
 

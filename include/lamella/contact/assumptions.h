@@ -56,8 +56,8 @@ namespace lamella
   /// nearly collinear (at 5 degrees the gap along their average is off by
   /// 1e-3), and sliding at most a tenth of the point spacing. Considers the
   /// active constraints @p active at the displacements @p u and load factor
-  /// @p factor. At most one sentence each on sliding and on normals gives the
-  /// point with the largest violation.
+  /// @p factor. At most one sentence each on sliding and normals gives the
+  /// worst point.
   std::vector<std::string>
   assumption_warnings(const ContactInterface          &interface,
                       const Bodies                    &bodies,

@@ -44,7 +44,7 @@ namespace lamella
   /// Returns the closest-point projection onto a rigid obstacle. The gap is g =
   /// N . (x - p) for a plane with normal N through p, and g = |r| - R for a
   /// cylinder of radius R, with the part r of x - p normal to its axis. Empty
-  /// if @p x lies on the cylinder axis.
+  /// on the axis.
   std::optional<SurfaceHit>
   closest_point_projection(const Obstacle             &obstacle,
                            const dealii::Point<3>     &x,

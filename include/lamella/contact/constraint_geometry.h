@@ -20,9 +20,9 @@ namespace lamella
   /// another discretization of the same body, or the deformed body, can use the
   /// same gaps and contact forces. A node pair has one point, with the weight
   /// -n on First or n on Second. A weighted gap has the trace nodes of the
-  /// facets in its support, with the weights 1/A_i int phi_i psi_k n dA, where
-  /// phi_i is the multiplier function, A_i its integral and psi_k the shape
-  /// function of trace node k.
+  /// facets in its support, with the weights 1/A_i int phi_i psi_k n dA, with
+  /// the multiplier function phi_i, its integral A_i and the trace function
+  /// psi_k.
   struct ConstraintGeometry
   {
     /// Pairs of k and w_rk of one constraint (no unit, scene axes).

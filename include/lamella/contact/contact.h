@@ -37,9 +37,9 @@ namespace lamella
     }
   };
 
-  /// Data of a Contact that a restart needs in addition to the State: a
-  /// projection may remain slightly outside its facet, and contact points are
-  /// those of the last pairing.
+  /// Data of a Contact that a restart needs in addition to the State:
+  /// projections may be slightly outside facets, and points are those of the
+  /// last pairing.
   struct ContactHistory
   {
     /// Displacements and load factor of the last pairing; empty if undeformed.
@@ -69,9 +69,8 @@ namespace lamella
   ///
   /// Constraint numbers change in pair() only, so views of constraints remain
   /// valid after move(). Contact points are stored by undeformed positions,
-  /// normals are current. Keeps references to the bodies and modifies the
-  /// interface in a list of the scene, all of which must outlive this object.
-  /// Every process does the same work.
+  /// normals are current. Keeps references to the bodies and to the interface
+  /// in a list of the scene, which it modifies.
   class Contact
   {
   public:
@@ -86,9 +85,8 @@ namespace lamella
             ContactInterface  &interface);
 
     /// Pairs the facing points anew at the displacements @p u, with the
-    /// obstacle at load factor @p factor, and updates the constraints. The
-    /// slave side and the discretization are unchanged. Throws InputError if no
-    /// points face each other.
+    /// obstacle at load factor @p factor, and updates the constraints. Throws
+    /// InputError if no points face each other.
     void
     pair(const BlockVector &u, const LoadFactor &factor);
 
@@ -145,8 +143,8 @@ namespace lamella
     ///   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
     ///   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
     /// along the tangents_of() its normal n: the mortar integrals of the gap
-    /// (GapIntegrals) with the tangential projection in place of n. Each slip
-    /// has one functional per body.
+    /// with the tangential projection replacing n. Each slip has one functional
+    /// per body.
     std::vector<std::array<std::vector<BodyFunctional>, 2>>
     slip_constraints();
 
@@ -216,8 +214,8 @@ namespace lamella
                    const LoadFactor  &to) const;
 
   private:
-    /// Returns the sides used for pairing: @p now at finite rotations, else the
-    /// undeformed ones.
+    /// Returns the sides to be paired: @p now at finite rotations, or
+    /// undeformed.
     const ContactSides &
     paired_sides(const ContactSides &now) const;
     /// Creates missing contact points: those of the pairing, or one per node.
@@ -232,16 +230,14 @@ namespace lamella
     /// Reduces nodal constraints to one per line in line contact.
     void
     reduce_to_lines();
-    /// Moves the contact points of lines to the points next to the roller, for
-    /// small rotations.
+    /// For small rotations, moves points of lines next to the roller.
     void
     update_lines();
     /// Sets the undeformed position of each constraint, and the position
     /// opposite its point of largest weight.
     void
     set_constraint_positions();
-    /// Returns the integrals over the contact points @p on, with slips measured
-    /// from the reference points @p held.
+    /// Returns the integrals over the points @p on, with slips from @p held.
     std::vector<GapIntegrals>
     integrate(const ContactSides        &sides,
               const MasterPoints         master_points,
@@ -290,9 +286,8 @@ namespace lamella
     /// Returns the index of the first point of each constraint.
     std::vector<unsigned int>
     first_points() const;
-    /// Returns the tangents of a constraint with normal @p n on @p sides: those
-    /// of tangents_of() if undeformed, else convected with @p point
-    /// (convected_tangents()).
+    /// Returns the tangents for the normal @p n on @p sides: tangents_of() if
+    /// undeformed, else convected_tangents() of @p point.
     Tangents
     tangents_at(const ContactSides         &sides,
                 const GapPoint             &point,

@@ -102,8 +102,7 @@ namespace lamella
     /// Largest tangential offset of a node pair over the root of its tributary
     /// area, for `node to node` (pair_node_to_node()).
     double tolerance = 1e-6;
-    /// Largest distance of paired points [length]; if empty,
-    /// automatic_search_distance().
+    /// Largest distance of paired points [length]; empty: automatic.
     std::optional<double> search_distance;
     /// Coulomb friction coefficient mu; 0 for frictionless contact.
     double friction = 0.;

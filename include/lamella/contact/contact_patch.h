@@ -16,15 +16,13 @@ namespace lamella
   unsigned int
   facing_axis(const std::vector<ContactInterface::Point> &points);
 
-  /// Returns the smallest and largest coordinate of @p points along the scene
-  /// axis @p axis [length].
+  /// Returns the range of coordinates of @p points along scene axis @p axis.
   std::pair<double, double>
   search_radius_along(const std::vector<ContactInterface::Point> &points,
                       const unsigned int                          axis);
 
   /// Loaded area of a contact or of a strip of it: its width and mean pressure,
-  /// from the ContactTraction. Contact points have forces lambda_i and
-  /// tributary areas A_i.
+  /// from the ContactTraction. Points have forces lambda_i and areas A_i.
   ///
   /// Points are grouped into lines along one of the two axes normal to
   /// facing_axis(): chains of neighbors on the grid of the slave surface
@@ -110,7 +108,7 @@ namespace lamella
          const std::vector<double> &force,
          const std::vector<double> &area,
          const double               next);
-    /// Returns true if the points lie on lines along @p axis.
+    /// Returns true if there are at least three points per line on average.
     static bool
     are_lines(const std::vector<Line> &lines);
     /// Returns the extent along @p axis of points that do not form lines.

@@ -62,8 +62,7 @@ namespace lamella
       return undeformed != nullptr;
     }
 
-    /// Returns the surface of the first or second side; null if the second side
-    /// is an obstacle.
+    /// Returns the surface of a side; null if the second side is an obstacle.
     const MeshSurface *
     surface(const bool second) const;
 
@@ -80,14 +79,12 @@ namespace lamella
     std::vector<SurfacePoint>
     points(const bool second) const;
 
-    /// Returns the surface points at the ends of the body, for any
-    /// discretization.
+    /// Returns the surface points at body ends, for any discretization.
     std::vector<SurfacePoint>
     end_points(const bool second) const;
 
-    /// Returns the location of each trace node of surface() in its body. Below:
-    /// its displacement rows at the undeformed body, or at the state if rows
-    /// depend on rotations.
+    /// Returns the location of each trace node of surface() in its body, and
+    /// its displacement rows (at the state if rows depend on rotations).
     const std::vector<Location> &
     trace_locations(const bool second) const;
     const std::vector<std::vector<LinearFunctional>> &

@@ -86,8 +86,7 @@ namespace lamella
       dealii::Tensor<1, 3> force, moment;
     };
 
-    /// Returns the resultant over the contact or a strip. Resultants of
-    /// adjacent strips add up.
+    /// Returns the resultant over the contact or a strip; strips add up.
     Resultant
     resultant(const std::optional<ContactStrip> &strip = {}) const;
 

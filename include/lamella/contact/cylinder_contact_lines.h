@@ -48,8 +48,7 @@ namespace lamella
     }
   };
 
-  /// Returns the contact arc of the active constraints @p active of
-  /// @p interface with a roller.
+  /// Returns the arc of the constraints @p active of @p interface.
   ContactArc
   contact_arc(const ContactInterface          &interface,
               const std::vector<unsigned int> &active);
@@ -93,8 +92,8 @@ namespace lamella
 
     /// Returns the deepest penetration into @p roller on the lines through all
     /// nodes of @p surface, deformed as @p now, among points whose outward
-    /// normal points to the roller axis. Empty if nothing penetrates, and if
-    /// the roller axis is along the body.
+    /// normal points to the roller axis. Empty if nothing penetrates, or for a
+    /// roller along the body.
     static std::optional<CylinderPenetration>
     deepest_in(const Obstacle    &roller,
                const MeshSurface &surface,

@@ -28,9 +28,8 @@ namespace lamella
       {Enforcement::exact, "exact"}};
   };
 
-  /// Unit of a penalty parameter. If it is too small, bodies penetrate; if it
-  /// is too large, the stiffness is lost to rounding (Eq. 24;
-  /// doc/theory/penalty.md).
+  /// Unit of a penalty parameter. If too small, bodies penetrate; if too large,
+  /// rounding errors grow (Eq. 24; doc/theory/penalty.md).
   enum class PenaltyKind
   {
     undefined,

@@ -67,8 +67,7 @@ namespace lamella
     dealii::Tensor<1, 3> tangent;
     /// s_rate: slip due to the motion of an obstacle at load factor 1 [length].
     double rate = 0.;
-    /// s_init: constant that makes slip() exact at the state of a moving
-    /// contact [length].
+    /// s_init: makes slip() exact at the state of a moving contact [length].
     double initial = 0.;
 
     double
@@ -124,12 +123,11 @@ namespace lamella
     /// Contact point of a constraint, for output, in scene axes.
     struct Point
     {
-      /// Facing points X_1 and X_2; for `surface to surface` a slave node and
-      /// the point opposite.
+      /// Facing points X_1 and X_2; of weighted gaps a slave node and the point
+      /// opposite.
       dealii::Point<3> first, second;
       /// Normal n of the constraint, outward from the first side: the force on
-      /// the second side is lambda n. For `surface to surface`, the average of
-      /// n over the tributary area.
+      /// the second side is lambda n. For weighted gaps, its average.
       dealii::Tensor<1, 3> normal;
       /// Tributary area A [length^2]: the smaller of both nodes' areas, that of
       /// the slave node, or A_i = int phi_i dA over the facing area.
@@ -174,8 +172,7 @@ namespace lamella
     std::vector<std::string> notes;
   };
 
-  /// Returns the undeformed slave node of @p point, or if unknown its point on
-  /// the first side.
+  /// Returns the undeformed slave node of @p point, if known, or its X_1.
   inline const dealii::Point<3> &
   place_of(const ContactInterface::Point &point)
   {
@@ -218,8 +215,7 @@ namespace lamella
       return *rows[row];
     }
 
-    /// Returns the number, size() or above, of the slip of constraint @p row
-    /// along @p tangent (0 or 1).
+    /// Returns the number, at least size(), of a slip of constraint @p row.
     unsigned int
     slip(const unsigned int row, const unsigned int tangent) const
     {
@@ -233,8 +229,7 @@ namespace lamella
       return 3 * size();
     }
 
-    /// Returns the number of the gap constraint to which the gap or slip
-    /// @p number belongs.
+    /// Returns the gap constraint of the gap or slip number @p number.
     unsigned int
     row_of(const unsigned int number) const
     {
@@ -283,8 +278,7 @@ namespace lamella
               firsts[contact + 1] - firsts[contact]};
     }
 
-    /// Returns those of the constraints @p some that belong to @p contact, by
-    /// their numbers within it.
+    /// Returns the constraints of @p contact among @p some, by local numbers.
     std::vector<unsigned int>
     local_rows_of(const unsigned int               contact,
                   const std::vector<unsigned int> &some) const;

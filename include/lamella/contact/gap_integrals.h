@@ -17,9 +17,8 @@ namespace lamella
 {
   /// Mortar integrals of one weighted gap i: averages over the contact points
   /// X_q (GapPoint) with the weights a_q phi_i(X_q) / A_i, where a_q is the
-  /// area of the point and phi_i the multiplier function. psi_k are the shape
-  /// functions of the trace nodes of either surface; n is the normal outward
-  /// from the slave side.
+  /// area of the point and phi_i the multiplier function. psi_k are trace
+  /// functions of either surface; n is the normal outward from the slave side.
   struct GapIntegrals
   {
     /// Area A_i = sum a_q phi_i over points with a projection [length^2].
@@ -27,8 +26,7 @@ namespace lamella
     /// Averages of the gap g [length] and of the normal n.
     double               gap = 0.;
     dealii::Tensor<1, 3> normal;
-    /// Average slip since the beginning of the step (slip_increment_of()), if
-    /// reference points are given.
+    /// Average slip_increment_of(), if reference points are given.
     dealii::Tensor<1, 3> slip_increment;
     /// Averages of psi_k n and psi_k (I - n n) for trace node k. The latter
     /// times a tangent t is the weight of the slip along t.

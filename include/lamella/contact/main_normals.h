@@ -9,8 +9,7 @@
 
 namespace lamella
 {
-  /// Main direction in which a contact acts: a unit normal, and the number of a
-  /// constraint with this normal.
+  /// Main direction in which a contact acts: constraint and unit normal.
   struct MainNormal
   {
     unsigned int         row = 0;
@@ -22,14 +21,13 @@ namespace lamella
   /// The normal at the smallest gap represents all constraints whose own normal
   /// is within 60 degrees of it; the remaining constraints are treated in the
   /// same way. A roller on a flat face has one main normal, normal to the face;
-  /// a groove has one for each side. The contact does not restrain motions
-  /// normal to all main normals.
+  /// a groove has one for each side. Other motions are not restrained.
   ///
   /// A main normal is common to both surfaces in contact: the normal of a flat
   /// surface, or the direction normal to the generators of two curved surfaces
   /// (sides of bodies and cylinders are ruled). It does not depend on the mesh.
-  /// For two flat surfaces at an angle (an edge on a face), it is the
-  /// constraint's own normal.
+  /// For two flat surfaces at an angle (an edge on a face), the closest
+  /// constraint's normal is used.
   std::vector<MainNormal>
   main_normals(const ContactPair      &contact,
                const ContactInterface &interface,

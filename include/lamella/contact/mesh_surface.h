@@ -94,8 +94,7 @@ namespace lamella
       return all_facets;
     }
 
-    /// Returns the outward unit normal at @p place, along the product of the
-    /// tangents X_,s x X_,t.
+    /// Returns the outward unit normal at @p place, along +-X_,s x X_,t.
     dealii::Tensor<1, 3>
     outward_normal(const Facet &facet, const Place &place) const;
 
@@ -125,8 +124,8 @@ namespace lamella
 
     using HangingNode = SurfaceTopology::HangingNode;
 
-    /// Returns the hanging nodes by numbers of grid_nodes(). If an end node
-    /// hangs itself, it comes later.
+    /// Returns the hanging nodes by numbers of grid_nodes(). End nodes that
+    /// hang come later.
     const std::vector<HangingNode> &
     hanging_nodes() const
     {
@@ -219,8 +218,7 @@ namespace lamella
     std::optional<unsigned int>
     on_side(const std::vector<unsigned int> &numbers,
             const dealii::Tensor<1, 3>      &normal) const;
-    /// Sets the hanging nodes from those of the body. @p sides are the grid
-    /// nodes at each node of the body.
+    /// Sets the hanging nodes. @p sides are grid nodes at nodes of the body.
     void
     find_hanging_nodes(const SurfaceTopology                        &topology,
                        const std::vector<std::vector<unsigned int>> &sides);

@@ -16,8 +16,8 @@ namespace lamella
   /// Multiplier functions phi_i (hat functions) on the grid of the slave nodes,
   /// with their mortar integrals for weighted_gaps(). Grid cells lie between
   /// adjacent Gauss-Lobatto points of a facet; phi_i is bilinear in (s, t) on
-  /// each cell. Process one cell at a time: call add() at each of its
-  /// integration points, then close().
+  /// each cell. For each cell, call add() at its integration points, then
+  /// close().
   class MultiplierBasis
   {
   public:
@@ -49,8 +49,7 @@ namespace lamella
     void
     add_full_areas(const Cell &cell);
 
-    /// Adds the integration point @p st of @p cell with the area @p weight,
-    /// which faces @p opposite.
+    /// Adds the point @p st of @p cell, of area @p weight, facing @p opposite.
     void
     add(const Cell             &cell,
         const dealii::Point<2> &st,
@@ -61,9 +60,8 @@ namespace lamella
     void
     close(const Cell &cell);
 
-    /// Computes the weighted gaps in the order of the grid nodes and sets all
-    /// of @p result except its points. @p parts are the parts of each facet
-    /// that face the other side.
+    /// Computes the weighted gaps by grid nodes and sets all of @p result
+    /// except its points. @p parts are the facing parts of each facet.
     void
     finish(std::vector<std::vector<Polygon>> parts, Gaps &result);
 
@@ -76,8 +74,7 @@ namespace lamella
       double nearest = 0.;
       /// Integral over all of its cells, facing the other side or not.
       double full_area = 0.;
-      /// Weighted gaps to which the function contributes, with factors (1/2 for
-      /// hanging nodes).
+      /// Weighted gaps to which the function contributes, with factors.
       std::vector<std::pair<unsigned int, double>> rows;
     };
 

@@ -15,8 +15,8 @@ namespace lamella
   choose_discretization(const ContactSides &sides, const double search_radius);
 
   /// Returns node pairs (pair_node_to_node()) as gaps with one point per side,
-  /// both weighted by n, and the smaller of both areas. Stores the numbers of
-  /// unpaired nodes in @p interface.
+  /// both weighted by n, and the smaller of both areas. Counts unpaired nodes
+  /// in @p interface.
   Gaps
   node_to_node(const ContactSides &sides,
                const double        search_radius,

@@ -15,8 +15,8 @@
 namespace lamella
 {
   /// A rigid obstacle as the second side of contacts: a floor (the half space
-  /// behind a plane) or a roller (an infinite circular cylinder), without DoFs
-  /// and with prescribed motion.
+  /// behind a plane) or a roller (an infinite circular cylinder), with
+  /// prescribed motion.
   struct Obstacle
   {
     /// Shape; it must be set: `undefined` fails an assertion in meet().
@@ -48,8 +48,7 @@ namespace lamella
       return factor.of(history) * displacement;
     }
 
-    /// Returns the largest depth in the obstacle at which a point still has a
-    /// unique nearest surface point.
+    /// Returns the largest depth with a unique nearest surface point.
     double
     depth() const
     {
@@ -73,8 +72,7 @@ namespace lamella
       {Obstacle::Shape::cylinder, "cylinder"}};
   };
 
-  /// Intersection of a line with a surface; `normal` is the outward unit normal
-  /// at the intersection.
+  /// Intersection of a line with a surface; `normal` is outward, of length 1.
   struct Hit
   {
     dealii::Point<3>     position;
@@ -90,8 +88,8 @@ namespace lamella
   ///   cylinder:  |r + t e| = R, the smaller root t,
   /// with point p, direction N and radius R of the obstacle, and the parts r
   /// and e of x - p and d normal to the axis. Empty if the line is parallel to
-  /// the surface, leaves the half space, or misses the cylinder. The obstacle
-  /// is at its initial position.
+  /// the surface, leaves the half space, or misses the cylinder. It is at its
+  /// initial position.
   std::optional<Hit>
   meet(const Obstacle             &obstacle,
        const dealii::Point<3>     &x,

@@ -33,8 +33,8 @@ namespace lamella
     /// Number of points of either surface that face no point of the other.
     unsigned int unpaired = 0, unpaired_second = 0;
     /// Smallest distance between points of the two surfaces, and smallest
-    /// tangential offset of points with opposed normals [length]; the largest
-    /// double if there are none.
+    /// tangential offset of points with opposed normals [length]; else the
+    /// largest double.
     double nearest_distance = 0., smallest_offset = 0.;
   };
 
@@ -73,16 +73,14 @@ namespace lamella
     double spacing = 0.;
     /// Angle between n_1 and -n_2 at the slave point [rad].
     double angle = 0.;
-    /// Stiffnesses of both sides for the automatic penalty; for an obstacle,
-    /// both are the slave's.
+    /// Stiffnesses for the automatic penalty; for an obstacle, the slave's.
     LocalStiffness slave, master;
     /// Weights w_j and v_k along n, by the indices of locations in Gaps.
     ConstraintGeometry::Weights slave_weights, master_weights;
   };
 
-  /// A slave point without a constraint, since it is farther behind the other
-  /// surface than the depth of the cells: the surfaces face away from each
-  /// other or the bodies overlap.
+  /// A slave point without a constraint, as it is behind the other surface by
+  /// more than the depth of cells: surfaces face away or bodies overlap.
   struct DeepPenetration
   {
     dealii::Point<3> position, opposite;
@@ -94,8 +92,7 @@ namespace lamella
   /// projection on the master side. A weighted gap is the average over such
   /// points,
   ///   g_i = sum_q a_q phi_i(X_q) g_q / sum_q a_q phi_i(X_q),
-  /// with constant slave points X_q and areas a_q, multiplier functions phi_i,
-  /// and moving projections.
+  /// with constant points X_q and areas a_q, and multiplier functions phi_i.
   struct GapPoint
   {
     /// Slave point, by facet numbers of MeshSurface.
@@ -108,15 +105,13 @@ namespace lamella
     unsigned int part = 0;
   };
 
-  /// Gaps of one contact as computed by each discretization, before conversion
-  /// to GapConstraints.
+  /// Gaps of one contact by its discretization, not yet GapConstraints.
   struct Gaps
   {
     std::vector<WeightedGap> gaps;
     /// Locations in the slave and master cells to which the weights refer.
     std::vector<Location> slave, master;
-    /// Number of slave points that face no part of the master surface, without
-    /// deep_penetrations.
+    /// Number of slave points without master point or deep penetration.
     unsigned int                 unpaired = 0;
     std::vector<DeepPenetration> deep_penetrations;
     /// Slave surface with hat functions; null for nodal functions.
@@ -126,8 +121,7 @@ namespace lamella
   };
 
   /// Slave and master surface of a discretization. The master is a mesh, or an
-  /// obstacle if master_mesh is null. Keeps pointers to the surfaces, which
-  /// must outlive this object.
+  /// obstacle if master_mesh is null. Keeps pointers to all.
   struct ContactSurfacePair
   {
     const MeshSurface   *slave       = nullptr;
@@ -148,9 +142,8 @@ namespace lamella
                      const double depth_1,
                      const double depth_2);
 
-  /// Returns true if the overlap at @p hit is deeper than the cell of the
-  /// slave, of the given @p depth, or of the master; for an obstacle, if -gap >
-  /// max(depth, max_obstacle_depth).
+  /// Returns true if the overlap at @p hit exceeds the slave @p depth or the
+  /// master's; for an obstacle, if -gap > max(depth, max_obstacle_depth).
   bool
   exceeds_cell_depth(const ContactSurfacePair &sides,
                      const SurfaceHit         &hit,
@@ -164,7 +157,7 @@ namespace lamella
   pair_node_to_surface(const ContactSurfacePair        &sides,
                        const std::vector<SurfacePoint> &points);
 
-  /// Returns the number of grid nodes of @p a that face no part of @p b within
+  /// Returns the number of grid nodes of @p a that do not face @p b within
   /// @p search_radius [length].
   unsigned int
   count_unpaired_nodes(const MeshSurface   &a,

@@ -23,8 +23,7 @@ namespace lamella
   ///   was ahead (r . n < 0) and is behind (r . n > 0),
   /// and the chord between both r, projected normal to the axis, comes within
   /// the radius. Sampled points are half a radius apart, or a fortieth of a
-  /// facet if that is more. Both states must have the same facets. Returns
-  /// false for a plane.
+  /// facet if that is more. Facets must be the same. False for a plane.
   bool
   passes_through(const SurfaceAndRoller &before, const SurfaceAndRoller &after);
 

@@ -14,7 +14,7 @@
 namespace lamella
 {
   /// Nearest-neighbor search in a fixed set of points with Boost's packed
-  /// R-tree. Copies the points; they are numbered by their indices in the list.
+  /// R-tree. Numbers are indices in the list.
   class PointSearch
   {
   public:
@@ -30,8 +30,7 @@ namespace lamella
   };
 
   /// Search in a fixed set of axis-parallel boxes with Boost's packed R-tree,
-  /// the coarse phase of contact search. Copies the boxes; they are numbered by
-  /// their indices in the list.
+  /// the coarse phase of contact search. Numbers are indices in the list.
   class BoxSearch
   {
   public:

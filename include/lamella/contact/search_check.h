@@ -10,8 +10,7 @@
 
 namespace lamella
 {
-  /// A constraint that another search for the same contact finds in addition to
-  /// the existing constraints.
+  /// A constraint that another search for the same contact finds in addition.
   struct AdditionalConstraint
   {
     /// Number of the constraint in the other search.
@@ -21,8 +20,8 @@ namespace lamella
   };
 
   /// Returns those constraints of @p found whose nodes (place_of()) have no
-  /// constraint in @p own, or one with less than the fraction @p share of their
-  /// area, on the same slave side.
+  /// constraint in @p own, or one with less than the fraction @p share of the
+  /// area, on the same side.
   std::vector<AdditionalConstraint>
   additional_constraints(const ContactInterface &own,
                          const ContactInterface &found,
@@ -67,8 +66,7 @@ namespace lamella
       std::optional<unsigned int> seen;
     };
 
-    /// Sets `missing_constraints` by a search within @p new_search_radius for
-    /// the sides of @p interface.
+    /// Sets `missing_constraints` by a search within @p new_search_radius.
     void
     extend_search(const double            new_search_radius,
                   const ContactInterface &interface);

@@ -58,8 +58,7 @@ namespace lamella
       std::vector<Polygon> parts;
     };
 
-    /// Creates the surface of a contact with @p n_rows constraints, to which
-    /// @p facets refer.
+    /// Creates the surface with @p n_rows constraints, used by @p facets.
     SlaveSurface(const Functions    functions,
                  const unsigned int n_rows,
                  std::vector<Facet> facets);
@@ -105,8 +104,8 @@ namespace lamella
     /// Returns chains of neighboring nodes with constraints, along grid lines
     /// on which the coordinate @p across is constant (to 1e-6 of the surface
     /// extent), by ascending coordinate @p axis. Each entry lists the
-    /// constraints of a node, two at a sharp edge. On a grid oblique to the
-    /// scene axes each node is a chain.
+    /// constraints of a node, two at a sharp edge. On oblique grids each node
+    /// is a chain.
     std::vector<std::vector<std::vector<unsigned int>>>
     lines(const unsigned int axis, const unsigned int across) const;
 
@@ -147,8 +146,7 @@ namespace lamella
     BoxSearch              boxes;
   };
 
-  /// A node with a contact constraint: its location, and the constraint's
-  /// normal with either sign.
+  /// A node with a contact constraint, and its normal with either sign.
   struct SlaveNode
   {
     Location             location;
@@ -163,8 +161,8 @@ namespace lamella
   /// constraints otherwise, have support on every facet of their node. If
   /// several constraints are at one node, a facet uses the one with the closest
   /// normal, within 60 degrees of its own. If the body has a lower expansion
-  /// degree, the functions of nodes between nodes with constraints are added to
-  /// the functions of the latter.
+  /// degree, functions of nodes in between are added to those of nodes with
+  /// constraints.
   SlaveSurface
   make_nodal_slave_surface(const Body                   &body,
                            const std::string            &surface,

@@ -21,9 +21,8 @@ namespace lamella
   Tangents
   tangents_of(const dealii::Tensor<1, 3> &n);
 
-  /// Returns the tangents for the normal @p n at @p st of a facet that has
-  /// moved from @p before to @p now: the first is that of tangents_of() at
-  /// @p before, convected.
+  /// Returns the tangents for the normal @p n at @p st of a facet moved from
+  /// @p before to @p now: the first is tangents_of() before, convected.
   Tangents
   convected_tangents(const FacetMap             &before,
                      const FacetMap             &now,
@@ -40,12 +39,10 @@ namespace lamella
     dealii::Tensor<1, 3> on_obstacle, normal;
   };
 
-  /// Reference points of a contact, one per contact point; empty if it faced no
-  /// part of the other surface.
+  /// Reference points of a contact, one per contact point; empty if unpaired.
   using SlipReferencePoints = std::vector<std::optional<SlipReferencePoint>>;
 
-  /// Returns the slip reference of the contact point @p point, which faces
-  /// @p at on @p sides.
+  /// Returns the reference of @p point, which faces @p at on @p sides.
   SlipReferencePoint
   slip_reference_point(const ContactSides &sides,
                        const GapPoint     &point,

@@ -12,8 +12,7 @@
 namespace lamella
 {
   /// Returns @p scene with the axis elements @p marked of its beams bisected.
-  /// Axes must already be divided into elements. Bodies with paired nodes must
-  /// have all elements marked or none.
+  /// Axes must have elements. Bodies with paired nodes need all or none marked.
   Scene
   bisected(Scene scene, const std::vector<ElementError> &marked);
 
@@ -21,8 +20,7 @@ namespace lamella
   /// For each goal, elements with the largest |error| per DoF are selected
   /// until the selected errors are at least the fraction @p share of the sum of
   /// |error|, and those of the remaining elements at most the fraction @p left
-  /// of the tolerance. Returns nothing if a goal has no LocalErrors or a
-  /// contact pairs nodes.
+  /// of the tolerance. Empty without LocalErrors or if a contact pairs nodes.
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,

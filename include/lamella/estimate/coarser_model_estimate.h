@@ -23,8 +23,7 @@ namespace lamella
   {
     /// Smallest degree with bars: LE-1 does not bound the error of LE-2.
     unsigned int min_degree = 3;
-    /// Lower bound of the last change over the previous change, as the last
-    /// change may be small by accident.
+    /// Lower bound of the last change over the previous one.
     double min_share_of_previous = 1. / 8.;
     /// Lower bound of the error over the sum of |contributions| of nodes.
     double min_share_of_sizes = 1. / 4.;
@@ -42,8 +41,8 @@ namespace lamella
   ///   d = max(|s_section| + |s_axis|, |J_0 - J_1|)
   /// and e is the same for the previous levels; the error is at least |J_1 -
   /// J_2| / 8. Each model has its own contact constraints and active set, so
-  /// errors of the run's active set are included. ContactShares adds the errors
-  /// due to penalties and load steps.
+  /// errors of the run's active set are included. ContactShares adds penalties
+  /// and load steps.
   class CoarserModelEstimate
   {
   public:
@@ -71,14 +70,12 @@ namespace lamella
     /// Returns the error bar of @p goal from its surpluses @p own.
     ErrorBar
     by_surpluses(const NamedQuantity &goal, const SurplusParts &own) const;
-    /// Returns the error bar of @p goal from coarser models, and from its
-    /// surpluses @p own if it has any.
+    /// Returns the bar of @p goal from coarser models and surpluses @p own.
     ErrorBar
     by_models(const NamedQuantity               &goal,
               const std::optional<SurplusParts> &own) const;
     using Shares = std::vector<std::pair<std::string, double>>;
-    /// Returns the contribution of each error source to @p bar, with the sign
-    /// of its last change.
+    /// Returns the contributions of sources to @p bar, signed by last change.
     Shares
     shares_of(const NamedQuantity               &goal,
               const ErrorBar                    &bar,

@@ -24,8 +24,7 @@ namespace lamella
   std::vector<AxisSpan>
   coarser_spans(AxisMesh axis, const unsigned int times);
 
-  /// Returns @p scene with the axes of its beams halved(); axes must already be
-  /// divided into elements.
+  /// Returns @p scene with the axes of its beams, which must exist, halved().
   Scene
   with_halved_axes(Scene scene);
 

@@ -13,15 +13,14 @@
 
 namespace lamella
 {
-  /// Measured factors between a change of a goal by contact and its error bar
+  /// Measured factors from a change by contact to a bar
   /// (doc/theory/friction.md).
   struct ContactShareRules
   {
     /// Factor for the change by exact contact, possibly from a coarser model.
     double of_penalties = 2.;
     /// Factor for the change by twice as many substeps: the remaining error is
-    /// equal to the change at first order, and 3.4 times it at order 1/2
-    /// (growing contact).
+    /// 1 (first order) to 3.4 times it (order 1/2, growing contact).
     double of_path = 4.;
     /// Factor for this change in the error estimate, for first order.
     double left_of_path = 2.;
@@ -38,8 +37,8 @@ namespace lamella
   ///
   /// Load steps, with friction: the change by twice as many substeps in a
   /// coarser model. The friction law is integrated by backward Euler in the
-  /// slip, of first order at most. Throws NumericsError if exact contact has no
-  /// solution. Collective.
+  /// slip, of first order at most. Throws NumericsError if exact contact fails.
+  /// Collective.
   class ContactShares
   {
   public:
@@ -53,9 +52,8 @@ namespace lamella
             const Scene                      &poorer,
             const ResultNumbers              &numbers);
 
-    /// Adds the changes to @p result of @p goal, one of those of compare(),
-    /// with the factors of ContactShareRules: signed to the estimate, absolute
-    /// values to bar and shares.
+    /// Adds the changes of @p goal, one of compare(), times ContactShareRules
+    /// to @p result: signed to the estimate, by size to bar and shares.
     void
     add_to(const NamedQuantity &goal, GoalResult &result) const;
 

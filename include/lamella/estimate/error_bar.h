@@ -22,8 +22,7 @@ namespace lamella
     double growth = 0.9;
     /// Bar over |change|, and over the sum of |changes| by source.
     double of_change = 2., of_shares = 0.5;
-    /// Smallest error after a refinement pass over the previous bars of the
-    /// refined sources.
+    /// Smallest error after a refinement pass over the refined bars before.
     double of_pass = 1. / 8.;
   };
 

@@ -40,13 +40,12 @@ namespace lamella
   /// changes, the bar is error_bar() of J(M_0), J_1 and J_1 + J(M_r) - J(M_j).
   /// M_j is the previous model, so that the changes sum to J(M_k) - J(M_0).
   /// With tolerances it is the last model whose change is at least a tenth of a
-  /// tolerance for some goal, and M_r refines only such sources, or the source
-  /// with the largest change.
+  /// tolerance for some goal, and M_r refines only such sources, or the
+  /// largest.
   ///
   /// Each model has its own contact constraints and active set, so errors of
   /// the run's active set are included and quantities may be nonlinear.
-  /// Localization distributes the change by the axis over elements for goals
-  /// with a derivative. Collective.
+  /// Localization gives the axis change by elements. Collective.
   class Estimation
   {
   public:
@@ -77,8 +76,7 @@ namespace lamella
     /// Solves the models M_1 .. M_k and M_r.
     void
     solve_hierarchy();
-    /// Solves M_r: refines M_j, or the model after the only significant source,
-    /// in significant_sources().
+    /// Solves M_r: refines a model in significant_sources().
     void
     solve_richest_model();
     void
@@ -94,14 +92,12 @@ namespace lamella
     /// Returns the change of the goal @p quantity by @p step.
     double
     share_of(const Step &step, const NamedQuantity &quantity) const;
-    /// Returns the values of @p quantity in the run and after the first
-    /// refinement.
+    /// Returns the values of the first refinement of @p quantity.
     Refinements
     first_refinement(const NamedQuantity &quantity) const;
     ErrorBar
     error_bar_of(const NamedQuantity &quantity) const;
-    /// Returns the result of goal number @p number, @p quantity, from all
-    /// models.
+    /// Returns the result of goal number @p number, @p quantity.
     GoalResult
     goal(const NamedQuantity &quantity, const unsigned int number) const;
 

@@ -40,16 +40,15 @@ namespace lamella
 
     /// Returns the derivatives J'_u, and J'_lambda by the active constraints.
     /// Empty for a jump, a moment, pressure, width and strips of a contact, and
-    /// with friction. For recovered stresses, it is the derivative of the
-    /// element stresses.
+    /// with friction. Recovered stresses: that of element stresses.
     std::optional<Pair>
     derivative(const NamedQuantity &goal) const;
 
     /// Returns the displacement w to be subtracted from z in the change of a
     /// support force J between two spaces; nothing for other goals. J has the
-    /// derivative K w with a different w in each space. (With L w in the
-    /// coarser space and the change e of u, which is zero at supports, J
-    /// changes by a(e, (1 - L)(z - w)).)
+    /// derivative K w with a different w in each space. (With the interpolant L
+    /// and the change e of u, zero at supports, J changes by a(e, (1 - L)(z -
+    /// w)).)
     std::optional<BlockVector>
     lifting(const NamedQuantity &goal) const;
 
@@ -57,16 +56,14 @@ namespace lamella
     Pair
     solve(const Pair &derivative) const;
 
-    /// Returns the constraints that are active at the last step, or those given
-    /// in the constructor.
+    /// Returns the active constraints of the last step, or the given ones.
     const std::vector<unsigned int> &
     active_rows() const
     {
       return active;
     }
 
-    /// Returns the displacement field of @p structure that is 1 in @p direction
-    /// at support number @p support.
+    /// Returns the displacement that is 1 in @p direction at @p support.
     static BlockVector
     influence_of_support(const Structure   &structure,
                          const unsigned int support,

@@ -57,8 +57,7 @@ namespace lamella
     unavailable_reason(const Simulation &run);
 
     /// Returns the best models, if any, that take at most @p most
-    /// multiplications. LE-1 replaces EBBT, TBT and TE-1 only, as it is not
-    /// finer than the others.
+    /// multiplications. LE-1 replaces EBBT, TBT and TE-1 only.
     static std::optional<HalvedAxisPlan>
     plan(const Simulation &run, const double most);
 

@@ -11,8 +11,7 @@ namespace lamella
   /// Returns the first model of a run to a tolerance if @p scene does not set
   /// its Theory: plan() applied to SV-6. If @p why is not null, a sentence is
   /// added for each body that begins with another theory. Nothing is solved;
-  /// contact constraints are created with the fields of TE-1. Throws what
-  /// building a scene throws.
+  /// contact is paired with TE-1. Throws what building a scene throws.
   Scene
   initial_model(Scene                     scene,
                 std::vector<std::string> *why   = nullptr,

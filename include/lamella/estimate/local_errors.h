@@ -13,8 +13,7 @@
 
 namespace lamella
 {
-  /// Returns @p errors divided equally among the finer elements of @p finer
-  /// within each element.
+  /// Returns @p errors divided equally among the elements of @p finer inside.
   LocalErrors
   distribute_to_finer(const LocalErrors &errors, const Simulation &finer);
 

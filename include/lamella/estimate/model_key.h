@@ -13,9 +13,8 @@ namespace lamella
   /// entries as read (Scene::resolved), and each member that may have changed
   /// later: theory, pieces, axis, refinement and stabilization of the bodies,
   /// divisions of sections, and the law of each contact, with all digits.
-  /// Models with equal keys have equal results at the last load factor. A
-  /// member that is added to one of these structures does not compile until the
-  /// implementation names it.
+  /// Models with equal keys have equal results at the last load factor. A new
+  /// member of these structures does not compile until it is included.
   std::string
   key_of(const Scene &scene);
 } // namespace lamella

@@ -18,9 +18,8 @@ namespace lamella
   /// Estimation, in which SV-10 replaces LE-N (CostRules): of_block m^3 per
   /// axis node with m = PlanRules::fields_of_responses, for `axes` times the
   /// nodes; products and eigenvectors of section functions, two per wave number
-  /// and load vector; and the end segments for boundary-layer modes, relative
-  /// to the run's factorization (nodes_of_pieces()). Infinite if not for all
-  /// bodies.
+  /// and load vector; and the end segments for boundary-layer modes, over the
+  /// run's factorization (nodes_of_pieces()). Infinite if not for all.
   double
   operations_of_bars(const Simulation &run,
                      const PlanRules  &rules = {},

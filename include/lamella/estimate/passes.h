@@ -16,13 +16,11 @@ namespace lamella
   /// Parameters of a run to a tolerance.
   struct PassRules
   {
-    /// Fraction of the largest error of a goal that may be left to sources that
-    /// are not refined.
+    /// Fraction of a goal's largest error left to sources that are not refined.
     double max_unrefined_share = 0.5;
     /// A goal is dropped after `patience` refinement passes without a bar in
     /// which it changes by more than its tolerance, or after `slow_passes`
-    /// passes in which its ratio of bar to tolerance did not decrease by
-    /// `min_progress`.
+    /// passes in which bar over tolerance did not decrease by `min_progress`.
     unsigned int patience = 2, slow_passes = 3;
     double       min_progress = 0.5;
     /// Largest ratio of section errors from one degree to the next for which
@@ -38,8 +36,7 @@ namespace lamella
     double loads_agree = 1e-7;
   };
 
-  /// One refinement pass of a run to a tolerance: a model and its goals with
-  /// error bars.
+  /// One pass of a run to a tolerance: a model with its error bars.
   struct Pass
   {
     unsigned int            dofs    = 0;
@@ -56,8 +53,7 @@ namespace lamella
     std::optional<std::vector<ElementError>> marked = {};
   };
 
-  /// Results of a goal in the two previous passes, and the last two
-  /// refinements.
+  /// Results of a goal in two previous passes, and last two refinements.
   struct PassHistory
   {
     const GoalResult     &first, &before;
@@ -75,8 +71,7 @@ namespace lamella
           const PassHistory &course,
           const BarRules    &rules = {});
 
-  /// Raises the contribution of @p source to the bar of @p goal to at least
-  /// @p least.
+  /// Raises the contribution of @p source to @p goal's bar to @p least.
   void
   raise_share(GoalResult &goal, const Source source, const double least);
 
@@ -112,7 +107,7 @@ namespace lamella
     bool
     all_goals_met() const;
 
-    /// Returns the goals for which the next pass is refined; none if no goal is
+    /// Returns the goals for which the next pass refines; empty if none is
     /// open.
     std::vector<GoalResult>
     open_goals() const;
@@ -141,8 +136,7 @@ namespace lamella
     bool
     is_loss_acceptable(const std::vector<double> &lost) const;
 
-    /// Returns the largest change of a goal since the previous pass over its
-    /// tolerance; 0 for the first pass.
+    /// Returns the largest change of a goal over its tolerance; 0 at first.
     double
     largest_change() const;
 
@@ -163,8 +157,7 @@ namespace lamella
     std::vector<Pass> made;
     /// Refinement of each pass.
     std::vector<PassRefinement> refinements;
-    /// Number (from 1) of the pass in which each goal was dropped; 0 if it was
-    /// not.
+    /// Pass (from 1) in which each goal was dropped; 0 if it was not.
     std::vector<unsigned int> dropped_in_pass;
   };
 } // namespace lamella

@@ -56,13 +56,12 @@ namespace lamella
     rounding_of(const NamedQuantity &quantity) const;
 
     /// Returns the result of goal number @p number with @p bar. A singular goal
-    /// is not compared with its tolerance; a goal that is zero since no contact
-    /// is active does not meet it.
+    /// is not compared with its tolerance; a zero goal without active contact
+    /// does not meet it.
     GoalResult
     with_error_bar(const unsigned int number, const ErrorBar &bar) const;
 
-    /// Returns the result of goal number @p number without an error bar, with
-    /// the reason if it is singular.
+    /// Returns goal number @p number without a bar (with reason if singular).
     GoalResult
     without_error_bar(const unsigned int number) const;
 

@@ -29,8 +29,8 @@ namespace lamella
   /// The result is J(bisected) - J(LE-1) for each goal, signed. It is empty if
   /// there are no such supports, if their elements are short already, with
   /// node-dependent theories, or if a contact pairs nodes. Prints a line per
-  /// model to @p out; @p cache stores the models. Throws what Simulation
-  /// throws. Collective.
+  /// model to @p out; @p cache stores the models. Throws as Simulation does.
+  /// Collective.
   std::vector<double>
   support_refinement_changes(const Simulation             &run,
                              std::ostream                 &out,

@@ -13,8 +13,7 @@
 
 namespace lamella
 {
-  /// Approximate signed changes of a goal from coarser models to the run, by
-  /// one error source.
+  /// Signed changes of a goal from coarser models to the run by one source.
   struct Surplus
   {
     /// Changes from the two next coarser levels: one and two degrees less of
@@ -47,9 +46,8 @@ namespace lamella
   /// which the change of u does not have. The forces phi = -(C + a)^-1 B (1 -
   /// L) u, with the compliance C of the constraints and a of the contact law,
   /// remove the jump and add -phi . B (1 - L) z to the surplus. The error of
-  /// the active set is not included. Costs one solution with refinement per
-  /// goal, and four solutions and products with the stiffness in total.
-  /// Collective.
+  /// the active set is not included. Costs one refined solution per goal, and
+  /// four solutions and products with K in total. Collective.
   class Surpluses
   {
   public:
@@ -74,8 +72,7 @@ namespace lamella
     Parts
     parts_of(const BlockVector &v) const;
 
-    /// Forces of a part v of the displacements: K v in the bodies, and phi in
-    /// the active constraints.
+    /// Forces of a part v of u: K v in bodies, phi in active constraints.
     struct PartForces
     {
       BlockVector bodies;
@@ -92,8 +89,7 @@ namespace lamella
     /// Returns work() by elements; elements of a merged span share its work.
     LocalErrors
     by_elements(const PartForces &part_forces, const BlockVector &z) const;
-    /// Adds the contributions of the spans of @p body from the @p products of
-    /// its DoFs.
+    /// Adds contributions of spans of @p body from @p products by DoFs.
     void
     add_spans(const unsigned int body,
               const Vector      &products,

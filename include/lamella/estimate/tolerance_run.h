@@ -38,8 +38,8 @@ namespace lamella
     ToleranceRun(const Scene &said, std::ostream &out);
 
     /// Performs refinement passes, writes the results into @p directory and
-    /// returns true if all goals are met. Throws what run_scene() throws for
-    /// the first model.
+    /// returns true if all goals are met. Throws as run_scene() for the first
+    /// model.
     bool
     run(const std::string &directory);
 
@@ -55,16 +55,14 @@ namespace lamella
     /// Stores the element ends of the first scene @p first, never merged.
     void
     store_element_ends(const Scene &first);
-    /// Returns the simulation of `scene`, built within the budget, with
-    /// messages printed to @p progress.
+    /// Returns the simulation of `scene`, with messages to @p progress.
     std::unique_ptr<Simulation>
     next_model(std::ostream &progress);
     /// Solves `scene`, computes its error bars and sets the goals.
     void
     make_pass();
     /// Throws NumericsError if a pass after the first has no error bar at all
-    /// since no other model could be solved: the results of the previous pass
-    /// are then better.
+    /// since no other model could be solved: the previous results are better.
     void
     check_any_bar(const std::vector<GoalResult> &goals) const;
     /// Throws NumericsError unless the sums of the loads of @p next agree with
@@ -72,9 +70,8 @@ namespace lamella
     void
     check_loads(const Simulation &next) const;
     /// Refines `scene` for the open goals: selected elements are bisected
-    /// (marked_elements()), others are merged (merged()). SV-N replaces LE of
-    /// many DoFs only if the error is acceptable (surrogate_error(),
-    /// Passes::is_loss_acceptable()).
+    /// (marked_elements()), others are merged (merged()). SV-N replaces large
+    /// LE only if the error is acceptable (surrogate_error()).
     void
     refine();
     /// Returns @p next refined in the selected sources.
@@ -108,8 +105,7 @@ namespace lamella
     std::ostream                    &out;
     std::unique_ptr<Simulation>      simulation;
     ModelCache                       cache;
-    /// Parameters of the fields of all models, so that they share
-    /// boundary-layer modes.
+    /// Field parameters of all models, which share boundary-layer modes.
     FieldRules rules;
     PassRules  pass_rules;
     /// Error of each goal if SV-N replaces LE; empty if it does not.

@@ -35,7 +35,7 @@ namespace lamella
                   const std::vector<Support> &supports = {});
 
     /// Adds the traction of @p contact with its normal @p forces and, with
-    /// friction, the shear forces @p shears. Keeps a reference to it.
+    /// friction, the shear forces @p shears. Keeps a reference to @p contact.
     void
     add_contact(const ContactInterface                              &contact,
                 const dealii::ArrayView<const double>               &forces,

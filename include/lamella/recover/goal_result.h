@@ -41,8 +41,7 @@ namespace lamella
   /// Error tolerance of a goal, as given in a scene.
   struct Tolerance
   {
-    /// Positive tolerance: a value in the unit of the goal if absolute, else a
-    /// fraction of GoalResult::scale.
+    /// Positive: a fraction of GoalResult::scale, or absolute [goal's unit].
     double size        = 0.;
     bool   is_absolute = false;
   };
@@ -68,8 +67,7 @@ namespace lamella
     double scale = 0.;
     /// Tolerance, if the scene gives one.
     std::optional<Tolerance> tolerance;
-    /// Signed contributions of the error sources to the bar, or for finer
-    /// models to the estimate.
+    /// Signed contributions of sources to the bar (finer models: estimate).
     std::vector<std::pair<std::string, double>> shares;
     /// Contribution of the axis by elements; empty if unknown.
     std::optional<LocalErrors> local;

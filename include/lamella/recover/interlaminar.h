@@ -92,14 +92,12 @@ namespace lamella
   /// Elasticity, Art. 109, for one material), with the height H, the mean G_xy
   /// of the ply stiffnesses and the mean 1 / G_yz of the ply compliances. The
   /// resultant of the change is exact for any phi. Boundary layers between
-  /// different plies, as in an angle-ply laminate in tension, are as thin as a
-  /// ply and are not resolved.
+  /// different plies, as in an angle-ply laminate in tension, are not resolved.
   ///
   /// *Defect.* The difference between the integrated stresses and the traction
   /// on the upper face is stored as equilibrium defect, then subtracted in
   /// proportion to the height. An object is for one state of one body. A column
-  /// costs about a hundred calls of Body::sample() per layer of cells, which
-  /// are cached. Not collective.
+  /// costs about a hundred Body::sample() per layer, cached. Not collective.
   class EquilibriumStress
   {
   public:
@@ -184,8 +182,7 @@ namespace lamella
     column_at(const double x, const double y);
     Column
     make_column(const double x, const double y);
-    /// Subtracts the stress @p missed at the upper face from @p column, in
-    /// proportion to the height.
+    /// Subtracts @p missed from @p column in proportion to the height.
     void
     distribute(const dealii::Tensor<1, 3> &missed, Column &column) const;
     /// Returns {sigma_xz, sigma_yz, sigma_zz} of @p column at the height @p z,
@@ -197,8 +194,7 @@ namespace lamella
     /// Returns the section cells over (x, y), bottom to top.
     std::vector<Layer>
     layers_at(const double x, const double y) const;
-    /// Returns the stencil at @p through for derivatives by coordinate number
-    /// @p d (0 or 1), up to the fourth.
+    /// Returns the stencil at @p through for derivatives by coordinate @p d.
     Stencil
     stencil(const unsigned int d, const dealii::Point<3> &through) const;
     Sources

@@ -30,8 +30,7 @@ namespace lamella
           const std::vector<Probe> &probes);
   };
 
-  /// Throws InputError of `Measures` if a measure has the name of another
-  /// object.
+  /// Throws InputError of `Measures` if one has the name of another object.
   void
   check_names_of_measures(const QuantityNames &names);
 } // namespace lamella

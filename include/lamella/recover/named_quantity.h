@@ -19,8 +19,8 @@ namespace lamella
 {
   /// A scalar result of the last load step, requested by name: a column of
   /// probes.csv, a difference of two columns (a measure), a resultant of a
-  /// support or contact, or the mean pressure, width or dissipation of a
-  /// contact or of a strip of it.
+  /// support or contact, or mean pressure, width or dissipation of a contact or
+  /// strip.
   struct NamedQuantity
   {
     /// Kind of object that the quantity belongs to.
@@ -58,10 +58,9 @@ namespace lamella
     std::string
     label() const;
 
-    /// Returns a letter for the kind of the quantity; only equal kinds are
-    /// compared. u displacement, e strain, s stress, j jump at a probe, f
-    /// force, m moment, p pressure, w width, d dissipation. A measure: that of
-    /// its terms.
+    /// Returns a letter for the kind; only equal kinds are compared. u
+    /// displacement, e strain, s stress, j jump at a probe, f force, m moment,
+    /// p pressure, w width, d dissipation. A measure: that of its terms.
     char
     kind() const;
 
@@ -146,8 +145,7 @@ namespace lamella
     /// Fraction of the largest value of its kind below which a value is near
     /// zero; the largest value is then the scale.
     double near_zero = 1e-3;
-    /// Fraction of the largest value in the scene below which the values in a
-    /// material are not used as scale.
+    /// Fraction of the scene's values below which a material gives no scale.
     double nothing = arithmetic::negligible;
   };
 

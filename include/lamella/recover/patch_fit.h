@@ -83,7 +83,7 @@ namespace lamella
     terms_of(const std::array<unsigned int, 3> &degrees);
 
     /// Returns a polynomial with the terms up to @p degrees and the box of
-    /// @p points in the coordinates of @p frame. The box may be flat along
+    /// @p points in the coordinates of @p frame. It may be flat along
     /// coordinates of degree 0.
     static Polynomial
     in_frame(const std::vector<PatchPoint>     &points,

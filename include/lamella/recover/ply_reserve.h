@@ -17,8 +17,7 @@ namespace lamella
     unsigned int body = 0, ply = 0;
     /// Criterion as in the scene, and failure mode.
     std::string criterion, mode;
-    /// Factor by which the stresses must be multiplied for the ply to fail;
-    /// empty if it never fails.
+    /// Factor on the stresses at which the ply fails; empty if never.
     std::optional<double> reserve;
     /// Value of the failure criterion; 1 at failure.
     double index = 0.;
@@ -27,8 +26,8 @@ namespace lamella
     /// Angle from axis 2 of the ply to the normal of the fracture plane,
     /// positive towards axis 3 [degrees], if the criterion gives it.
     std::optional<double> angle;
-    /// |element stress - recovered stress| / |recovered stress|: an estimate of
-    /// the discretization error.
+    /// |element stress - recovered stress| / |recovered stress|: the stress
+    /// error.
     double stress_discrepancy = 0.;
   };
 

@@ -113,8 +113,7 @@ namespace lamella
     nodes(const Place &place) const;
 
     /// Returns true if @p place is at a node of its element, to 1e-4 of its
-    /// size. A corner of a smaller element on an edge of a larger element is
-    /// not a node of the latter.
+    /// size. A smaller element's corner on its edge is no node.
     bool
     is_node(const Place &place) const;
 
@@ -139,8 +138,7 @@ namespace lamella
     Source
     best_fits(const unsigned int ply, const Place &node);
 
-    /// Returns true if @p element, linear along coordinate @p d, has no
-    /// neighbor in this direction.
+    /// Returns true if @p element, linear along @p d, has no neighbor along d.
     bool
     is_one_linear_layer(const unsigned int ply,
                         Place              element,

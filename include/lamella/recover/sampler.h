@@ -19,8 +19,8 @@ namespace lamella
   /// constructor finds the elements of all points, so points outside the bodies
   /// are detected before the solution. Lines are divided into segments within
   /// one ply and evaluated on both sides of every interface. A line in an
-  /// interface is evaluated in the lower ply, then in the upper ply. Every
-  /// process evaluates everything.
+  /// interface is evaluated in the lower ply, then in the upper ply. Processes
+  /// do the same.
   class Sampler
   {
   public:
@@ -134,8 +134,8 @@ namespace lamella
   ///   of_traction = max |t_upper - t_lower| / max |t|,
   /// with the maxima in the denominators over the whole line. Equilibrium
   /// requires zero jumps if the line is normal to the plies, so the jumps
-  /// estimate the error of transverse stresses. of_traction is 0 for tractions
-  /// below 1e-9 of the stresses.
+  /// estimate the error of transverse stresses. of_traction is 0 for rounding
+  /// (1e-9).
   InterfaceJump
   interface_jump(const std::vector<LineRow> &rows,
                  const dealii::Tensor<1, 3> &d);

@@ -58,8 +58,8 @@ namespace lamella
   /// core. Core shear and core crushing apply to cores, face wrinkling to plies
   /// of a laminate or wall adjacent to a core, all other criteria to plies that
   /// are not cores. The largest 1/R along a beam's axis is stored by ply
-  /// (ReserveAlong). An element costs 27 stress evaluations. Elements are
-  /// distributed over processes.
+  /// (ReserveAlong). An element costs 27 stress evaluations. Processes share
+  /// elements.
   class StrengthSweep
   {
   public:
@@ -115,13 +115,12 @@ namespace lamella
     /// Returns the criteria for the plies of @p body, with regard to cores.
     std::vector<Task>
     tasks_of(const Body &body) const;
-    /// Throws InputError unless the material of @p ply of @p body has the
-    /// strengths for @p criterion.
+    /// Throws InputError if @p ply lacks the strengths for @p criterion.
     void
     require(const Criterion criterion, const Ply &ply, const Body &body) const;
 
-    /// Returns true if @p task applies to point number @p k of an element with
-    /// the interfaces @p touched.
+    /// Returns true if @p task applies to point @p k with interfaces
+    /// @p touched.
     static bool
     uses_point(const Task                &task,
                const std::array<bool, 4> &touched,

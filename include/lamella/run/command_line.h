@@ -64,8 +64,7 @@ namespace lamella
       {CommandLine::Task::new_scene, "new"}};
   };
 
-  /// Returns the text of --help, with the exit status: 0 success, 1 wrong
-  /// input, 2 failed solution.
+  /// Returns the text of --help with the exit status (0, 1 input, 2 solution).
   std::string
   usage();
 } // namespace lamella

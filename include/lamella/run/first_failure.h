@@ -16,8 +16,8 @@
 namespace lamella
 {
   /// Throws InputError with the path `Find` if nothing increases with the load
-  /// factor: no load except temperatures, no weight, and no displacement of a
-  /// support or an obstacle.
+  /// factor: no load but temperatures, no weight, no displacement of a support
+  /// or obstacle.
   void
   check_load_growth(const Structure                     &structure,
                     const std::vector<ContactInterface> &contacts);
@@ -35,8 +35,7 @@ namespace lamella
     /// Function that solves at the load factor of its first argument. The
     /// second argument is the number (from 0) of the load step that contains
     /// this factor, or the number of steps if it is beyond the last. Sets the
-    /// third argument to the reserve factors. Throws NumericsError if it finds
-    /// no solution.
+    /// third argument to the reserve factors. Throws NumericsError on failure.
     using TrySolve = std::function<FailureTrial(const double,
                                                 const unsigned int,
                                                 std::vector<PlyReserve> &)>;
@@ -44,8 +43,7 @@ namespace lamella
     /// Keeps a reference to @p out and prints a line per trial to it.
     FirstFailureSearch(const TrySolve &try_load, std::ostream &out);
 
-    /// Returns the first failure for a run with the load steps @p steps, which
-    /// contain reserve factors.
+    /// Returns the first failure after the load @p steps with reserve factors.
     FirstFailure
     find(const std::vector<StepResults> &steps);
 
@@ -54,8 +52,7 @@ namespace lamella
     note() const;
 
   private:
-    /// Updates the interval by the reserve factors @p plies at @p factor.
-    /// Returns true if a ply fails.
+    /// Updates the interval at @p factor; returns true if a ply fails.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
     /// Solves at @p factor in load step @p load_step, updates the interval.

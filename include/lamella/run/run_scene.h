@@ -16,8 +16,7 @@ namespace lamella
   std::unique_ptr<Simulation>
   make_simulation(const Scene &scene, const SceneText &text, std::ostream &out);
 
-  /// Function called after all load steps, which may add results
-  /// (Simulation::set_goals()).
+  /// Called after all load steps; may add results (Simulation::set_goals()).
   using PostProcessing = std::function<void()>;
 
   /// Solves @p simulation, writes each completed load step into the folder

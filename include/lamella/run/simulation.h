@@ -141,8 +141,8 @@ namespace lamella
     void
     revise(Scene changed, const std::string &what);
     /// Rebuilds the scene with contact constraints at the end nodes in
-    /// @p missing. Returns false, without effect, if load steps were resumed or
-    /// if an end faces no surface.
+    /// @p missing. Returns false for a resumed run, or if an end faces no
+    /// surface.
     bool
     add_ends(const MissingEnds &missing);
 

@@ -43,8 +43,7 @@ namespace lamella
                  std::shared_ptr<const BlockVector> thermal_part = nullptr);
 
     /// Returns the results of load step number @p step, from 1, without
-    /// measures. Contact points that opened and closed are found by comparison
-    /// with the state @p previous.
+    /// measures. The state @p previous shows which points opened and closed.
     StepResults
     record(const unsigned int step,
            const SolvedStep  &solved,
@@ -71,8 +70,7 @@ namespace lamella
                       std::vector<PlyReserve> plies) const;
 
     /// Returns the largest change of a goal between @p one and @p other, two
-    /// solutions of a step from @p before, over its scale
-    /// (ResultNumbers::scale_of()).
+    /// solutions from @p before, over ResultNumbers::scale_of().
     double
     change_of_goals(const SolvedStep &one,
                     const SolvedStep &other,
@@ -126,8 +124,8 @@ namespace lamella
     Checks
     with_part_resultants(Checks checks) const;
     /// Returns the largest couple of a load, or force of a load, support or
-    /// contact times the size of the scene; if these are rounding, the largest
-    /// nodal force times that size.
+    /// contact times the size of the scene; or if these are rounding, nodal
+    /// force.
     double
     largest_moment(const SolvedStep &solved) const;
     /// Returns warnings of forces in isostatic supports if the loads are not in

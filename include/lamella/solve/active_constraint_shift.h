@@ -60,8 +60,8 @@ namespace lamella
     }
 
     /// Replaces the forces of @p state, with the displacements @p u at load
-    /// factor @p factor, by lambda', and apply_shift() replaces lambda' by
-    /// lambda again. Tensile constraints are deactivated.
+    /// factor @p factor, by lambda'; apply_shift() is the inverse. Tensile
+    /// constraints are deactivated.
     void
     remove_shift(const BlockVector &u,
                  const LoadFactor  &factor,

@@ -31,8 +31,8 @@ namespace lamella
 
   /// Sum of all forces on one body and of their moments about its center, for
   /// the check of equilibrium. Forces are obtained from their work on the rigid
-  /// motions of the body. The largest single force (or couple divided by the
-  /// body size) is the reference.
+  /// motions of the body. Reference: the largest force, or couple over body
+  /// size.
   class BodyForces
   {
   public:

@@ -49,9 +49,8 @@ namespace lamella
     /// Largest rotation [rad]; Eq. 5 neglects about half its square.
     double max_rotation = 0.;
     /// True for finite rotations: reactions, moments and balances refer to the
-    /// current configuration, and there is no work and energy balance. Below:
-    /// largest strain, mean strain, rotation of an element, and change of a
-    /// section's shape (Deformation).
+    /// current configuration, without work and energy balance. Below: largest
+    /// values of Deformation.
     bool   is_large   = false;
     double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.,
            shape_change = 0.;

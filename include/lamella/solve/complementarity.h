@@ -15,8 +15,7 @@ namespace lamella
   /// contact forces, and s those under the forces lambda (Eq. 18).
   struct ComplementarityProblem
   {
-    /// Entries of M, n x n, column by column, with a positive diagonal; unit
-    /// length/force if s is a gap.
+    /// Entries of M by columns [length/force if s is a gap]; positive diagonal.
     std::vector<double> matrix;
     /// The n entries of q: s at lambda = 0.
     std::vector<double> q;
@@ -31,15 +30,14 @@ namespace lamella
     std::vector<double> lambda;
     /// True where lambda_i > 0.
     std::vector<bool> active;
-    /// Number of active sets tried, and of interior-point iterations; zero if
-    /// no q_i is negative.
+    /// Numbers of active sets tried, and of interior-point iterations.
     unsigned int pivot_rounds = 0, interior_iterations = 0;
   };
 
   /// Solves @p problem, starting from the active set @p start (one entry per
   /// constraint). An active set A gives lambda_A = -M_AA^-1 q_A, zero
-  /// elsewhere, and s = M lambda + q. It is correct if no lambda_i in A and no
-  /// s_i outside A is negative.
+  /// elsewhere, and s = M lambda + q. It is correct if no lambda_i and s_i is
+  /// negative.
   ///
   /// First, block principal pivoting is used: constraints with lambda_i < 0 are
   /// deactivated, those with s_i < 0 activated (Kostreva, 1978; the primal-dual
@@ -48,8 +46,8 @@ namespace lamella
   /// the size (Mehrotra, 1992), and pivoting finishes. If the number of wrong
   /// constraints then does not fall for three rounds, only the one with the
   /// largest index changes (Murty's rule), which cannot cycle for a positive
-  /// definite M (Judice and Pires, 1994). The search stops after 10 n + 100
-  /// sets and returns the last one.
+  /// definite M (Judice and Pires, 1994). After 10 n + 100 sets, the last is
+  /// returned.
   ///
   /// M and q are scaled initially. A lambda_i that is zero, or negative by
   /// rounding, deactivates its constraint, which changes s_i by rounding only.

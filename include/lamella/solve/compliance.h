@@ -20,8 +20,7 @@ namespace lamella
   /// numbers (GapConstraints). CHOLMOD computes only the nonzero part of the
   /// forward substitution: C = Y^T Y, Y = L^-1 P B^T, K = P^T L L^T P. Memory:
   /// n (n + 1) / 2 numbers for n constraints, and Y. Keeps references to the
-  /// tangent operator and the constraints. include() is collective if processes
-  /// share a matrix.
+  /// tangent operator and the constraints. include() is collective.
   class Compliance
   {
   public:
@@ -30,9 +29,8 @@ namespace lamella
     Compliance(const TangentOperator &tangent_operator,
                const GapConstraints  &rows);
 
-    /// Includes the constraints @p wanted in the compliance; those already
-    /// included cost nothing. The others are solved for together, in each body
-    /// on which they act.
+    /// Includes the constraints @p wanted in the compliance. Those not yet
+    /// included are solved for together, in each body on which they act.
     void
     include(const std::vector<unsigned int> &wanted);
 

@@ -21,8 +21,7 @@ namespace lamella
   ///   (C + d) dlambda = r_lambda - B K^-1 r_u,
   /// and one backward substitution K^-1 B^T dlambda, with the residuals r_u of
   /// equilibrium and r_lambda of the contact law. The penalty enters as the
-  /// compliance d added to C, not as a stiffness added to K, so a hard penalty
-  /// loses no digits.
+  /// compliance d, not as a stiffness, so a hard penalty loses no digits.
   ///
   /// The active set is found by constraint generation. In each round, the
   /// complementarity problem of the working set is solved exactly
@@ -36,8 +35,8 @@ namespace lamella
   /// the energy grows in every round: a removed constraint has no force, and
   /// one that is added again stays. Dependent constraints (more contact points
   /// than surface DoFs) share the force as in the least-squares solution. For n
-  /// constraints, a round costs a few dense factorizations (n^3 / 3) and the
-  /// evaluation of all gaps.
+  /// constraints, a round costs a few dense factorizations (n^3 / 3) and all
+  /// gaps.
   class CondensedStrategy : public ContactStrategy
   {
   public:
@@ -78,9 +77,8 @@ namespace lamella
 
   private:
     /// Returns the compliance d of an included gap or slip, at least 1e-10 of
-    /// the constraint's compliance C_ii, so that C + d is definite for
-    /// dependent constraints, and 1e-8 of NumericalCompliance. `exact` uses
-    /// this lower bound.
+    /// the constraint's compliance C_ii, so that C + d is definite, and 1e-8 of
+    /// NumericalCompliance. `exact` uses this lower bound.
     double
     compliance_of_law(const unsigned int number) const;
 
@@ -128,8 +126,7 @@ namespace lamella
     solve_with_friction(const ContactProblem            &problem,
                         const std::vector<unsigned int> &part,
                         ContactSolution                 &solution);
-    /// Returns the Coulomb problem of the constraints @p part about the state
-    /// with @p forces.
+    /// Returns the Coulomb problem of @p part about the state with @p forces.
     CoulombProblem
     coulomb_problem(const ContactProblem            &problem,
                     const std::vector<unsigned int> &part,

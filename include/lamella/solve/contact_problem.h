@@ -62,8 +62,8 @@ namespace lamella
   /// Active constraints of a linear system with contact: each listed gap or
   /// slip has an equation for its zero velocity and a force lambda. The force
   /// of a slipping constraint acts along B_n^T + sum_a c_a B_t,a^T, with the
-  /// rows B_n of the gap and B_t,a of the slips, c = mu e and the direction e
-  /// of the shear force.
+  /// rows B_n of the gap and B_t,a of the slips, c = mu e and the shear
+  /// direction e.
   struct ActiveConstraints
   {
     ActiveConstraints() = default;

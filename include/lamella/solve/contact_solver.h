@@ -68,8 +68,7 @@ namespace lamella
     using Describe = std::function<std::string(const unsigned int)>;
 
     /// Creates a solver for the tangent @p tangent_operator with the strategy
-    /// @p which (make_strategy()), without solving. The structure and @p rows
-    /// must outlive this object.
+    /// @p which. The structure and @p rows must outlive this object.
     ContactSolver(std::shared_ptr<const TangentOperator> tangent_operator,
                   const GapConstraints                  &rows,
                   const SolverParameters &parameters = SolverParameters(),
@@ -121,8 +120,7 @@ namespace lamella
     State
     release_springs(State state, const LoadFactor &factor);
 
-    /// Returns g = B u + g_init + t g_rate of each constraint at t = @p factor
-    /// (Eq. 16) [length].
+    /// Returns the gap of each constraint at @p factor (Eq. 16) [length].
     std::vector<double>
     gaps(const BlockVector &u, const LoadFactor &factor) const;
 
@@ -139,8 +137,7 @@ namespace lamella
     }
 
     /// Returns the closed gaps of @p state with all slips constrained, for a
-    /// symmetric matrix: a slipping point also sticks under small disturbances
-    /// until its slip reverses.
+    /// symmetric matrix: slipping points stick for small slip reversals.
     ActiveConstraints
     sticking_equations(const State &state) const;
 
@@ -187,8 +184,7 @@ namespace lamella
       /// Sticking constraints with a shear force beyond mu lambda_n, and
       /// slipping ones whose slip is along their shear force.
       std::vector<unsigned int> friction_violations;
-      /// Largest |g + a lambda| of the remaining active constraints, and slip
-      /// |v| of sticking ones.
+      /// Largest |g + a lambda| of other active ones, and |v| of sticking ones.
       double gap = 0.;
 
       bool
@@ -233,8 +229,8 @@ namespace lamella
                           const bool        was_slow) const;
 
     /// Returns the first contact problem, about the state @p free without
-    /// contact forces. Its estimates are the @p previous forces of constraints
-    /// that penetrate in @p free.
+    /// contact forces. Estimates are the @p previous forces of constraints that
+    /// penetrate.
     ContactProblem
     first_problem(const State      &free,
                   const LoadFactor &factor,
@@ -267,14 +263,13 @@ namespace lamella
     double
     correct(State &state, const LoadFactor &factor);
 
-    /// Calls correct() @p at_least times, then until is_refined(). Returns the
-    /// relative corrections.
+    /// Calls correct() @p at_least times and until is_refined(); returns all.
     std::vector<double>
     refine(State &state, const LoadFactor &factor, const unsigned int at_least);
 
     /// Returns true if another correction would be rounding: the last of
-    /// @p corrections is small or above half of the previous one, or their
-    /// number is at the limit.
+    /// @p corrections is small, above half of the previous one, or at the
+    /// limit.
     bool
     is_refined(const std::vector<double> &corrections,
                const unsigned int         at_least) const;
@@ -297,8 +292,7 @@ namespace lamella
     void
     watch(const Round &round, unsigned int &iterations) const;
 
-    /// Throws NumericsError if @p iterations is max_iterations, and names three
-    /// constraints of @p changing.
+    /// Throws NumericsError at max_iterations, naming three of @p changing.
     void
     check_iterations(const unsigned int               iterations,
                      const std::vector<unsigned int> &changing) const;

@@ -100,8 +100,7 @@ namespace lamella
     virtual bool
     forces_are_accurate() const = 0;
 
-    /// Returns a remedy for the message that contact does not converge, as a
-    /// part of a sentence.
+    /// Returns a remedy, part of a sentence, if contact does not converge.
     virtual std::string
     remedy() const = 0;
 

@@ -44,8 +44,8 @@ namespace lamella
     PointVectors            force;
     std::vector<PointState> states;
     /// Largest component of lambda - P(lambda - v), with the projection P onto
-    /// the friction cone |lambda_t| <= mu lambda_n, relative to the larger of
-    /// one and the forces (scaled).
+    /// the friction cone |lambda_t| <= mu lambda_n, over forces above one
+    /// (scaled).
     double error = 0.;
     /// Sign of det(R W C), with the rows R of the gaps and sticking constraints
     /// and the columns C of their forces: -1 for an unstable solution; 1 if no
@@ -67,8 +67,7 @@ namespace lamella
     double compliance = 1e-10;
     /// Regularization of W for the stability test, relative to the diagonal.
     double stability_regularization = 1e-4;
-    /// Limits of the proximal iteration: rounds, successive steps without
-    /// improvement, and error of a step.
+    /// Limits of proximal iterations: rounds, steps without progress, error.
     unsigned int max_rounds = 30, idle = 2;
     double       failed = 1e-6;
     /// Maximum number of Newton iterations: at first, after Gauss-Seidel

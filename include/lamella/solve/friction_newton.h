@@ -118,8 +118,7 @@ namespace lamella
     /// Returns the residual of the natural map in constraint @p r [force].
     static dealii::Tensor<1, 3>
     missed(const unsigned int r, const Iterate &at, const Trial &trial);
-    /// Returns the iterate with the smallest residual at fractions of the step
-    /// from @p from to @p to.
+    /// Returns the best iterate at fractions of the step @p from - @p to.
     Iterate
     shortened(const ContactProblem &problem,
               const Iterate        &from,

@@ -26,9 +26,8 @@ namespace lamella
     std::vector<dealii::Tensor<1, 3>> direction;
     /// Slip s_0 [length], also of open constraints.
     std::vector<dealii::Tensor<1, 3>> before;
-    /// Accumulated slip length, and accumulated dissipated energy. A step
-    /// dissipates mu (lambda_n,0 + lambda_n,1) / 2 |v| >= 0 with the normal
-    /// forces at its beginning and end.
+    /// Accumulated slip length, and accumulated dissipated energy. A step adds
+    /// mu (lambda_n,0 + lambda_n,1) / 2 |v| >= 0 (forces at its ends).
     std::vector<double> length, dissipated;
     /// Contact gap with the compliance of the law, g + a lambda_n [length].
     std::vector<double> contact_gap;
@@ -37,8 +36,7 @@ namespace lamella
     ///   - mean lambda . (change of (g, s) + a lambda) - dissipated,
     /// with the mean of the forces at the beginning and end of the step. For
     /// linear bodies, external work = strain energy + penalty energy a
-    /// |lambda|^2 / 2 + dissipation + this defect, which vanishes for short
-    /// steps.
+    /// |lambda|^2 / 2 + dissipation + this defect.
     double path_gap = 0.;
 
     bool
@@ -51,8 +49,7 @@ namespace lamella
     double
     all_dissipated() const;
 
-    /// Returns the friction state of the constraints @p rows of undeformed
-    /// bodies, without forces.
+    /// Returns the state of the constraints @p rows of unloaded bodies.
     static FrictionState
     unloaded(const GapConstraints &rows);
   };
@@ -78,8 +75,7 @@ namespace lamella
           const BlockVector   &u,
           const LoadFactor    &factor);
 
-  /// Adds the forces B^T lambda of constraint @p row, with the @p normal and
-  /// @p shear force, to @p f.
+  /// Adds B^T lambda of @p row, with the forces @p normal and @p shear.
   void
   add_force(const GapConstraint        &row,
             const double                normal,

@@ -48,16 +48,14 @@ namespace lamella
              State                   &state);
 
   /// Returns the friction error of the active constraint @p r in @p state
-  /// [length]: |v| if it sticks, |v + |v| e| if it slips, with the direction e
-  /// of its shear force.
+  /// [length]: |v| if it sticks, |v + |v| e| if it slips with shear along e.
   double
   friction_error(const GapConstraint &row,
                  const unsigned int   r,
                  const State         &state,
                  const LoadFactor    &factor);
 
-  /// Updates FrictionState at the end of the load step from @p before to
-  /// @p state at @p factor.
+  /// Updates FrictionState at the end of the step from @p before to @p state.
   void
   end_step(const GapConstraints &rows,
            const State          &before,

@@ -93,15 +93,14 @@ namespace lamella
     /// Returns true if constraint @p row is active and not tensile.
     static bool
     stays_active(const Iterate &at, const unsigned int row);
-    /// Returns active constraints that are tensile, and inactive ones that
-    /// overlap by more than @p closed.
+    /// Returns tensile active ones, and inactive overlaps above @p closed.
     static Round
     violating_rows(const Iterate             &at,
                    const std::vector<double> &overlap,
                    const double               closed);
-    /// Returns the next active set, ascending: active constraints that are not
-    /// tensile, and those that overlap most and by more than @p closed, at most
-    /// eight or as many as are active.
+    /// Returns the next active set, ascending: active ones without tension, and
+    /// the largest overlaps above @p closed, at most eight or as many as
+    /// active.
     static std::vector<unsigned int>
     next_active_set(const Iterate             &at,
                     const std::vector<double> &overlap,
@@ -114,8 +113,7 @@ namespace lamella
                         const double          t) const;
     /// Returns the minimum of the convex energy along the step from @p from to
     /// @p to, by bisection to 1 % of the initial work. Used if the active set
-    /// of @p to occurred before. The energy decreases, so no set recurs
-    /// forever.
+    /// of @p to occurred before. So no set recurs forever.
     Iterate
     energy_minimum(const ContactProblem &problem,
                    const Iterate        &from,

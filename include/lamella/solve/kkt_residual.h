@@ -23,8 +23,7 @@ namespace lamella
     /// Number of constraints with a force.
     unsigned int active = 0;
     /// Resultant contact force on the second side, and its moment about the
-    /// scene origin, from the work on the rigid motions of a body: exact for
-    /// all discretizations.
+    /// scene origin, from the work on rigid motions: exact.
     dealii::Tensor<1, 3> force, moment;
     /// Contributions of the constraints, which sum to the resultant.
     std::vector<Wrench> of_rows;
@@ -32,8 +31,7 @@ namespace lamella
     dealii::Point<3> center_of_pressure;
     /// |sum of the forces on both bodies| over the sum of forces: rounding.
     double imbalance = 0.;
-    /// Largest penetration -g; zero without penetration. For penalty,
-    /// penetration is F / eps by design.
+    /// Largest penetration -g; by design F / eps for penalty.
     double max_penetration = 0.;
     /// Smallest force of an active constraint; zero if none is active.
     double min_force = 0.;
@@ -49,8 +47,7 @@ namespace lamella
     /// and slipping constraints [length^2]; dissipated energy.
     dealii::Tensor<1, 3> shear;
     double               sticking = 0., slipping = 0., dissipated = 0.;
-    /// Largest relative violation: law error over displacement, tension over
-    /// force, complementarity over both.
+    /// Largest relative violation of law, tension and complementarity.
     double violation = 0.;
   };
 
@@ -66,8 +63,7 @@ namespace lamella
                      const unsigned int    contact,
                      const State          &state);
 
-    /// Returns the shear force lambda_t of constraint @p k on the second side;
-    /// zero without friction.
+    /// Returns lambda_t of constraint @p k on the second side, or zero.
     dealii::Tensor<1, 3>
     shear_of(const unsigned int k) const
     {
@@ -88,8 +84,8 @@ namespace lamella
 
   /// Returns the residuals of the contact law of @p contact with @p forces at
   /// the displacements @p u and load factor @p factor. Adds the contact forces
-  /// to @p on_body, one entry per body. Gaps are relative to the largest
-  /// displacement @p displacement.
+  /// to @p on_body, one entry per body. Gaps are over the largest
+  /// @p displacement.
   KktResidual
   check_contact(const ContactInterface  &contact,
                 const ConstraintForces  &forces,

@@ -38,8 +38,7 @@ namespace lamella
     resume_from(const State &last, const LoadFactor &factor) override;
 
   private:
-    /// Returns the initial state of Newton's method on the way from @p before,
-    /// at load factor @p from, to @p to.
+    /// Returns the start of the path from @p before at @p from to @p to.
     Equilibrium
     make_start(const State      &before,
                const LoadFactor &from,

@@ -25,8 +25,7 @@ namespace lamella
     LoadFactor load_factor;
     State      state;
     Checks     checks;
-    /// Number of substeps; for automatic substeps also the change_of() the
-    /// results in the last refinement.
+    /// Number of substeps; if automatic, with the last change_of() results.
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
     /// Number of bisections in this load step.
@@ -39,8 +38,7 @@ namespace lamella
   /// displacements, and dissipated energy. Each is relative to the largest
   /// value of its kind, friction to at least a hundredth of the largest force
   /// or of the strain energy. Reference values include the largest force
-  /// @p before_force and displacement of @p before, since little of them may be
-  /// left after unloading.
+  /// @p before_force and displacement of @p before, for steps that unload.
   double
   change_of(const SolvedStep &one,
             const SolvedStep &other,
@@ -56,8 +54,8 @@ namespace lamella
 
     /// Solves from the state @p before (empty if none), at the load factor
     /// @p from, to the load factor @p to. Throws NumericsError if no reliable
-    /// solution is found. Large deflections are checked only in the @p last
-    /// substep of a load step.
+    /// solution is found. Only the @p last substep is checked for large
+    /// deflections.
     virtual SolvedStep
     operator()(const State      &before,
                const LoadFactor &from,
@@ -70,8 +68,8 @@ namespace lamella
           const LoadFactor &factor,
           const bool        last = true) = 0;
 
-    /// Continues from the state @p last at load factor @p factor of another
-    /// run. This default implementation does nothing.
+    /// Continues from the given state at a load factor of another run. This
+    /// default implementation does nothing.
     virtual void
     resume_from(const State &, const LoadFactor &)
     {}
@@ -125,8 +123,7 @@ namespace lamella
   class LoadPath
   {
   public:
-    /// Additional distance between two solutions that start from @p before,
-    /// used together with change_of().
+    /// Additional distance between two solutions, used with change_of().
     using ChangeMeasure = std::function<double(const SolvedStep &one,
                                                const SolvedStep &other,
                                                const State      &before)>;
@@ -207,8 +204,7 @@ namespace lamella
                              const LoadFactor &from,
                              const LoadFactor &to) const;
 
-    /// Stored state from which branches start: its load factor, and the first
-    /// load step that contains it.
+    /// Stored state from which branches start, with its factor and load step.
     struct StoredState
     {
       double       factor    = 0.;
@@ -224,8 +220,7 @@ namespace lamella
     /// Returns the stored state nearest to @p factor; of two, the later stored.
     StoredState
     nearest(const double factor) const;
-    /// Returns the stored state nearest to @p factor that precedes it in load
-    /// step @p load_step.
+    /// Returns the nearest stored state that step @p load_step has passed.
     StoredState
     nearest_passed(const double factor, const unsigned int load_step);
     /// Returns the state at the end of load step @p load_step.

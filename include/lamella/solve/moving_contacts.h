@@ -99,8 +99,7 @@ namespace lamella
       return numbered;
     }
 
-    /// Returns the history of each contact; restore() restores the contacts
-    /// from it (Contact::restore()).
+    /// Returns the history of each contact, for restore().
     std::vector<ContactHistory>
     memory() const;
     void
@@ -111,8 +110,8 @@ namespace lamella
     /// Updates the constraints to @p state at @p factor (Contact::move()). An
     /// active constraint whose projection leaves the other surface, past an end
     /// or through it, is deactivated if that end has its own constraints (`edge
-    /// to surface`). Otherwise throws MissingEnds if the contact is automatic,
-    /// else NumericsError.
+    /// to surface`). Otherwise throws MissingEnds if `auto`, else
+    /// NumericsError.
     void
     move(State &state, const LoadFactor &factor);
 
@@ -142,8 +141,7 @@ namespace lamella
                   BlockVector       &f) const;
 
     /// Returns the error of the contact law in @p state at @p factor [length]:
-    /// the largest |g + a lambda| of active constraints, -g of others, and
-    /// friction_error().
+    /// |g + a lambda| of active constraints, -g of others, friction_error().
     double
     law_error(const State &state, const LoadFactor &factor) const;
 

@@ -20,8 +20,7 @@ namespace lamella
   struct NewtonParameters
   {
     unsigned int max_iterations = 30;
-    /// Relative tolerance of equilibrium: unbalanced forces over internal
-    /// forces or loads.
+    /// Tolerance of equilibrium: unbalanced over internal forces or loads.
     double force_tolerance = arithmetic::rounding_of_solutions;
     /// Criteria for slender bodies, whose forces have a rounding error of about
     /// (L / h)^3 1e-16 (length L, thickness h). Below the relative residual
@@ -38,15 +37,13 @@ namespace lamella
     /// displacement and `touching` times the size of the scene. If forces are
     /// inaccurate, `stagnation_level` times the displacement.
     double law = arithmetic::negligible, touching = arithmetic::rounding;
-    /// Relative step of finite differences in
-    /// Newton::rotation_of_constraints(); relative tolerance and maximum number
-    /// of its iterations.
+    /// Relative step of differences in Newton::rotation_of_constraints();
+    /// relative tolerance and limit of its iterations.
     double       difference = arithmetic::same_value, rotation_tolerance = 1e-3;
     unsigned int max_rotation_corrections = 20;
     /// Largest ratio of corrections without and with stabilizing springs.
     double max_spring_influence = 10.;
-    /// Correction over the size of the scene that counts as converged if
-    /// springs determine the correction.
+    /// Converged correction over the scene size if springs determine it.
     double converged_change = 1e-7;
     /// A motion against springs is unstable if its stiffness is below minus
     /// this factor times the contact force over the size of the scene.
@@ -72,41 +69,38 @@ namespace lamella
     LoadFactor factor;
     /// Number of bisections of the load step.
     unsigned int cuts = 0;
-    /// Unbalanced forces over internal forces or loads, and error of the
-    /// contact law [length].
+    /// Unbalanced over internal forces or loads; law error [length].
     double residual = 0., law_error = 0.;
     /// Last correction if all forces are rounding (support motion), else 0.
     double rounding = 0.;
   };
 
-  /**
-   * Newton's method for structures with nonlinear internal forces and contact,
-   *   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
-   * from one load factor t to the next, with the contact law of the current
-   * gaps g(u, t) >= 0, their gradient B, the free DoFs v and prescribed
-   * displacements u_p.
-   *
-   * Each iteration linearizes forces (tangent K) and gaps (B), and solves the
-   * resulting contact problem for the total contact forces as for linear
-   * bodies (ContactStrategy::solve()). K omits the derivative of B. The first
-   * iteration applies support motion as forces K du_p, since otherwise only
-   * elements at supports would deform. Obstacles move along initial normals.
-   *
-   * The geometric part of K uses the stress predicted by the last correction
-   * (FiniteStrainSectionOperator): a cantilever that rolls up in one step
-   * takes 7 instead of 17 iterations. If a step fails, it is repeated with the
-   * actual stress, then bisected. Stabilizing springs contribute to K only:
-   * they have no force at the iterate, and limit corrections of motions that
-   * only contact restrains.
-   *
-   * Iterations end if forces balance, gaps satisfy the law, and no unpaired
-   * surfaces are in contact; unpaired surfaces in contact are paired anew. The
-   * Cholesky factor of K then proves a minimum of the energy. (Couples have an
-   * energy in plane motion only; a positive definite symmetric part of K is
-   * sufficient for stability.) For bodies supported by an obstacle only, K is
-   * regularized by ActiveConstraintShift. Keeps references to structure and
-   * contacts. Collective.
-   */
+  /// Newton's method for structures with nonlinear internal forces and contact,
+  ///   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
+  /// from one load factor t to the next, with the contact law of the current
+  /// gaps g(u, t) >= 0, their gradient B, the free DoFs v and prescribed
+  /// displacements u_p.
+  ///
+  /// Each iteration linearizes forces (tangent K) and gaps (B), and solves the
+  /// resulting contact problem for the total contact forces as for linear
+  /// bodies (ContactStrategy::solve()). K omits the derivative of B. The first
+  /// iteration applies support motion as forces K du_p, since otherwise only
+  /// elements at supports would deform. Obstacles move along initial normals.
+  ///
+  /// The geometric part of K uses the stress predicted by the last correction
+  /// (FiniteStrainSectionOperator): a cantilever that rolls up in one step
+  /// takes 7 instead of 17 iterations. If a step fails, it is repeated with the
+  /// actual stress, then bisected. Stabilizing springs contribute to K only:
+  /// they have no force at the iterate, and limit corrections of motions that
+  /// only contact restrains.
+  ///
+  /// Iterations end if forces balance, gaps satisfy the law, and no unpaired
+  /// surfaces are in contact; unpaired surfaces in contact are paired anew. The
+  /// Cholesky factor of K then proves a minimum of the energy. (Couples have an
+  /// energy in plane motion only; a positive definite symmetric part of K is
+  /// sufficient for stability.) For bodies supported by an obstacle only, K is
+  /// regularized by ActiveConstraintShift. Keeps references to structure and
+  /// contacts. Collective.
   class Newton
   {
   public:
@@ -142,8 +136,7 @@ namespace lamella
 
     /// Returns the equilibrium at load factor @p to, starting from @p start,
     /// the state at which the contact constraints are. If it fails with
-    /// 2^max_bisections substeps, throws NumericsError with the last load
-    /// factor reached.
+    /// 2^max_bisections substeps, throws NumericsError with the factor reached.
     Equilibrium
     advance(const Equilibrium &start, const LoadFactor &to);
 
@@ -198,8 +191,8 @@ namespace lamella
 
     /// Performs one iteration: adds to @p state the correction due to the
     /// unbalanced forces @p r, with the support motion @p moved and the contact
-    /// constraints, and returns it. The previous @p correction serves to
-    /// predict stresses.
+    /// constraints, and returns it. Predicts stresses with the last
+    /// @p correction.
     Correction
     correct(const BlockVector &r,
             const BlockVector &moved,
@@ -216,8 +209,8 @@ namespace lamella
     };
 
     /// Returns the tangent of @p state at load factor @p to, after the last
-    /// @p correction, regularized if needed. Throws IllConditioned if it is not
-    /// definite even then.
+    /// @p correction, regularized if needed. Throws IllConditioned if
+    /// indefinite.
     TangentOperator
     tangent(const State       &state,
             const BlockVector &correction,
@@ -263,8 +256,7 @@ namespace lamella
     /// lambda Hess g for the forces of @p state, which are updated, and the
     /// spring stiffness S in K, multiplied by @p regularization_factor, solves
     ///   K du - B^T dlambda = r + (H + S) du
-    /// for the active constraints by GMRES; returns @p du if it does not
-    /// converge.
+    /// for active constraints by GMRES; returns @p du if it does not converge.
     BlockVector
     correct_row_rotation(ContactStrategy   &strategy,
                          const BlockVector &u,
@@ -280,8 +272,8 @@ namespace lamella
                       BlockVector       &f) const;
 
     /// Returns H @p w at @p u, the change of the contact forces with the
-    /// rotation of the constraints, by central differences of B^T lambda; zero
-    /// if a constraint has no projection.
+    /// rotation of the constraints, by central differences; zero if any has no
+    /// projection.
     BlockVector
     rotation_of_constraints(const State       &state,
                             const BlockVector &u,
@@ -323,8 +315,7 @@ namespace lamella
              earlier = std::numeric_limits<double>::max();
       void
       add(const double left);
-      /// Returns true if two successive iterations left more than the fraction
-      /// @p share of the residual.
+      /// Returns true if two iterations left over @p share of the residual.
       bool
       stagnates(const double share) const;
     };
@@ -349,8 +340,7 @@ namespace lamella
     bool
     is_negligible(const BlockVector &way) const;
 
-    /// Returns true if the law errors @p missed satisfy the tolerance for
-    /// displacements of the size @p size.
+    /// Returns true if the law errors @p missed are small for this @p size.
     bool
     satisfies_contact_law(const ResidualHistory &missed,
                           const double           size) const;

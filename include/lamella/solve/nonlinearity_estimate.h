@@ -14,9 +14,8 @@ namespace lamella
   struct State;
 
   /// Estimates of the nonlinear effects that a solution of the linear model
-  /// neglects, from that model alone. For small loads, the stiffening is
-  /// proportional to the square of the loads, the inverse of the buckling
-  /// factor to the loads.
+  /// neglects, from that model alone. Stiffening grows with the square of small
+  /// loads, the inverse buckling factor linearly.
   struct NonlinearityEstimate
   {
     /// Relative stiffening r = 2 U(s_m) / U, the largest of all bodies with a

@@ -38,17 +38,15 @@ namespace lamella
   ///   K + K^p,   K^p = B_A^T diag(1/d) B_A,
   /// condensed by the supports, with the stiffness K of a TangentOperator and
   /// the rows B_A of the active constraints, each with its compliance d [length
-  /// / force]. With friction, gaps and slips are coupled, and the matrix is not
-  /// symmetric (FrictionNewton).
+  /// / force]. With friction it is not symmetric (FrictionNewton).
   ///
   /// K and K^p are assembled through the supports' AffineConstraints into a
   /// Trilinos matrix. Its pattern includes all constraints that were ever
   /// active and is analyzed again when constraints are added. MUMPS factorizes
   /// it on all processes whenever the terms of K^p change. A hard penalty costs
   /// digits, since K is lost in the rounding of K^p: see warnings(). Each
-  /// process owns a contiguous part of the DoFs of all bodies, and the
-  /// corresponding matrix rows. Keeps references to the structure and the
-  /// constraints. Collective.
+  /// process owns a contiguous part of the DoFs of all bodies, and these matrix
+  /// rows. Keeps references to structure and constraints. Collective.
   class PenaltyMatrix
   {
   public:
@@ -57,8 +55,7 @@ namespace lamella
                   const GapConstraints  &rows);
 
     /// Factorizes K + K^p with the new @p terms of K^p. Throws NumericsError if
-    /// the matrix is not positive definite in double precision or, with
-    /// friction, singular.
+    /// it is not positive definite or, with friction, singular.
     void
     factorize(const std::vector<PenaltyTerm> &terms);
 
@@ -74,8 +71,7 @@ namespace lamella
     BlockVector
     solve(BlockVector f) const;
 
-    /// Returns the constraints in the pattern, which affect the elimination
-    /// order of MUMPS.
+    /// Returns the constraints in the pattern, which affect MUMPS's order.
     std::vector<unsigned int>
     known_rows() const;
     /// Includes the constraints @p known_rows in the next pattern.

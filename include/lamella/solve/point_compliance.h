@@ -64,8 +64,7 @@ namespace lamella
       return matrix[std::size_t(j) * n_rows() + i];
     }
 
-    /// Converts vectors with one entry per row to vectors by points; by_rows()
-    /// is the inverse.
+    /// Converts between vectors by rows and by points.
     PointVectors
     by_points(const std::vector<double> &rows) const;
     std::vector<double>

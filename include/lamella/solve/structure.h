@@ -28,8 +28,7 @@ namespace lamella
   /// Discrete model of a scene without contact, by the principle of virtual
   /// displacements (Eqs. 8 to 11): bodies with supports, springs and loads.
   /// Contact couples the bodies through constraints only, so K is block
-  /// diagonal, and a BlockVector has one block per body in the order of the
-  /// scene.
+  /// diagonal, and a BlockVector has one block per body.
   ///
   /// Displacements are u = G v + u_p(t) at load factor t (RowReduction), with
   /// the DoFs v that are not constrained by supports and theories, their
@@ -63,16 +62,14 @@ namespace lamella
       return all_bodies;
     }
 
-    /// Returns the reduction of @p body: G, u_p, and the forces in its
-    /// prescribed rows.
+    /// Returns G, u_p and the forces in the prescribed rows of @p body.
     const RowReduction &
     reduction(const unsigned int body) const
     {
       return *reductions[body];
     }
 
-    /// Returns the prescribed rows R u = t d of all supports, by the indices of
-    /// RowReduction::multipliers().
+    /// Returns the prescribed rows R u = t d, as RowReduction::multipliers().
     const std::vector<PrescribedFunctional> &
     prescribed() const
     {
@@ -112,8 +109,7 @@ namespace lamella
     spring_lengths(const BlockVector &u) const;
 
     /// Returns the load vector f(t, u) at load factor t = @p factor, not
-    /// condensed: f . v is the work of all loads on v (Eq. 10). Follower loads
-    /// depend on @p u.
+    /// condensed: f . v is the work of all loads on v (Eq. 10).
     BlockVector
     load(const LoadFactor &factor, const BlockVector &u) const;
 
@@ -206,8 +202,7 @@ namespace lamella
     BlockVector
     particular(const LoadFactor &factor) const;
 
-    /// Returns true if supports and theory constrain the functional @p row to
-    /// zero at all load factors.
+    /// Returns true if supports or theory always constrain @p row to zero.
     bool
     holds(const BodyFunctional &row) const;
 
@@ -228,25 +223,22 @@ namespace lamella
              const LoadFactor    &factor,
              const SpringOffsets &rest = {}) const;
 
-    /// Returns the internal and spring forces, integral B^T C (B u) dV + sum_k
-    /// s_k (r_k(u) - r_0k) r_k^T.
+    /// Returns integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T.
     BlockVector
     internal_forces(const BlockVector &u, const SpringOffsets &rest = {}) const;
 
-    /// Returns the displacements @p u updated by the increment @p change
-    /// (Body::retract()).
+    /// Returns @p u updated by the increment @p change (Body::retract()).
     BlockVector
     retract(const BlockVector &u, const BlockVector &change) const;
 
-    /// Computes G^T r in place. Entries of eliminated DoFs, which are the
-    /// reactions before, become zero.
+    /// Computes G^T r in place; entries of eliminated DoFs become zero.
     void
     condense(BlockVector &r) const;
 
   private:
     /// Returns u_p of the prescribed rows with load history @p history at load
-    /// factor 1. Throws InputError with the support @p names if dependent rows
-    /// have different histories.
+    /// factor 1. Throws InputError with @p names if dependent rows have
+    /// different histories.
     BlockVector
     prescribed_in(const unsigned int              history,
                   const std::vector<std::string> &names) const;

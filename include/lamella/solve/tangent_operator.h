@@ -14,9 +14,9 @@ namespace lamella
   /// The tangent stiffness of a structure at one state u,
   ///   K(u) = d f_int / du,
   /// including springs: as terms for assembly, as a product, and optionally
-  /// with linear solvers for each body. It is immutable. If all bodies are
-  /// linear, the tangent at u = 0 is valid for all states. Keeps a reference to
-  /// the structure. Collective.
+  /// with linear solvers for each body. It is immutable. For linear bodies,
+  /// that at u = 0 is always valid. Keeps a reference to the structure.
+  /// Collective.
   class TangentOperator
   {
   public:
@@ -40,8 +40,8 @@ namespace lamella
     /// correction of u, if any, for predicted stresses. Follower loads at load
     /// factor @p factor and additional @p springs of each body contribute to
     /// the solvers only. Throws IllConditioned if a stiffness is not positive
-    /// definite in double precision, InputError as Body::solver_kind() does,
-    /// and what @p monitor throws.
+    /// definite, InputError as Body::solver_kind() does, and what @p monitor
+    /// throws.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
                     const SolverKind   requested,
@@ -82,15 +82,13 @@ namespace lamella
     BlockVector
     support_increment(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Point of a support that is off its prescribed position, with its error
-    /// relative to the tolerance.
+    /// Point of a support off its prescribed position; error over tolerance.
     struct SupportError
     {
       dealii::Point<3> place;
       double           share = 0.;
     };
-    /// Returns the largest error at load factor @p at of prescribed rows that
-    /// corrections cannot satisfy.
+    /// Returns the largest support error at @p at that corrections leave.
     SupportError
     largest_support_error(const LoadFactor &at) const;
 
@@ -119,8 +117,7 @@ namespace lamella
     double
     largest_stiffness(const unsigned int body) const;
 
-    /// Returns the largest estimate (lower bound) of all condition numbers; 0
-    /// if none is known.
+    /// Returns the largest estimate (lower bound) of condition numbers, or 0.
     double
     condition_estimate() const;
 
