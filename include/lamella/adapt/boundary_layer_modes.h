@@ -105,8 +105,8 @@ namespace lamella
   /// Computes boundary-layer modes, which decay with the distance from an end
   /// at which the whole section is constrained. A short end segment of the body
   /// is solved with all section fields on an axis graded to the end. It is
-  /// constrained by @p held and loaded at the other end by the tractions S_10 a
-  /// + S_11 b of the six Saint-Venant states (a, b), which cause no boundary
+  /// constrained by @p held and loaded at its other end by tractions S_10 a +
+  /// S_11 b of the six Saint-Venant states (a, b), which cause no boundary
   /// layer there. The loads are combined such that the section forces s at the
   /// constrained end are orthonormal in the section compliance C, s_i^T C s_j =
   /// delta_ij (unit energy per length), without work on free rigid motions.

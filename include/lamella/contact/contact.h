@@ -51,7 +51,7 @@ namespace lamella
     Discretization discretization = Discretization::undefined;
   };
 
-  /// Contact between two bodies, or a body and an obstacle,: pairs the facing
+  /// Contact between two bodies, or a body and an obstacle: pairs the facing
   /// points and updates their gap constraints to the displacements.
   ///
   ///     contact.pair(u, t)          // search: pairs of facing points

@@ -63,8 +63,8 @@ namespace lamella
   ///
   /// *Derivatives.* In-plane stresses are evaluated at the p Gauss points of
   /// each element, along the axis and (layer-wise theories) across it, in the
-  /// element of the column and one more on each side. A polynomial of degree p
-  /// + 1 along the axis and p across it is fitted and differentiated. If one
+  /// element of the column and one more on each side. A polynomial, of degree p
+  /// across and p + 1 along the axis, is fitted and differentiated. If one
   /// expansion spans the section (TE-N), the expansion's polynomial is used.
   ///
   /// *Shear warping.* With one quadratic cell per ply, the axial displacement

@@ -52,9 +52,9 @@ namespace lamella
     /// Solves @p problem,
     ///   K du = B^T (lambda - lambda_state),  g = g_state + B du,
     ///   lambda = max(0, ((d - a) lambda_bar - g) / d),
-    /// and returns the solution with its active set. This is the contact law g
-    /// + a lambda >= 0 with the compliance a increased to the numerical
-    /// compliance d, about an estimate lambda_bar of the forces
+    /// and returns the solution with its active set. This is the law of
+    /// contact, g + a lambda >= 0, with the compliance a increased to the
+    /// numerical compliance d, about an estimate lambda_bar of the forces
     /// (NumericalCompliance). The solution is unique without friction.
     /// @p monitor is called after each round; its exceptions end the search.
     /// The increment is zero if penetrations, forces and estimates are zero.
