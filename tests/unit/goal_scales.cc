@@ -117,7 +117,8 @@ BOOST_AUTO_TEST_CASE(what_a_goal_may_be_off_by)
   const Sandwich sandwich(
     {"Goals/Quantities=core: syz | core: sxy", "Goals/Tolerance=1, 0.02 MPa"});
   const RunGoals   goals(sandwich.simulation);
-  const GoalResult share = goals.without_error_bar(0), absolute = goals.without_error_bar(1);
+  const GoalResult share    = goals.without_error_bar(0),
+                   absolute = goals.without_error_bar(1);
   BOOST_TEST(share.allowed_error() == 0.01 * std::abs(share.value));
   BOOST_TEST(!share.is_near_zero());
   BOOST_TEST(absolute.allowed_error() == 0.02);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The module `axis`: the mesh of a beam's axis, the elements B2, B3, B4 with
+// The room `axis`: the mesh of a beam's axis, the elements B2, B3, B4 with
 // their shape functions N_i(y) in u = F_tau N_i u_(tau i) (Eq. 7), and the
-// matrices A_pq, integrals of N_i^(p) N_j^(q). The section functions F_tau(x,
-// z) are in the module `section`.
+// matrices A_pq, integrals of N_i^(p) N_j^(q). The section functions
+// F_tau(x, z) are in the room `section`. It is independent of the section.
 
 #ifndef lamella_axis_axis_h
 #define lamella_axis_axis_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The module `base`: utilities of all other modules. Types of vectors, matrices
+// The room `base`: utilities of all other modules. Types of vectors, matrices
 // and constraints; affine functionals; exceptions and exit status; text, units,
 // files, memory, MPI. It is independent of mechanics and solvers.
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The room `contact`: search, pairing, and the contact law. It owns the gap
-// rows with their geometry, rigid obstacles, penalties and other enforcements,
-// the traction of the row forces, and checks of the pairing. It formulates the
-// contact problem; `solve` determines the active set.
+// rows with their geometry, rigid obstacles, penalties and other
+// enforcements, the traction of the row forces, and checks of the pairing.
+// It formulates the contact problem; `solve` determines the active set. It
+// does not solve it.
 
 #ifndef lamella_contact_gap_constraints_h
 #define lamella_contact_gap_constraints_h

@@ -2,8 +2,9 @@
 
 // The room `estimate`: errors of a run's numbers. It owns the surpluses of a
 // run, the models that it is compared with, the error bars made of them, and
-// the loop that refines to a tolerance. Simulation solves its other models, and
-// duals (goal_dual.h) use the run's solver.
+// the loop that refines to a tolerance. Simulation solves its other models,
+// and duals (goal_dual.h) use the run's solver. It never factorizes a body
+// itself.
 
 #ifndef lamella_estimate_estimation_h
 #define lamella_estimate_estimation_h

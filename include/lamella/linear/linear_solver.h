@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The module `linear`: the assembled stiffness matrix, its factorization by
+// The room `linear`: the assembled stiffness matrix, its factorization by
 // CHOLMOD, MUMPS or dense blocks, conjugate gradients, and the compliance B
 // K^-1 B^T of constraints. It is independent of beams and contacts.
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The module `material`: elastic constants, density, thermal expansion and
+// The room `material`: elastic constants, density, thermal expansion and
 // strengths, their rotation into ply axes, laminate codes, the library of
 // built-in materials, and the constitutive law. It is independent of meshes.
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `recover`: better stresses than those of the elements, and values at
-// requested places. It owns the recovery by patches and by equilibrium and the
-// sampling of probes, lines and cuts into Results.
+// The room `recover`: better stresses than those of the elements, and values
+// at requested places. It owns the recovery by patches and by equilibrium
+// and the sampling of probes, lines and cuts into Results. It never changes
+// the solution.
 
 #ifndef lamella_recover_recovery_h
 #define lamella_recover_recovery_h

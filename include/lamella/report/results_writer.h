@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `report`: output of results. From Results it writes all files of a
-// run (tables, summary, VTU, restart) and the console output. It computes the
-// stiffness of sections, and reads restart data. page.h runs `lamella report`.
+// The room `report`: output of results. From Results it writes all files of
+// a run (tables, summary, VTU, restart) and the console output. It computes
+// the stiffness of sections, and reads restart data. page.h runs `lamella
+// report`. Apart from these it does not compute.
 
 #ifndef lamella_report_results_writer_h
 #define lamella_report_results_writer_h

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The room `run`: one scene from its description to its results. It owns the
-// driver, Simulation, with the main loop, and the command line. All mechanics
-// is in the other rooms. Where to start reading: Simulation::solve_as_built()
-// in source/run/simulation.cc is the whole program on a page. It builds a scene
-// (BuiltScene), and a path of load steps (LoadPath) is solved and recorded
-// (StepRecorder). run_scene() writes them.
+// driver, Simulation, with the main loop, and the command line. The driver
+// does not contain mechanics. Where to start reading:
+// Simulation::solve_as_built() in source/run/simulation.cc is the whole
+// program on a page. It builds a scene (BuiltScene), and a path of load
+// steps (LoadPath) is solved and recorded (StepRecorder). run_scene() writes
+// them.
 
 #ifndef lamella_run_simulation_h
 #define lamella_run_simulation_h

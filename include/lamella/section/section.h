@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The module `section`: displacement functions over a section. Cross-section
+// The room `section`: displacement functions over a section. Cross-section
 // expansions F_tau (Taylor, layer-wise Lagrange), beam theories, the section
 // matrices S_pq of the fundamental nuclei, and the completion of strains. It is
 // independent of the axis.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The module `shape`: the geometry of sections. Laminates, thin walls,
+// The room `shape`: the geometry of sections. Laminates, thin walls,
 // ellipses, half discs and Gmsh files become meshes of quadrilaterals with
 // plies and named boundaries. Also areas, moments of area, and mesh checks.
+// It does not know section functions.
 
 #ifndef lamella_shape_section_mesh_h
 #define lamella_shape_section_mesh_h

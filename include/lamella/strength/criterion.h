@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The module `strength`: failure criteria of materials and the reserve factors
+// The room `strength`: failure criteria of materials and the reserve factors
 // of stresses. It is independent of bodies, meshes and load steps.
 
 #ifndef lamella_strength_criterion_h

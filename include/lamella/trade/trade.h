@@ -2,8 +2,8 @@
 
 // The room `trade`: comparison of accuracy and cost. It runs variants of a
 // scene (theories and meshes), each in its own process, and stores their
-// results. scripts/trade.py creates a table, names the cheapest variants, and
-// plots errors over cost.
+// results. scripts/trade.py creates a table, names the cheapest variants,
+// and plots errors over cost. It does not solve anything itself.
 
 #ifndef lamella_trade_trade_h
 #define lamella_trade_trade_h

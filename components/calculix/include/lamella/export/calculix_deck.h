@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `export`: scenes in the formats of other programs, so far CalculiX.
-// Start with export_calculix(). It combines a CalculixMesh (hexahedra),
-// CalculixConditions (supports and loads on nodes) and CalculixContacts
-// (surfaces and contact laws).
+// The room `export`: scenes in the formats of other programs, so far
+// CalculiX. Start with export_calculix(). It combines a CalculixMesh
+// (hexahedra), CalculixConditions (supports and loads on nodes) and
+// CalculixContacts (surfaces and contact laws). No room of the core depends
+// on it; it does not run CalculiX.
 
 #ifndef lamella_export_calculix_deck_h
 #define lamella_export_calculix_deck_h
