@@ -135,11 +135,9 @@ namespace lamella
     if (solved.change && *solved.change > scene.solve.substeps.tolerance)
       warnings.push_back(
         "run.substeps-too-few: with twice as many substeps, " +
-        std::to_string(solved.substeps) +
-        ", results of the load step still change by " +
+        std::to_string(solved.substeps) + ", results still change by " +
         to_text(100. * *solved.change, 2) +
-        " %, since they depend on the load path where contacts slip. Add "
-        "intermediate Load factors");
+        " %, since contacts slip. Add intermediate Load factors");
     add(warnings_of_defects(sampled.defects));
     if (built.strength() != nullptr)
       if (const std::string found = worst_reserve_warning(

@@ -264,8 +264,7 @@ namespace lamella
         all.refuse("section.different-orders-of-sv: SV-" +
                      std::to_string(*waves.begin()) + " and SV-" +
                      std::to_string(*waves.rbegin()) +
-                     " in Theories use different wave numbers and cannot be "
-                     "joined",
+                     " in Theories have different wave numbers",
                    "Write the same N for each SV-N in Theories, or SV.");
       const unsigned int highest = degrees.empty() ? 0 : *degrees.rbegin();
       const unsigned int space   = order.text() == "auto" && highest > 0 ?
@@ -274,14 +273,11 @@ namespace lamella
       if (space < highest)
         order.refuse("section.section-order-too-low: Theories has LE-" +
                        std::to_string(highest) +
-                       ", which needs section functions of at least this "
-                       "degree",
-                     "Write Section order = auto, or " +
-                       std::to_string(highest) + " or more.");
+                       ", which needs at least this order",
+                     "Write Section order = auto.");
       if (only_LE && space > highest)
-        order.refuse("section.section-order-unused: Section order is the "
-                     "degree of the section functions of SV-N, but Theories "
-                     "has no SV-N",
+        order.refuse("section.section-order-unused: applies to SV-N, and "
+                     "Theories has none",
                      "Write Section order = auto, or remove the entry.");
       for (Theory &theory : theories)
         {

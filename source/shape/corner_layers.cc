@@ -343,8 +343,7 @@ namespace lamella
       throw InputError(
         what + "/Corner layers",
         std::to_string(layers),
-        "shape.no-singular-corner: the section has no corner with singular "
-        "stresses (a re-entrant corner, or an edge where different plies meet)",
+        "shape.no-singular-corner: no corner is re-entrant or joins plies",
         "Remove Corner layers.");
     const Triangulation<2> &mesh = section.mesh;
     Sheets                  sheets(mesh);

@@ -334,11 +334,10 @@ namespace lamella
         ", since bodies are very slender or stiffnesses very different");
     if (first > ill_conditioned)
       warnings.push_back(
-        "solve.ill-conditioned: the stiffness matrix is ill-conditioned: the "
-        "first solution had the relative error " +
-        to_text(first, 2) + ". Iterative refinement reduced this error to " +
-        to_text(state.free_corrections.back(), 2) +
-        ", the accuracy of the displacements");
+        "solve.ill-conditioned: the first solution of the ill-conditioned "
+        "system had the relative error " +
+        to_text(first, 2) + ". Iterative refinement reduced it to " +
+        to_text(state.free_corrections.back(), 2));
     return warnings;
   }
 } // namespace lamella

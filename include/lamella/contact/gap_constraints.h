@@ -31,7 +31,7 @@ namespace lamella
   /// weighted average of it, as a functional of the DoFs of both bodies.
   struct ContactConstraint
   {
-    /// One functional per deformable body: first -sum w . u_1, then +sum v .
+    /// Functionals of the deformable bodies: first -sum w . u_1, then +sum v .
     /// u_2, with weights w and v along the direction.
     std::vector<BodyFunctional> parts;
     /// Number of the load history that multiplies the motion of an obstacle.

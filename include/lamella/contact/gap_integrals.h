@@ -38,7 +38,7 @@ namespace lamella
     boost::container::flat_map<unsigned int, OfNode> slave, master;
   };
 
-  /// How the point opposite a slave point is determined.
+  /// Choice of the point opposite a slave point.
   enum class MasterPoints
   {
     paired,   ///< the paired place; n is the averaged normal

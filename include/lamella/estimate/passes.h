@@ -36,7 +36,7 @@ namespace lamella
     double loads_agree = 1e-7;
   };
 
-  /// One pass of a run to a tolerance: a model with its error bars.
+  /// A pass of a run to a tolerance: a model with its error bars.
   struct Pass
   {
     unsigned int            dofs    = 0;

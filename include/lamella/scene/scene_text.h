@@ -156,7 +156,7 @@ namespace lamella
 
     /// Name of the file, for messages.
     std::string file;
-    /// In the order of the text, followed by those that overrides add.
+    /// Items in the order of the text, followed by those of overrides.
     std::vector<Item> entries, subsections;
   };
 } // namespace lamella

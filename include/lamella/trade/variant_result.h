@@ -96,7 +96,7 @@ namespace lamella
     /// Peak memory [MB], and wall time [s] by phase.
     double                        memory = 0.;
     std::map<std::string, double> seconds;
-    /// As in VariantResult.
+    /// Estimates of the linear run, as in VariantResult.
     double                stiffening = 0.;
     std::optional<double> buckling_factor;
   };
