@@ -18,7 +18,8 @@ all cases of the file are run. A case has the lines
                            its report WORKDIR/output.html) unless the arguments
                            name another one
     exit STATUS            the exit status that is due
-    id IDENTIFIER          what the message is, as contact.no-pairs
+    id IDENTIFIER          what the message is, as contact.no-pairs; one of several between
+                           blanks, where rounding decides which is first
     says FRAGMENT          must occur in the message (a line a fragment): an entry, a value;
                            never mind the wording
     never FRAGMENT         must not occur
@@ -48,7 +49,7 @@ def add_line(line, case):
     if word in ("says", "never"):
         case[word].append(rest)
     elif word == "id":
-        case["says"].append(f"[{rest}]")
+        case["id"] = rest.split()
     elif word == "leaves":
         case[word] += rest.split()
     elif word == "file":
@@ -69,11 +70,11 @@ def read_cases(path):
         if not line or line.startswith("#"):
             continue
         if line.startswith("case ") and line[5:] not in cases:
-            case = cases[line[5:]] = {"says": [], "never": [], "file": [], "leaves": []}
+            case = cases[line[5:]] = {"id": [], "says": [], "never": [], "file": [], "leaves": []}
         elif case is None or not add_line(line, case):
             sys.exit(f"{path}: not understood, or twice: {line}")
     for name, case in cases.items():
-        for needed in ("run", "exit", "says"):
+        for needed in ("run", "exit", "id"):
             if not case.get(needed):
                 sys.exit(f"{path}: case {name}: no line `{needed}`")
     return cases
@@ -114,6 +115,8 @@ def faults_of_message(message, case):
             yield f"the message has the word {word}"
     # A fragment may be broken over two lines of the message.
     flat = " ".join(message.split())
+    if not any(f"[{identifier}]" in flat for identifier in case["id"]):
+        yield f"the message is not {' or '.join(case['id'])}"
     for fragment in case["says"]:
         if " ".join(fragment.split()) not in flat:
             yield f"the message does not say: {fragment}"

@@ -14,7 +14,7 @@
 //     a
 //                                             value; repeatable
 //     never FRAGMENT                          does not
-//     notes IDENTIFIER                        of one note; repeatable
+//     notes IDENTIFIER                        of a note; a line for each
 //     quiet FOLDER                            in the place of run
 // Each ends with an InputError whose message has at most twelve lines and no
 // words of the machinery; with `notes` the scene is accepted, and has so many
@@ -142,8 +142,8 @@ namespace
     for (const std::string &fragment : one.notes)
       if (std::count_if(found.begin(), found.end(), [&](const auto &note) {
             return note.find(fragment) != std::string::npos;
-          }) != 1)
-        faults.push_back("not noted once: " + fragment);
+          }) != std::count(one.notes.begin(), one.notes.end(), fragment))
+        faults.push_back("not noted so often: " + fragment);
     if (found.size() != one.notes.size())
       faults.push_back("other notes");
     for (const std::string &note : faults.empty() ? faults : found)

@@ -25,7 +25,7 @@ PROGRAM = f"""#!{sys.executable}
 import json, pathlib, sys
 scene, option, folder, *rest = sys.argv[1:]
 if scene.endswith("refused.prm"):
-    sys.exit("lamella: refused: Width must be positive")
+    sys.exit("lamella: refused: Width must be positive [scene.bad-width]")
 pathlib.Path(folder).mkdir(parents=True)
 pathlib.Path(folder, "summary.json").write_text(json.dumps({{"uz": 2.0}}))
 print("rest:", *rest)
@@ -125,7 +125,7 @@ class Scenes(InFolder):
 
 
 class BadInput(InFolder):
-    GOOD = "case {}\n# Why.\nrun refused.prm --set A=1\nexit 1\nsays Width\nnever Height\n"
+    GOOD = "case {}\n# Why.\nrun refused.prm --set A=1\nexit 1\nid scene.bad-width\nsays Width\nnever Height\n"
 
     def check(self, text, *cases):
         return self.run_checker(check_bad_input, self.write("table.bad", text), *cases)
@@ -135,12 +135,12 @@ class BadInput(InFolder):
                           + self.GOOD.format("two") + "file c.txt A text.\n")
         cases = check_bad_input.read_cases(path)
         self.assertEqual(cases["one"], {"run": ["refused.prm", "--set", "A=1"], "exit": 1, "file": [],
-                                        "says": ["Width"], "never": ["Height"], "leaves": ["a", "b"]})
+                                        "id": ["scene.bad-width"], "says": ["Width"], "never": ["Height"], "leaves": ["a", "b"]})
         self.assertEqual(cases["two"]["file"], [("c.txt", "A text.")])
         self.assertEqual(cases["two"]["leaves"], [])
 
     def test_faults_of_a_table(self):
-        for text in ("run a.prm\n", "case one\nrun a.prm\nexit 1\n", "case one\nexit 1\nsays x\n",
+        for text in ("run a.prm\n", "case one\nrun a.prm\nexit 1\n", "case one\nexit 1\nid x.y-z\n",
                      self.GOOD.format("one") + "exit 2\n", self.GOOD.format("one") + "tells x\n",
                      2 * self.GOOD.format("one")):
             with self.subTest(text):
