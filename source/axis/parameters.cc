@@ -15,33 +15,36 @@ namespace lamella
     prm.declare_entry("Axis element",
                       "B4",
                       Selection("B2|B3|B4"),
-                      "Beam element: B2, B3 or B4 with 2, 3 or 4 nodes. B4 is "
+                      "Beam element with 2, 3 or 4 nodes: B2, B3 or B4. B4 is "
                       "exact for bending under forces at its ends.");
     prm.declare_entry(
       "Axis elements",
       "10",
       dealii::Patterns::Anything(),
-      "Number of equal elements along the axis, or one number for each piece "
-      "between Axis breaks. auto: graded to what touches the body, short at "
-      "clamps and contacts, with ten elements or more to a span that is loaded "
-      "all along; auto 2: twice as many everywhere.");
+      "Number of equal elements along the axis, or one number for each part "
+      "between Axis breaks. auto: graded element lengths, short at clamps and "
+      "contacts, with at least ten elements per span under a distributed load; "
+      "auto 2: twice as many elements everywhere.");
     prm.declare_entry("Axis breaks",
                       "",
                       patterns::numbers(),
-                      "Distances from the start of the axis that end a piece "
-                      "of the mesh, ascending [length].");
+                      "Distances from the start of the axis, ascending, that "
+                      "divide the axis into parts with their own number of "
+                      "elements [length].");
     prm.declare_entry("Axis nodes",
                       "Gauss-Lobatto",
                       Selection("Gauss-Lobatto|equidistant"),
-                      "Gauss-Lobatto or equidistant nodes of a B4: the same "
-                      "displacements, other places of node-to-node contact.");
+                      "Positions of the nodes of a B4 element, Gauss-Lobatto "
+                      "or equidistant. They change the positions of node to "
+                      "node contact, not the displacements.");
     prm.declare_entry(
       "Shear strains",
       "auto",
       Selection("auto|assumed|full"),
       "assumed: transverse shear strains are interpolated one degree lower "
-      "along the axis (MITC), against shear locking; full: as the "
-      "displacements give them; auto: assumed for B2 and B3, full for B4.");
+      "along the axis (MITC), against shear locking; full: shear strains of "
+      "the interpolated displacements; auto: assumed for B2 and B3, full for "
+      "B4.");
   }
 
 

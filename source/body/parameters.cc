@@ -39,16 +39,18 @@ namespace lamella
       "Origin",
       "0, 0, 0",
       patterns::numbers(3),
-      "Scene position of the section's lower left corner (of a mesh file: of "
-      "its own origin) at the start of the axis [length].");
+      "Position, in scene coordinates, of the lower left corner of the section "
+      "(of a mesh file: of its origin) at the start of the axis [length].");
     prm.declare_entry("Axis",
                       "0, 1, 0",
                       patterns::numbers(3),
-                      "Direction of the axis, the body's y.");
+                      "Direction of the beam axis in scene coordinates, the y "
+                      "of the body.");
     prm.declare_entry("Up",
                       "0, 0, 1",
                       patterns::numbers(3),
-                      "Direction that the section's z leans towards.");
+                      "Direction towards which z of the section points, as far "
+                      "as Axis allows.");
     prm.declare_entry("Length",
                       "",
                       patterns::optional(patterns::positive()),
@@ -57,36 +59,38 @@ namespace lamella
       "Copies",
       "",
       patterns::optional(patterns::positive()),
-      "Makes a stack of the body: NAME-1, NAME-2, ..., so many. What names the "
-      "body in On, First and Second stands for them; a contact of it with "
-      "itself is between neighbors.");
+      "Number of copies of the body, named NAME-1, NAME-2 and so on. NAME in "
+      "On, First or Second means all copies; a contact of NAME with NAME is "
+      "between neighboring copies.");
     prm.declare_entry("Origin step",
                       "",
                       patterns::numbers(),
-                      "From the Origin of one copy to that of the next "
+                      "Vector from the Origin of one copy to that of the next "
                       "[length]; default 0, 0, 0.");
     prm.declare_entry(
       "Length step",
       "",
       patterns::optional(patterns::number()),
-      "From the Length of one copy to that of the next [length]; default 0.");
+      "Difference between the Length of one copy and the next [length]; "
+      "default 0.");
     prm.declare_entry(
       "Stabilization",
       "0",
       patterns::number(),
-      "For a body that contact alone holds, e.g. a roller under a force: "
-      "springs to the ground in its free rigid motions, of this share of its "
-      "axial stiffness E A / L (1e-6, say), which are iterated out of the "
-      "result. 0: none; a body that can move freely is an error.");
+      "Stiffness of springs to the ground, as a fraction of E A / L, in "
+      "rigid-body motions that supports do not prevent, for a body that only "
+      "contact constrains (a roller under a force). Write 1e-6, for example. "
+      "Iterations remove the effect of the springs from the result. 0: no "
+      "springs; a body that can move freely is an error.");
     prm.declare_entry(
       "Isostatic support",
       "false",
       dealii::Patterns::Bool(),
-      "Whether rigid motions of the body that nothing else constrains are "
-      "removed, true or false. Motions that no contact can prevent: the middle "
-      "of the body stays in place, and the loads must be in equilibrium. "
-      "Motions that a contact can prevent: springs as of Stabilization = 1e-6, "
-      "which are iterated out of the result.");
+      "Whether rigid-body motions that no support prevents are removed, true "
+      "or false. If no contact can prevent a motion, the middle of the body "
+      "stays in place and the loads must be in equilibrium. If a contact can, "
+      "springs as of Stabilization = 1e-6 act, whose effect iterations remove "
+      "from the result.");
     prm.enter_subsection("Kinematics");
     TheoryParameters::declare(prm);
     AxisParameters::declare(prm);

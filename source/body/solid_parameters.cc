@@ -61,14 +61,15 @@ namespace lamella
       "Refinements",
       "0",
       patterns::number(),
-      "Of solids: how often all hexahedra, a section cell times an axis "
-      "element each, are divided in eight. Beams ignore it.");
+      "For solids: how often all hexahedra (a section cell times an axis "
+      "element each) are divided into eight. No effect on beams.");
     prm.declare_entry(
       "Refine near",
       "",
       Anything(),
-      "Of solids: then divides those that reach into a ball, x, y, z: radius: "
-      "times, between '|' [scene axes]. Beams ignore it.");
+      "For solids: balls x, y, z: radius: times, with '|' between, in scene "
+      "coordinates. Hexahedra that intersect a ball are divided further, that "
+      "many times. No effect on beams.");
   }
 
 

@@ -144,8 +144,9 @@ namespace lamella
     prm.declare_entry("Factors",
                       "",
                       patterns::numbers(),
-                      "In place of Load factors: one number a load step, which "
-                      "this alone is multiplied with. Empty: Load factors.");
+                      "One factor for each load step, for this subsection "
+                      "only, instead of Load factors. Empty: Load factors "
+                      "apply.");
   }
 
 
@@ -179,37 +180,41 @@ namespace lamella
       "On",
       "",
       Anything(),
-      "Where: BODY: point, line, start, end, ends, body or a surface (left, "
-      "right, bottom, top); several between semicolons.");
+      "Region that is supported: BODY: point, line, start, end, ends, body or "
+      "a surface (left, right, bottom, top), as in upper: ends; several with "
+      "semicolons between.");
     prm.declare_entry("At",
                       "",
                       Anything(),
-                      "Scene positions x, y, z; of a point (several between "
-                      "semicolons) or of the two ends of a line [length].");
+                      "Positions x, y, z in scene coordinates: points with "
+                      "semicolons between, or the two ends of a line "
+                      "[length].");
     prm.declare_entry("u",
                       "",
                       Anything(),
-                      "Scene components of the displacement, times the load "
-                      "factor of the step, imposed exactly; 'free' leaves one "
-                      "free. Empty: 0, 0, 0 [length].");
+                      "Prescribed displacement, three components in scene "
+                      "coordinates, multiplied by the load factor; 'free' "
+                      "leaves a component free. Empty: 0, 0, 0 [length].");
     prm.declare_entry("Normal displacement",
                       "",
                       patterns::optional(patterns::number()),
-                      "On surfaces, instead of u: the displacement along the "
-                      "outward normal, the rest free; 0 is symmetry, whichever "
-                      "way the body is turned [length].");
+                      "On surfaces, instead of u: displacement along the "
+                      "outward normal; tangential displacements are free. 0 is "
+                      "a symmetry condition, for any orientation of the body "
+                      "[length].");
     prm.declare_entry(
       "Rotation",
       "",
       Anything(),
-      "Turns all that it holds as a whole, times the load factor: a vector "
-      "along the axis, as long as the angle, scene axes [rad]. u, if given, is "
-      "where About goes, and has no free component.");
+      "Rotation of the supported region as a rigid body, multiplied by the "
+      "load factor: a vector along the axis of rotation, its length the angle "
+      "[rad]. u, if given, is the displacement of the center of rotation "
+      "(About) and has no free component.");
     prm.declare_entry("About",
                       "",
                       Anything(),
-                      "Of Rotation: the scene position that it turns about. "
-                      "Empty: the middle of all that it holds [length].");
+                      "Center of Rotation in scene coordinates. Empty: the "
+                      "center of the supported region [length].");
   }
 
 
@@ -341,12 +346,15 @@ namespace lamella
         "On",
         "",
         Anything(),
-        "Where: BODY: point, line or a surface (left, right, bottom, top, "
-        "start, end, ends); several between semicolons.");
+        "Region that is loaded: BODY: point, line, body (Temperature only) or "
+        "a surface (left, right, bottom, top, start, end, ends), as in upper: "
+        "top; several with semicolons between.");
       prm.declare_entry("At",
                         "",
                         Anything(),
-                        "Scene positions x, y, z, as for a support [length].");
+                        "Positions x, y, z in scene coordinates of points or "
+                        "of the two ends of a line, as for a support "
+                        "[length].");
     }
 
 
@@ -358,31 +366,32 @@ namespace lamella
         "Force",
         "",
         Anything(),
-        "Three scene components, expressions of x, y, z (muParser) between "
-        "commas: a force at a point [force], along a line [force/length], on a "
-        "surface [force/length^2].");
+        "Three components in scene coordinates, expressions of x, y, z "
+        "(muParser) with commas between: a force at a point [force], along a "
+        "line [force/length], on a surface [force/length^2].");
       prm.declare_entry("Total force",
                         "",
                         patterns::numbers(),
-                        "On surfaces or along a line: the three scene "
-                        "components of the force that all of On carries, "
-                        "spread evenly over its area or length [force].");
+                        "Total force on all surfaces or lines of On, three "
+                        "components in scene coordinates, spread evenly over "
+                        "their area or length [force].");
       prm.declare_entry(
         "Pressure",
         "",
         Anything(),
-        "On a surface, against its outward normal, an expression of x, y, z "
-        "[force/length^2]. With Rotations = large `12, follows` stays normal "
-        "to the surface as that turns, per area of the deformed one; else it "
-        "is dead.");
+        "Pressure on a surface, against its outward normal: an expression of "
+        "x, y, z [force/length^2]. With Rotations = large, `12, follows` is a "
+        "follower load, normal to the rotated surface and per deformed area; "
+        "without follows it is a dead load.");
       prm.declare_entry(
         "Couple",
         "",
         patterns::numbers(),
-        "On a surface, start or end say: the three scene components of a "
-        "moment [force x length], as tractions that are linear over the "
-        "surface, without a resultant force. With Rotations = large they turn "
-        "along, and the moment keeps its direction.");
+        "Moment on a surface such as start or end: three components in scene "
+        "coordinates [force x length], applied as tractions that vary linearly "
+        "over the surface and have no resultant force. With Rotations = large "
+        "the tractions rotate with the surface, and the moment keeps its "
+        "direction.");
     }
   } // namespace
 
@@ -398,9 +407,9 @@ namespace lamella
       "Temperature",
       "",
       Anything(),
-      "On whole bodies (BODY: body): by how much they are warmer than without "
-      "stress, an expression of x, y, z [K]. It acts in full in each step, "
-      "whatever the load factor.");
+      "Temperature of whole bodies (On = BODY: body) above the stress-free "
+      "temperature: an expression of x, y, z [K]. It acts in full in each load "
+      "step, whatever the load factor.");
   }
 
 

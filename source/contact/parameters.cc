@@ -26,21 +26,23 @@ namespace lamella
         "Enforcement",
         name_of(Enforcement::penalty),
         selection<Enforcement>(),
-        "penalty: a force of Penalty times the penetration; augmented "
-        "lagrangian: the same, corrected until no penetration is left; exact: "
-        "multipliers.");
+        "penalty: the contact force is Penalty times the penetration; "
+        "augmented lagrangian: penalty with iterations that remove the "
+        "penetration; exact: Lagrange multipliers.");
       prm.declare_entry("Penalty",
                         "auto",
                         patterns::WordOrPattern("auto", patterns::positive()),
-                        "auto, or a positive number in the unit of Penalty "
-                        "per. auto is 1e6 times the local stiffness E_n A / h "
-                        "of the softer side of each pair.");
+                        "Penalty stiffness: auto, or a positive number in the "
+                        "unit of Penalty per. auto is 1e6 times the local "
+                        "stiffness E_n A / h of the softer side at each "
+                        "contact point.");
       prm.declare_entry("Penalty per",
                         name_of(PenaltyKind::per_area),
                         selection<PenaltyKind>(),
-                        "area: force/length^3, times the tributary area, "
-                        "independent of the mesh; node: force/length, as in "
-                        "the paper. Unused with auto.");
+                        "area: Penalty in force/length^3, multiplied by the "
+                        "tributary area, independent of the mesh; node: "
+                        "Penalty in force/length per node, as in the paper. "
+                        "Unused with Penalty = auto.");
     }
   } // namespace
 
@@ -52,41 +54,40 @@ namespace lamella
     prm.declare_entry("First",
                       "",
                       Anything(),
-                      "BODY: SURFACE whose outward normal is that of Eq. 16.");
+                      "First contact surface, BODY: SURFACE. Its outward "
+                      "normal is the contact normal.");
     prm.declare_entry(
       "Second",
       "",
       Anything(),
-      "BODY: SURFACE opposite, or the name of an obstacle; the contact force "
-      "is reported as it acts on this one.");
+      "Second contact surface, BODY: SURFACE, or the name of an obstacle. The "
+      "contact force on this side is reported.");
     prm.declare_entry(
       "Discretization",
       name_of(Discretization::automatic),
       selection<Discretization>(),
-      "auto: node to node where every node that faces the other surface faces "
-      "one of its nodes, line to roller on rollers that are small beside the "
-      "elements (doc/theory/contact.md), else surface to surface, with edge to "
-      "surface beside it where an end of a body presses; node to node: rows "
-      "between nodes that face each other; node to surface: between the nodes "
-      "of one side and the places of the other that they face; surface to "
-      "surface: gaps averaged around the nodes of one side, as in mortar "
-      "methods, whatever the nodes of the other; edge to surface: between the "
-      "nodes of one side where its body starts or ends and the other side, "
-      "wherever they slide; line to roller: the line of a beam that is nearest "
-      "to a cylinder across it, followed as it moves over the surface.");
+      "node to node: constraints between nodes that face each other; node to "
+      "surface: between the nodes of one side and their projections onto the "
+      "other; surface to surface: gaps averaged around the nodes of one side, "
+      "as in mortar methods; edge to surface: between the nodes at the ends of "
+      "one body and the other surface; line to roller: along the line of a "
+      "beam that is nearest to a cylinder across the beam, also as it moves; "
+      "auto: node to node if all facing nodes match, line to roller if the "
+      "roller is small compared with the elements (doc/theory/contact.md), "
+      "else surface to surface, with edge to surface in addition where an end "
+      "of a body presses.");
     prm.declare_entry("Slave side",
                       name_of(SlaveSide::automatic),
                       selection<SlaveSide>(),
-                      "Slave (nonmortar) side, whose nodes carry the gap "
+                      "Slave (nonmortar) side, whose nodes have the gap "
                       "constraints: first or second; auto: the side with the "
-                      "finer grid where the two face each other, for edge to "
-                      "surface the first. Unused with node to node.");
+                      "finer mesh, for edge to surface the first. Unused with "
+                      "node to node.");
     prm.declare_entry("Search distance",
                       "auto",
                       patterns::WordOrPattern("auto", patterns::positive()),
-                      "Places further apart than this, along the normal, are "
-                      "not paired [length]; auto: the length of the smaller "
-                      "body.");
+                      "Largest distance along the normal at which points are "
+                      "paired [length]; auto: the length of the smaller body.");
     prm.declare_entry(
       "Overclosure",
       name_of(Overclosure::resolve),
@@ -98,14 +99,15 @@ namespace lamella
     prm.declare_entry("Tolerance",
                       "1e-6",
                       patterns::positive(),
-                      "How far sideways facing nodes may be off, over the root "
-                      "of the tributary area.");
+                      "Largest tangential offset of two nodes that are paired, "
+                      "divided by the square root of the tributary area.");
     prm.declare_entry(
       "Friction",
       "none",
       patterns::WordOrPattern("none", patterns::optional(patterns::number())),
-      "Coulomb's coefficient mu: shear tractions are at most mu times the "
-      "pressure, and that where it slips; none: no friction.");
+      "Coefficient of friction mu of Coulomb's law: shear tractions are at "
+      "most mu times the pressure, and equal to it where the contact slips; "
+      "none: no friction.");
   }
 
 
@@ -324,23 +326,23 @@ namespace lamella
     prm.declare_entry("Shape",
                       "",
                       patterns::optional(selection<Obstacle::Shape>()),
-                      "plane: a floor, the half space behind a plane; or "
-                      "cylinder: a roller, circular and without ends. Both are "
-                      "rigid.");
+                      "Shape of the rigid obstacle. plane: a floor, the half "
+                      "space behind a plane; cylinder: a roller with circular "
+                      "section, infinitely long.");
     prm.declare_entry("Through",
                       "0, 0, 0",
                       patterns::numbers(3),
-                      "A point of the plane, or of the cylinder's axis "
+                      "A point on the plane, or on the axis of the cylinder "
                       "[length].");
     prm.declare_entry("Normal",
                       "0, 0, 1",
                       patterns::numbers(3),
-                      "Of a plane: the direction that points away from the "
-                      "half space, to where bodies may be.");
+                      "For a plane: the normal that points out of the half "
+                      "space, towards the bodies.");
     prm.declare_entry("Axis",
                       "1, 0, 0",
                       patterns::numbers(3),
-                      "Of a cylinder: the direction of its axis.");
+                      "For a cylinder: direction of its axis.");
     prm.declare_entry("Radius",
                       "",
                       patterns::optional(patterns::positive()),
@@ -348,7 +350,8 @@ namespace lamella
     prm.declare_entry("u",
                       "0, 0, 0",
                       patterns::numbers(3),
-                      "Displacement at load factor 1 [length].");
+                      "Displacement of the obstacle at load factor 1 "
+                      "[length].");
     HistoryParameters::declare(prm);
   }
 

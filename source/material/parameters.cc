@@ -21,30 +21,35 @@ namespace lamella
         "Strengths",
         "",
         patterns::numbers(),
-        "Xt, Xc, Yt, Yc, Zt, Zc, S12, S13, S23 in the scene's stresses: "
-        "tension and compression along 1, 2, 3, and shear. All positive, Xc "
-        "the size. Those of the library, if it has any, are replaced.");
+        "Xt, Xc, Yt, Yc, Zt, Zc, S12, S13, S23: strengths in tension and "
+        "compression along the material axes 1, 2, 3, and in shear, in "
+        "stresses of the scene. All are positive, also those in compression. "
+        "They replace strengths of Library.");
       prm.declare_entry("Ultimate strains",
                         "",
                         patterns::numbers(),
-                        "The same nine as strains, for `maximum strain`; those "
-                        "of shear are engineering strains.");
+                        "The same nine values as strains, for the criterion "
+                        "`maximum strain`; those of shear are engineering "
+                        "strains.");
       prm.declare_entry("Yield",
                         "",
                         patterns::optional(patterns::positive()),
-                        "Of an isotropic material the stress at which it "
-                        "yields, for `von Mises`.");
+                        "Yield stress of an isotropic material, for the "
+                        "criterion `von Mises`.");
       prm.declare_entry("Core strengths",
                         "",
                         patterns::numbers(),
-                        "Of the core of a sandwich: crushing, shear 13, shear "
-                        "23. They make it a core to the criteria.");
+                        "Three strengths of the core of a sandwich: crushing, "
+                        "shear 13, shear 23. Core criteria apply to materials "
+                        "with these strengths only.");
       prm.declare_entry("Puck inclinations",
                         "carbon",
                         Anything(),
-                        "The published defaults for carbon or glass, or four "
-                        "numbers: of shear along the fiber towards tension and "
-                        "compression, and of shear across it.");
+                        "Inclination parameters of Puck's criterion: published "
+                        "values for carbon or glass, or four numbers: for "
+                        "shear along the fiber with transverse tension and "
+                        "with compression, and for shear across the fiber "
+                        "likewise.");
     }
   } // namespace
 
@@ -62,25 +67,27 @@ namespace lamella
       "Engineering constants",
       "",
       patterns::numbers(),
-      "Orthotropic: E1, E2, E3, G12, G13, G23, nu12, nu13, nu23 with 1 along "
-      "the fiber and 3 normal to the ply, in the scene's stresses.");
+      "Orthotropic material: E1, E2, E3, G12, G13, G23, nu12, nu13, nu23, in "
+      "stresses of the scene. Axis 1 is along the fiber, axis 3 normal to the "
+      "ply.");
     prm.declare_entry(
       "Isotropic",
       "",
       patterns::numbers(),
-      "E, nu of an isotropic material, E in the scene's stresses.");
+      "Isotropic material: E, nu, with E in stresses of the scene.");
     prm.declare_entry(
       "Density",
       "",
       patterns::optional(patterns::number()),
-      "Mass per volume, for Gravity, in the mass that the scene's force and "
-      "length make with seconds: kg/m^3 of m, N; t/mm^3 of mm, N.");
+      "Density, for Gravity: kg/m^3 in m, N, and t/mm^3 in mm, N. Other units: "
+      "the mass that force and length of the scene make with seconds.");
     prm.declare_entry(
       "Thermal expansion",
       "",
       patterns::numbers(),
-      "Strain per kelvin, for the Temperature of a load: one number, or three "
-      "along the material's axes 1, 2 and 3. They may be negative.");
+      "Thermal expansion coefficients, strains per kelvin, for the Temperature "
+      "of a load: one number, or three for the material axes 1, 2 and 3. They "
+      "may be negative.");
     declare_strengths(prm);
   }
 

@@ -16,19 +16,19 @@ namespace lamella
       "Difference",
       "",
       Anything(),
-      "PROBE: COLUMN - PROBE: COLUMN, blanks around the minus: the difference "
-      "of two columns of probes.csv of one kind; PROBE/PLY on an interface.");
+      "Difference of two results of probes, PROBE: COLUMN - PROBE: COLUMN, as "
+      "in tip: uz - root: uz. Columns are those of probes.csv and of one kind; "
+      "PROBE/PLY for a point on a ply interface.");
     prm.declare_entry("Divided by",
                       "1",
                       Anything(),
-                      "What the difference is divided by: a number, or "
-                      "distance, that of the two probes before they move "
-                      "[length].");
+                      "Divisor of the difference: a number, or distance, the "
+                      "initial distance of the two probes [length].");
     prm.declare_entry("References",
                       "",
                       Anything(),
-                      "Values to print beside the result, value: NUMBER: "
-                      "source, between '|'.");
+                      "Reference values to print beside the result, value: "
+                      "NUMBER: source, with '|' between.");
   }
 
 

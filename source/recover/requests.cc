@@ -67,13 +67,13 @@ namespace lamella
         "Stress",
         name_of(StressValues::element),
         selection<StressValues>(),
-        "Strains and stresses where elements of one ply meet. element: their "
-        "mean, elsewhere the element's own. nodal: means at nodes, "
-        "interpolated. recovered: superconvergent patch recovery, an order "
-        "more accurate on smooth fields. All within a ply, never across an "
-        "interface. equilibrium: recovered, with transverse stresses "
-        "integrated through the thickness of a laminate, continuous across "
-        "interfaces.");
+        "Recovery of strains and stresses from elements. element: values of "
+        "the element, averaged where elements of one ply meet; nodal: "
+        "interpolated averages at nodes; recovered: superconvergent patch "
+        "recovery, an order more accurate for smooth fields; equilibrium: as "
+        "recovered, with transverse stresses from equilibrium through the "
+        "thickness of a laminate, continuous across interfaces. The others "
+        "never average across interfaces.");
     }
   } // namespace
 
@@ -85,21 +85,22 @@ namespace lamella
     prm.declare_entry("At",
                       "",
                       Anything(),
-                      "BODY: x, y, z, a scene position in the body [length].");
+                      "Position of the probe, BODY: x, y, z in scene "
+                      "coordinates inside the body [length].");
     prm.declare_entry(
       "Box",
       "0, 0, 0",
       patterns::numbers(3),
-      "Edges along the scene's x, y and z of a box around At [length], which "
-      "must lie in the body: fields are their means over it. Edges may be 0: "
-      "a patch, a line; all of them: the point.");
+      "Edge lengths along x, y and z of the scene of a box around At, inside "
+      "the body [length]. Results are means over the box. An edge of 0 gives "
+      "an area or a line; three zeros, the point.");
     declare_stress(prm);
     prm.declare_entry("References",
                       "",
                       Anything(),
-                      "Values to print beside the results, quantity: value: "
-                      "source, between '|'. Quantities are the columns of "
-                      "probes.csv.");
+                      "Reference values to print beside the results, quantity: "
+                      "value: source, with '|' between. Quantities are the "
+                      "columns of probes.csv.");
   }
 
 
@@ -129,14 +130,21 @@ namespace lamella
   void
   LineParameters::declare(ParameterHandler &prm)
   {
-    prm.declare_entry("From", "", Anything(), "BODY: x, y, z [length].");
-    prm.declare_entry("To", "", Anything(), "The same body: x, y, z [length].");
+    prm.declare_entry("From",
+                      "",
+                      Anything(),
+                      "Start of the line, BODY: x, y, z in scene coordinates "
+                      "[length].");
+    prm.declare_entry("To",
+                      "",
+                      Anything(),
+                      "End of the line, in the same body: x, y, z [length].");
     declare_stress(prm);
     prm.declare_entry("Samples",
                       "10",
                       patterns::Whole(2, most_on_line),
-                      "Points in each ply that the line crosses, both sides of "
-                      "each interface among them.");
+                      "Number of points in each ply that the line crosses; "
+                      "both sides of each interface are among them.");
   }
 
 
@@ -171,12 +179,14 @@ namespace lamella
     prm.declare_entry("At",
                       "",
                       Anything(),
-                      "BODY: distance from the start of its axis [length].");
+                      "Position of the cut, BODY: distance from the start of "
+                      "its axis [length].");
     declare_stress(prm);
     prm.declare_entry("Samples",
                       "8",
                       patterns::Whole(1, most_in_cut),
-                      "Intervals in each direction of a section cell.");
+                      "Number of intervals in each direction of a section "
+                      "cell.");
   }
 
 

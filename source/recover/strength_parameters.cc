@@ -17,24 +17,25 @@ namespace lamella
     prm.declare_entry("Criteria",
                       "",
                       Patterns::Anything(),
-                      "What decides on the failure of plies, between '|': " +
+                      "Failure criteria, with '|' between: " +
                         joined(criterion_names()) +
-                        ". Empty: nothing is looked at.");
+                        ". Empty: no reserve factors are computed.");
     prm.declare_entry("Bodies",
                       "",
                       Patterns::Anything(),
-                      "Whose plies are looked at, between commas. Empty: all.");
+                      "Bodies whose plies are checked, with commas between. "
+                      "Empty: all bodies.");
     prm.declare_entry("Excluded boxes",
                       "",
                       Patterns::Anything(),
-                      "Boxes that are not looked at, for singular places: two "
-                      "opposite corners in scene coordinates, x, y, z: x, y, "
-                      "z, between '|'.");
+                      "Boxes that are not checked, for stress singularities: "
+                      "two opposite corners in scene coordinates, x, y, z: x, "
+                      "y, z, with '|' between boxes.");
     prm.declare_entry("Stress",
                       name_of(StressValues::recovered),
                       selection<StressValues>(),
-                      "What the places that are nearest to failure are judged "
-                      "by: recovered, or equilibrium, of laminates, as in a "
+                      "Stresses for the check of the most critical points: "
+                      "recovered, or equilibrium (laminates only), as in a "
                       "Probe.");
   }
 

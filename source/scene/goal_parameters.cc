@@ -16,13 +16,13 @@ namespace lamella
       prm.declare_entry("Budget DoFs",
                         "0",
                         patterns::number(),
-                        "Of a run to a Tolerance: the largest model that it "
-                        "may solve; 0: any.");
+                        "For a run with a Tolerance: largest number of DoFs of "
+                        "a model; 0: no limit.");
       prm.declare_entry("Budget seconds",
                         "0",
                         patterns::number(),
-                        "Of a run to a Tolerance: no new model is begun after "
-                        "that many seconds; 0: never mind.");
+                        "For a run with a Tolerance: time in seconds after "
+                        "which no new refinement pass begins; 0: no limit.");
     }
   } // namespace
 
@@ -35,31 +35,30 @@ namespace lamella
       "Quantities",
       "",
       Anything(),
-      "The numbers that the run is made for, between '|': PROBE: COLUMN (of "
-      "probes.csv; PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, "
-      "mz), CONTACT: fx (and so on, pressure, width, width x, dissipated), or "
-      "of a strip of a contact CONTACT: fx in AXIS FROM TO, as in roller: fz "
-      "in y 40 60. By default those of Trade, else what the scene gives "
-      "References for, and of probes without any the largest displacement and "
-      "stress.");
+      "Quantities of interest, with '|' between: PROBE: COLUMN (of probes.csv; "
+      "PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: "
+      "fx (and so on, pressure, width, width x, dissipated), or of a strip of "
+      "a contact CONTACT: fx in AXIS FROM TO, as in roller: fz in y 40 60. "
+      "Empty: those of Trade, else all with References, and for probes without "
+      "References the largest displacement and stress.");
     prm.declare_entry(
       "Tolerance",
       "",
       Anything(),
-      "One for all quantities, or one each between commas. In per cent (1 or 1 "
-      "%) of the value, or of the largest of its kind in the scene, of strains "
-      "and stresses in the material, where it is below a thousandth of that; "
-      "or in the unit of the quantity (0.5 MPa, 0.01 mm; 1e-6 abs of what has "
-      "none). The run refines its theory and its meshes until all errors are "
-      "estimated to be below. Empty: what the scene says is run, and nothing "
-      "else.");
+      "Largest accepted error, one value for all Quantities or one for each, "
+      "with commas between: in per cent of the value (1 or 1 %), or in the "
+      "unit of the quantity (0.5 MPa, 0.01 mm; 1e-6 abs without a unit). "
+      "Values below a thousandth of the largest of their kind in the scene "
+      "(strains and stresses: in the material) count as that largest value. "
+      "The run refines theory and meshes until all estimated errors are "
+      "smaller. Empty: no refinement.");
     prm.declare_entry("Error bars",
                       name_of(ErrorBars::automatic),
                       selection<ErrorBars>(),
-                      "Whether errors are estimated: true, or auto where that "
-                      "is cheap, by the run itself, poorer models or half of "
-                      "the axis; richer: by richer models. With Rotations = "
-                      "large true alone makes them, by half of the axis.");
+                      "Error estimates. auto: where they are cheap, by coarser "
+                      "models or half of the axis elements; true: always; "
+                      "richer: by finer models. With Rotations = large only "
+                      "true estimates errors, by half of the axis elements.");
     declare_budgets(prm);
   }
 

@@ -33,25 +33,27 @@ namespace lamella
       prm.declare_entry("Units",
                         "none",
                         Anything(),
-                        "m, N (stress in Pa) or mm, N (MPa) or none: labels "
-                        "results and converts the built-in materials.");
+                        "Units: m, N (stresses in Pa) or mm, N (stresses in "
+                        "MPa), for the labels of results and the built-in "
+                        "materials; none: no labels.");
       prm.declare_entry(
         "Theory",
         "LE-2",
         Anything(),
-        "Of all bodies: EBBT, TBT (classical), TE-N (Taylor expansion of "
-        "degree N over the whole section, N to 20), LE-N (layer-wise Lagrange "
-        "expansion of degree N; LE-1, 2, 3 are L4, L9, L16), SV-N (the "
-        "section's own Saint-Venant fields and its responses to what touches "
-        "it at N wave numbers; SV is SV-0), solid-N (no beams but hexahedra of "
-        "degree N, 1 or 2, on the same meshes).");
+        "Theory of all bodies. EBBT, TBT: classical beams; TE-N: Taylor "
+        "expansion of degree N (1 to 20) over the whole section; LE-N: "
+        "layer-wise Lagrange expansion of degree N (LE-1, 2, 3 are L4, L9, "
+        "L16); SV-N: Saint-Venant solutions of the section and its deformation "
+        "near loads, supports and contacts at N wave numbers (SV: none); "
+        "solid-N: hexahedra of degree N, 1 or 2, instead of a beam, on the "
+        "same meshes.");
       prm.declare_entry(
         "Gravity",
         "0, 0, 0",
         patterns::numbers(3),
-        "Acceleration along the scene's x, y and z [length/s^2], 0, 0, -9.81 "
-        "in m: the weight of all bodies, whose materials then need a Density. "
-        "A load, times the load factor.");
+        "Acceleration of gravity along x, y and z of the scene [length/s^2], "
+        "as in 0, 0, -9.81 (m). It loads all bodies by their weight, times the "
+        "load factor; their materials need a Density.");
     }
 
 
@@ -63,7 +65,7 @@ namespace lamella
         prm.declare_entry(kind.list,
                           "",
                           Anything(),
-                          "Names between commas; each has a subsection '" +
+                          "Names with commas between; each has a subsection '" +
                             kind.kind + " NAME'.");
     }
 
@@ -83,9 +85,9 @@ namespace lamella
         "Find",
         "",
         Anything(),
-        "What is sought after the load factors: `first failure`, the load "
-        "factor at which the smallest reserve factor of subsection Strength is "
-        "1, to 0.1 %, contact solved anew at each trial.");
+        "`first failure`: after the load steps, find the load factor at which "
+        "the smallest reserve factor of subsection Strength is 1, to 0.1 %, "
+        "with a new contact solution at each trial. Empty: nothing.");
       declare_lists(prm);
     }
 

@@ -85,8 +85,9 @@ namespace lamella
       prm.declare_entry("References",
                         "",
                         Anything(),
-                        "Values to print beside the resultant, quantity: "
-                        "value: source, between '|'. Quantities: fx, fy, fz.");
+                        "Reference values to print beside the resultant force, "
+                        "quantity: value: source, with '|' between. "
+                        "Quantities: fx, fy, fz.");
     }
 
 

@@ -25,17 +25,19 @@ namespace lamella
         "section 0.5 | LE-2, section 2 | LE-3 | solid-1 | solid-2 | solid-2, "
         "axis 2 | LE-3, axis 2",
         Anything(),
-        "Variants between '|', cheap ones first and the finest last. A variant "
-        "is a theory and what else it changes between commas: axis FACTOR (on "
-        "the numbers of axis elements), section FACTOR (on the numbers of "
-        "section cells in each direction), PATH = VALUE (as of --set). In "
-        "place of a theory tolerance PERCENT: a run that chooses theory and "
-        "mesh until the error bars of the Quantities are within.");
+        "Models to compare, with '|' between, the cheapest first and the "
+        "finest last. A variant is a theory and, with commas between, its "
+        "changes of the scene: axis FACTOR (multiplies the numbers of axis "
+        "elements), section FACTOR (multiplies the numbers of section cells in "
+        "each direction), PATH = VALUE (as of --set). Instead of a theory, "
+        "tolerance PERCENT refines theory and mesh until the estimated errors "
+        "of Quantities are smaller.");
       prm.declare_entry(
         "Bodies",
         "",
         Anything(),
-        "Whose theory and meshes the variants change; all bodies by default.");
+        "Bodies whose theory and meshes the variants change. Empty: all "
+        "bodies.");
     }
 
 
@@ -48,24 +50,21 @@ namespace lamella
         "Quantities",
         "",
         Anything(),
-        "What is compared, between '|': PROBE: COLUMN (of probes.csv; "
-        "PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, mz), "
-        "CONTACT: fx (and so on, pressure, width, width x, dissipated), or of "
-        "a strip of a contact CONTACT: fx in AXIS FROM TO. By default those "
-        "that Goals names, else what the scene gives References for, and of "
-        "probes without any the largest displacement and stress.");
+        "Quantities to compare, with '|' between, as Quantities of subsection "
+        "Goals. Empty: those of Goals, else all with References, and for "
+        "probes without References the largest displacement and stress.");
       prm.declare_entry(
         "Reference",
         "finest",
         Anything(),
-        "What errors are taken against: finest (the last variant that "
-        "succeeds), solid (the last such hexahedra), given (the first of the "
-        "scene's References of each quantity), or the name of a variant.");
+        "Reference for the errors: finest (the last variant that succeeds), "
+        "solid (the last successful variant of hexahedra), given (the first "
+        "value in References of each quantity), or the name of a variant.");
       prm.declare_entry("Tolerance",
                         "1",
                         patterns::numbers(),
-                        "Errors, in per cent, that the cheapest variant is "
-                        "sought for; one or more between commas.");
+                        "Errors in per cent, with commas between: for each, "
+                        "the cheapest variant with a smaller error is named.");
     }
   } // namespace
 
@@ -79,14 +78,15 @@ namespace lamella
     prm.declare_entry("Error bars",
                       "false",
                       dealii::Patterns::Bool(),
-                      "Whether each variant makes the error bars of its own "
-                      "values, too, as of subsection Goals; they stand beside "
-                      "its errors. Its seconds are without them.");
+                      "Whether each variant also estimates its own errors, as "
+                      "in subsection Goals; the tables show both. The time of "
+                      "a variant does not include the estimate.");
     prm.declare_entry(
       "Time limit",
       "0",
       patterns::number(),
-      "Processor seconds after which a variant is given up; 0: never.");
+      "Processor time in seconds after which a variant is stopped; 0: no "
+      "limit.");
   }
 
 

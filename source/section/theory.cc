@@ -168,38 +168,40 @@ namespace lamella
     prm.declare_entry("Theory",
                       "",
                       dealii::Patterns::Anything(),
-                      "Overrides the scene's Theory for this body.");
+                      "Theory of this body, instead of the Theory of the "
+                      "scene.");
     prm.declare_entry(
       "Theories",
       "",
       dealii::Patterns::Anything(),
-      "Instead of Theory: one for each piece of the axis between Theory "
-      "breaks, e.g. LE-2, SV-6, LE-3. LE-N and SV-N only.");
+      "Instead of Theory: one theory for each part of the axis between Theory "
+      "breaks, as in LE-2, SV-6, LE-3; LE-N and SV-N only.");
     prm.declare_entry("Theory breaks",
                       "",
                       patterns::numbers(),
-                      "Distances from the start of the axis at which one of "
-                      "Theories ends and the next begins, ascending [length].");
+                      "Distances from the start of the axis, ascending, at "
+                      "which one of Theories ends and the next begins "
+                      "[length].");
     prm.declare_entry(
       "Section order",
       "auto",
       patterns::WordOrPattern("auto", patterns::Whole(1, 8)),
-      "Of SV and SV-N: the degree of the layer-wise functions that their "
-      "fields are made of. It costs section solutions, no DoFs. auto: 3, or "
-      "the highest N of LE-N where Theories has one.");
+      "For SV and SV-N: degree of the layer-wise functions that approximate "
+      "their section functions. It adds section problems but no DoFs. auto: 3, "
+      "or the highest N of LE-N in Theories.");
     prm.declare_entry(
       "Poisson correction",
       "true",
       dealii::Patterns::Bool(),
-      "Whether sections of EBBT, TBT and TE-1 contract freely; without it they "
-      "are too stiff (Poisson locking: a deflection about 26 % too small at nu "
-      "= 0.3). Other theories contract by themselves.");
+      "Whether sections of EBBT, TBT and TE-1 contract freely; if not, Poisson "
+      "locking makes deflections about 26 % too small at nu = 0.3. No effect "
+      "on other theories.");
     prm.declare_entry("Shear factor",
                       "1",
                       patterns::positive(),
-                      "Of TBT: the shear correction factor k of k G A, 5/6 for "
-                      "rectangles of one material; 1 as in the paper. Other "
-                      "theories have none and ignore it.");
+                      "For TBT: shear correction factor k of k G A, 5/6 for "
+                      "rectangles of one material, 1 in the paper. No effect "
+                      "on other theories.");
   }
 
 

@@ -91,36 +91,37 @@ namespace lamella
          "",
          optional(positive()),
          "LEBWT",
-         "Extension along the section's x [length]."},
+         "Size along x of the section [length]."},
         {"Height",
          "",
          optional(positive()),
          "EBWT",
-         "Extension along the section's z [length]."},
+         "Size along z of the section [length]."},
         {"Layup",
          "0",
          Anything(),
          "L",
          "Laminate: ply angles from bottom to top in degrees, 0 along +y, "
-         "positive from +y towards +x: 0/90/0, [0/+-45/90]2s."},
+         "positive from +y towards +x, as in 0/90/0 or [0/+-45/90]2s."},
         {"Ply thickness",
          "",
          List(positive()),
          "L",
-         "Laminate: one thickness for all plies, or one a ply between commas, "
-         "bottom to top [length]."},
+         "Laminate: one thickness for all plies, or one for each ply from "
+         "bottom to top, with commas between [length]."},
         {"Ply materials",
          "",
          Anything(),
          "L",
-         "Laminate: one material for all plies, or one a ply between commas. "
-         "May be left out if the scene has one material."},
+         "Laminate: one material for all plies, or one for each ply, with "
+         "commas between. Not needed if the scene has one material."},
         {"Cells per ply",
          "1",
          List(cells()),
          "LBWT",
-         "Laminate: cells through the thickness, one number for all plies or "
-         "one a ply. Walls with a Wall layup: one number for all plies."}};
+         "Laminate: number of cells through the thickness of a ply, one for "
+         "all plies or one for each ply. Walls with a Wall layup: one number "
+         "for all plies."}};
     }
 
 
@@ -133,26 +134,26 @@ namespace lamella
                "1",
                List(cells()),
                "L",
-               "Laminate: cells across the width, equally wide, or one number "
-               "for each piece between Across breaks."},
+               "Laminate: number of equal cells across the width, or one "
+               "number for each part between Across breaks."},
               {"Across breaks",
                "",
                numbers(),
                "L",
-               "Laminate: positions x across the width that end a piece of the "
-               "mesh, ascending [length]."},
+               "Laminate: positions x, ascending, that divide the width into "
+               "parts with their own number of cells [length]."},
               {"Material",
                "",
                Anything(),
                "DEBWT",
-               "All shapes but laminate and file: a name of Materials. May be "
-               "left out if the scene has one material."},
+               "All shapes but laminate and file: a name of Materials. Not "
+               "needed if the scene has one material."},
               {"Fiber angle",
                "0",
                number(),
                "DEBW",
-               "All shapes but laminate, tube and file: degrees, 0 along +y, "
-               "positive from +y towards +x, about z in all walls. Not with a "
+               "All shapes but laminate, tube and file: fiber angle about z in "
+               "degrees, 0 along +y, positive from +y towards +x. Not with a "
                "Wall layup."}};
     }
 
@@ -167,29 +168,31 @@ namespace lamella
          "",
          optional(positive()),
          "D",
-         "Half disc: of its arc [length]."},
+         "Half disc: radius of its arc [length]."},
         {"Graded towards",
          "90",
          number(),
          "D",
-         "Half disc: the point of the arc where the cells are finest, degrees "
-         "from +x towards +z, 30 to 150; 90 is the top."},
+         "Half disc: point of the arc where the cells are finest, an angle "
+         "from +x towards +z of 30 to 150 degrees; 90 is the top."},
         {"Finest cell",
          "",
          optional(positive()),
          "D",
-         "Half disc: width of the cells at that point; an eighth of the radius "
-         "by default [length]."},
+         "Half disc: size of the cells at that point [length]. Default: an "
+         "eighth of the radius."},
         {"Sectors",
          "8",
          cells(),
          "D",
-         "Half disc: cells in each ring around that point, a multiple of 4."},
+         "Half disc: number of cells in each ring around that point, a "
+         "multiple of 4."},
         {"Refinements",
          "1",
          Whole(0, ShapeReader::max_ellipse_refinements),
          "E",
-         "Ellipse: how often 12 cells are cut into four each, 0 to 6."}};
+         "Ellipse: how often its 12 initial cells are divided into four, 0 to "
+         "6."}};
     }
 
 
@@ -202,15 +205,15 @@ namespace lamella
                "0",
                Whole(0, SectionParameters::max_divisions),
                "LDEBWTF",
-               "How often all cells of the section are divided in four, also "
-               "those of a file, 0 to 4."},
+               "How often all cells of the section, also those of a file, are "
+               "divided into four, 0 to 4."},
               {"Corner layers",
                "0",
                Whole(0, SectionParameters::max_corner_layers),
                "LBWF",
-               "How many layers of cells, each 0.15 of the next, lie at "
-               "corners where stresses have no limit: re-entrant ones, and "
-               "where plies that differ end at a side, 0 to 6."}};
+               "Number of layers of cells, 0 to 6, each 0.15 times as thick as "
+               "the one before, towards corners with singular stresses: "
+               "re-entrant corners, and edges where different plies meet."}};
     }
 
 
@@ -224,30 +227,30 @@ namespace lamella
          "",
          List(positive()),
          "BWT",
-         "Thin-walled: of all walls; of a box also four between commas, left, "
-         "right, bottom, top [length]."},
+         "Thin-walled: thickness of all walls; for a box also four values with "
+         "commas between: left, right, bottom, top [length]."},
         {"Web thickness",
          "",
          List(positive()),
          "W",
-         "double-T, T, channel, angle: of the upright wall; Wall thickness by "
-         "default [length]."},
+         "double-T, T, channel, angle: thickness of the upright wall [length]. "
+         "Default: Wall thickness."},
         {"Flange thickness",
          "",
          List(positive()),
          "W",
-         "double-T, T, channel, angle: of the level walls, one or bottom, top; "
-         "Wall thickness by default [length]."},
+         "double-T, T, channel, angle: thickness of the horizontal walls, one "
+         "value, or bottom, top [length]. Default: Wall thickness."},
         {"Wall layup",
          "",
          Anything(),
          "BWT",
-         "Thin-walled: ply angles from the inside of each wall to its outside "
-         "in degrees, in the wall's own plane: 0 along +y, positive to the "
-         "right for who looks at the wall from outside with +y pointing up. "
-         "One layup for all walls, or one a wall between '|': webs from left "
-         "to right, then flanges from bottom to top. Without: one material at "
-         "Fiber angle, or at 0 degrees in a tube."}};
+         "Thin-walled: ply angles in degrees from the inside of each wall to "
+         "its outside, in the plane of the wall: 0 along +y, positive to the "
+         "right as seen from outside with +y up. One layup for all walls, or "
+         "one for each wall with '|' between: webs from left to right, then "
+         "flanges from bottom to top. Empty: one material with Fiber angle (in "
+         "a tube 0 degrees)."}};
     }
 
 
@@ -260,31 +263,33 @@ namespace lamella
                "",
                Anything(),
                "BWT",
-               "Thin-walled: of the plies of Wall layup, one a ply between "
-               "commas, the walls between '|' [length]. They must add up to "
-               "each wall's thickness. By default equal shares of it."},
+               "Thin-walled: thicknesses of the plies of Wall layup with "
+               "commas between, and '|' between walls [length]. Their sum must "
+               "be the thickness of the wall. Empty: equal thicknesses."},
               {"Wall ply materials",
                "",
                Anything(),
                "BWT",
-               "Thin-walled: of the plies of Wall layup, likewise; Material by "
-               "default."},
+               "Thin-walled: materials of the plies of Wall layup, in the same "
+               "form. Empty: Material."},
               {"Cells per wall",
                "1",
                cells(),
                "BW",
-               "Thin-walled: cells through each wall, of walls without a Wall "
+               "Thin-walled: number of cells through walls without a Wall "
                "layup."},
               {"Cells along wall",
                "4",
                cells(),
                "BW",
-               "Thin-walled: cells along each wall between its corners."},
+               "Thin-walled: number of cells along each wall between its "
+               "corners."},
               {"Cells around",
                "24",
                cells(),
                "T",
-               "Tube: cells around it, a multiple of 4, from 8."}};
+               "Tube: number of cells around the tube, a multiple of 4, at "
+               "least 8."}};
     }
 
 
@@ -298,27 +303,28 @@ namespace lamella
          "",
          Anything(),
          "F",
-         "File: a mesh of quadrilaterals by Gmsh, NAME.msh, relative to the "
-         "scene's folder."},
+         "File: mesh of quadrilaterals by Gmsh, NAME.msh, relative to the "
+         "folder of the scene."},
         {"Parts",
          "",
          Anything(),
          "F",
-         "File: PART: MATERIAL ANGLE between '|', for physical surfaces that "
-         "are not called as their material; the angle may be left out."},
+         "File: materials of physical surfaces that do not have the name of a "
+         "material, PART: MATERIAL ANGLE with '|' between; ANGLE may be "
+         "omitted."},
         {"Ply planes",
          "",
          Anything(),
          "F",
-         "File: PART: DIRECTION between '|', where the normal of a part's "
-         "plies points, in degrees from +x towards +z, 90 by default; or PART: "
-         "along CURVES, physical lines between blanks whose outward normals it "
-         "follows, or PART: against CURVES for the inward ones."},
+         "File: ply normals of physical surfaces, with '|' between. PART: "
+         "DIRECTION is an angle in degrees from +x towards +z, 90 by default; "
+         "PART: along CURVES follows the outward normals of physical lines "
+         "(with blanks between), PART: against CURVES the inward normals."},
         {"Scale",
          "1",
          positive(),
          "F",
-         "File: what all coordinates of the mesh are multiplied with."}};
+         "File: factor that multiplies all coordinates of the mesh."}};
     }
 
 
@@ -380,7 +386,7 @@ namespace lamella
                       name_of(ShapeKind::laminate),
                       selection<ShapeKind>(),
                       "The kind of section: " + names +
-                        "; each with entries of its own.");
+                        "; each has its own entries.");
     for (const Declaration &entry : declarations())
       prm.declare_entry(entry.name,
                         entry.fallback,

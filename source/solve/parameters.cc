@@ -26,20 +26,20 @@ namespace lamella
         "auto",
         selection<SolverKind>(),
         "auto: on one process cholmod, or dense blocks for beams of SV and "
-        "SV-N, mumps on several, cg for large solids; cholmod, mumps: "
-        "factorize; cg: conjugate gradients with algebraic multigrid, for "
+        "SV-N, on several mumps, cg for large solids; cholmod, mumps: direct "
+        "solvers; cg: conjugate gradients with algebraic multigrid, for "
         "solids, with little memory.");
       prm.declare_entry(
         "Memory limit",
         "auto",
         Anything(),
-        "What a run may take on each machine, as in 2 GB; auto: what the "
-        "machine has. A scene that needs more is refused before it takes it.");
+        "Largest memory of a run on each machine, as in 2 GB; auto: all of the "
+        "machine. A scene that needs more is refused before the solution.");
       prm.declare_entry("Maximum iterations",
                         "50",
                         patterns::number(),
-                        "Newton iterations of a load step before it fails; a "
-                        "scene that needs more wants smaller steps.");
+                        "Largest number of Newton iterations in a load step. "
+                        "If a step needs more, use smaller load steps.");
     }
 
 
@@ -51,20 +51,20 @@ namespace lamella
         "Rotations",
         "linear",
         selection<Rotations>(),
-        "linear: displacements and rotations are small, as in the paper; "
-        "large: bodies turn by any angle and slide on each other by any "
-        "distance, at small strains: by fields that follow (LE-N, TE-N from "
-        "TE-2 on, with Axis element = B4; solid-2) or by sections that turn "
-        "(EBBT, TBT, SV, SV-N); auto: linear, or large where the "
-        "linear result leaves more than 2e-3 out.");
+        "linear: small displacements and rotations, as in the paper; large: "
+        "finite rotations and sliding, at small strains. It needs theories "
+        "whose section functions can rotate (LE-N, TE-N with N >= 2, with Axis "
+        "element = B4; solid-2) or whose sections rotate rigidly (EBBT, TBT, "
+        "SV, SV-N); auto: linear, or large where the linear result neglects "
+        "more than 2e-3.");
       prm.declare_entry(
         "Stress axes",
         name_of(StressAxes::material),
         selection<StressAxes>(),
-        "Of bodies that turn: what sxx ... syz of probes, lines and cuts are "
-        "components of Cauchy's stress in, axes that have turned with the "
-        "material or those of the scene. s11 ... s23 are in the plies' axes, "
-        "which turn along.");
+        "With large rotations: axes for the components sxx ... syz of Cauchy "
+        "stress in probes, lines and cuts, material (rotated with the "
+        "material) or those of the scene. s11 ... s23 refer to the rotated ply "
+        "axes.");
     }
   } // namespace
 
@@ -77,36 +77,38 @@ namespace lamella
       "Load factors",
       "1",
       patterns::numbers(),
-      "One a step: what multiplies all prescribed displacements "
-      "and loads. 0.5, 1, 0 loads and unloads.");
+      "One number for each load step, which multiplies all prescribed "
+      "displacements and loads; 0.5, 1, 0 loads and unloads.");
     prm.declare_entry("Substeps",
                       "1",
                       Anything(),
-                      "With friction: in how many equal parts each load step "
-                      "is done, or auto, as many (to 64) as it takes until "
-                      "twice as many change forces, displacements and "
-                      "dissipated energy by less than 1 %; auto 0.1: 0.1 %.");
+                      "With friction: number of equal substeps of each load "
+                      "step, or auto: doubled, to at most 64, until forces, "
+                      "displacements and dissipated energy change by less than "
+                      "1 %; auto 0.1: less than 0.1 %.");
     declare_rotations(prm);
     prm.declare_entry("Contact strategy",
                       "condensed",
                       selection<Strategy>(),
-                      "condensed: factorize once, contact on the compliance of "
-                      "its rows; full: assemble and factorize K + K^p in each "
-                      "iteration, as in the paper. Same results.");
+                      "condensed: one factorization, then contact on the "
+                      "compliance matrix of its constraints; full: assembly "
+                      "and factorization of K plus the penalty matrix in each "
+                      "iteration, as in the paper. Both give the same "
+                      "results.");
     declare_solver(prm);
     prm.declare_entry("Rotation limit",
                       "0.5",
                       patterns::positive(),
-                      "Largest rotation for which the linear result is written "
-                      "at all [rad]; from 0.1 on it comes with a warning.");
+                      "Largest rotation for which a linear result is accepted "
+                      "[rad]; from 0.1 on a warning is printed.");
     prm.declare_entry(
       "Beyond linear range",
       "refuse",
       selection<OutOfRange>(),
-      "Where stretching would stiffen a body to more than twice what the "
-      "linear model says, or loads are above those that buckle it, the linear "
-      "result is no approximation. refuse: the run ends there and says by how "
-      "much; accept: the linear result is written, with a note.");
+      "Linear results are no approximation where stretching would more than "
+      "double the stiffness of a body, or loads exceed the buckling load. "
+      "refuse: the run ends with an error; accept: the linear result is "
+      "written, with a note.");
   }
 
 
