@@ -64,15 +64,14 @@ namespace lamella
     , label(theory)
   {
     if (n_processes() > beam_axis->n_nodes())
-      throw InputError("Body " + name,
-                       "",
-                       "body.too-many-processes: the body has " +
-                         std::to_string(beam_axis->n_nodes()) +
-                         " nodes along its axis, which is less than one for "
-                         "each of the " +
-                         std::to_string(n_processes()) + " processes",
-                       "Start fewer processes (mpirun -np), or use more Axis "
-                       "elements.");
+      throw InputError(
+        "Body " + name,
+        "",
+        "body.too-many-processes: the body has " +
+          std::to_string(beam_axis->n_nodes()) +
+          " nodes along its axis, which is less than one for each of the " +
+          std::to_string(n_processes()) + " processes",
+        "Start fewer processes (mpirun -np), or use more Axis elements.");
     if (beam_section->theory().keeps_sections_normal())
       constrain_to_kirchhoff();
     kirchhoff.close();

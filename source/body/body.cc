@@ -166,15 +166,14 @@ namespace lamella
           std::to_string(n_processes()),
         "Choose auto or mumps, or start the program without mpirun.");
     if (requested == SolverKind::cg && !is_nodal())
-      throw InputError("Linear solver",
-                       name_of(requested),
-                       "body.multigrid-of-beam: this solver cannot be used for "
-                       "body '" +
-                         name() + "' (" + theory() +
-                         "): algebraic multigrid needs nodal displacements as "
-                         "DoFs, but the DoFs of a beam are amplitudes of "
-                         "section functions",
-                       "Choose auto or mumps.");
+      throw InputError(
+        "Linear solver",
+        name_of(requested),
+        "body.multigrid-of-beam: this solver cannot be used for body '" +
+          name() + "' (" + theory() +
+          "): algebraic multigrid needs nodal displacements as DoFs, "
+          "but the DoFs of a beam are amplitudes of section functions",
+        "Choose auto or mumps.");
     return requested;
   }
 

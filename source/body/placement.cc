@@ -15,13 +15,12 @@ namespace lamella
   {
     const Tensor<1, 3> across = cross_product_3d(axis, up);
     if (!(across.norm() > arithmetic::parallel_sine * axis.norm() * up.norm()))
-      throw InputError("Placement",
-                       "",
-                       "body.placement-degenerate: Axis and Up must be neither "
-                       "zero nor parallel, since they define the directions x "
-                       "and z of the section",
-                       "Choose Up perpendicular to Axis, as in 0, 0, 1 for "
-                       "Axis = 0, 1, 0.");
+      throw InputError(
+        "Placement",
+        "",
+        "body.placement-degenerate: Axis and Up must be neither zero nor "
+        "parallel, since they define the directions x and z of the section",
+        "Choose Up perpendicular to Axis, as in 0, 0, 1 for Axis = 0, 1, 0.");
     Placement placement;
     placement.origin  = origin;
     placement.axes[0] = across / across.norm();

@@ -304,13 +304,12 @@ namespace lamella
               size += arm.norm() * at.forces[i].norm();
             }
           if (std::abs(torque) > arithmetic::quadrature_tolerance * size)
-            notes.push_back("conditions.torque-omitted: load " + name +
-                            " twists body " + body.name() + " by a torque of " +
-                            to_text(torque) +
-                            " (force times length) about its axis. The theory "
-                            "of the body has no torsion, so this torque is "
-                            "omitted. Use Theory = TE-N or LE-N to include the "
-                            "torque");
+            notes.push_back(
+              "conditions.torque-omitted: load " + name + " twists body " +
+              body.name() + " by a torque of " + to_text(torque) +
+              " (force times length) about its axis. The theory of "
+              "the body has no torsion, so this torque is omitted. "
+              "Use Theory = TE-N or LE-N to include the torque");
         }
     }
   } // namespace

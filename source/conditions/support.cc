@@ -71,14 +71,13 @@ namespace lamella
       for (const SurfacePoint &point : body.surface_points(region.surface))
         {
           if (point.corner)
-            throw InputError(path + "/Normal displacement",
-                             "",
-                             "conditions.normal-at-corner: surface '" +
-                               region.surface + "' of body '" + body.name() +
-                               "' has a corner at " + to_text(point.position) +
-                               ", where it has no normal",
-                             "Name surfaces without corners in On, or "
-                             "prescribe u instead.");
+            throw InputError(
+              path + "/Normal displacement",
+              "",
+              "conditions.normal-at-corner: surface '" + region.surface +
+                "' of body '" + body.name() + "' has a corner at " +
+                to_text(point.position) + ", where it has no normal",
+              "Name surfaces without corners in On, or prescribe u instead.");
           places.push_back(point.location);
           normals.push_back(point.normal);
         }

@@ -33,12 +33,11 @@ namespace lamella
               const auto [other, is_new] =
                 heated.emplace(region.body, load.name);
               if (!is_new)
-                entry.refuse("conditions.two-temperatures: body '" +
-                               bodies[region.body]->name() +
-                               "' already has the Temperature of load " +
-                               other->second,
-                             "Write one load with the sum of both "
-                             "temperatures.");
+                entry.refuse(
+                  "conditions.two-temperatures: body '" +
+                    bodies[region.body]->name() +
+                    "' already has the Temperature of load " + other->second,
+                  "Write one load with the sum of both temperatures.");
               bodies[region.body]->heat(field);
             }
         }

@@ -275,11 +275,10 @@ namespace lamella
           "Write Discretization = node to surface.");
       if (contact.discretization == Discretization::line_to_roller &&
           contact.obstacle->shape != Obstacle::Shape::cylinder)
-        in["Discretization"].refuse("contact.not-a-cylinder: the obstacle '" +
-                                      contact.obstacle->name +
-                                      "' is no cylinder, which line to roller "
-                                      "contact needs",
-                                    "Write Discretization = auto.");
+        in["Discretization"].refuse(
+          "contact.not-a-cylinder: the obstacle '" + contact.obstacle->name +
+            "' is no cylinder, which line to roller contact needs",
+          "Write Discretization = auto.");
       if (contact.slave_side == SlaveSide::second)
         in["Slave side"].refuse(rule, "Use first, or auto.");
     }

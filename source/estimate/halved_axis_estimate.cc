@@ -199,12 +199,11 @@ namespace lamella
         std::abs(change) > rules.small * scale)
       {
         bar.trusted = false;
-        bar.why     = "the last increase of the section degree changes the "
-                      "quantity by " +
-                  to_text(100. * before / scale, 2) +
-                  " % and the next one by " +
-                  to_text(100. * change / scale, 2) +
-                  " %, so it does not converge. Refine the section";
+        bar.why =
+          "the last increase of the section degree changes the quantity by " +
+          to_text(100. * before / scale, 2) + " % and the next one by " +
+          to_text(100. * change / scale, 2) +
+          " %, so it does not converge. Refine the section";
       }
     return bar;
   }

@@ -280,11 +280,10 @@ namespace lamella
                             "theory of lower order, or more machines.");
       const bool factorized = mumps.job == 2;
       if (error == singular && mumps.sym == unsymmetric)
-        throw NumericsError("linear.singular-matrix: The tangent stiffness "
-                            "matrix of " +
-                            what +
-                            " is numerically singular. Check its supports and "
-                            "the size of its loads.");
+        throw NumericsError(
+          "linear.singular-matrix: The tangent stiffness matrix of " + what +
+          " is numerically singular. Check its supports and "
+          "the size of its loads.");
       if (error == singular || error == not_positive ||
           (factorized && error >= 0 && negative_pivots > 0))
         throw NumericsError(
@@ -297,11 +296,10 @@ namespace lamella
           "is too slender or its stiffnesses differ too much for double "
           "precision.");
       if (error < 0)
-        throw NumericsError("linear.mumps-failed: the solver MUMPS could not "
-                            "factorize " +
-                            what + " (MUMPS error " + std::to_string(error) +
-                            ", " + std::to_string(info(2)) +
-                            "; see the MUMPS manual).");
+        throw NumericsError(
+          "linear.mumps-failed: the solver MUMPS could not factorize " + what +
+          " (MUMPS error " + std::to_string(error) + ", " +
+          std::to_string(info(2)) + "; see the MUMPS manual).");
     }
 
 

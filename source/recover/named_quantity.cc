@@ -234,12 +234,11 @@ namespace lamella
         }
       const auto &columns = field_names();
       if (std::find(columns.begin(), columns.end(), column) == columns.end())
-        text.refuse("recover.unknown-column: the results of a probe have no "
-                    "column '" +
-                      column + "'",
-                    "The most similar name is '" +
-                      nearest_name(column, columns) + "'; the names are " +
-                      joined(columns) + ".");
+        text.refuse(
+          "recover.unknown-column: the results of a probe have no column '" +
+            column + "'",
+          "The most similar name is '" + nearest_name(column, columns) +
+            "'; the names are " + joined(columns) + ".");
       quantity.given = first_of(probe.references, column);
       return quantity;
     }

@@ -169,11 +169,10 @@ namespace lamella
       const std::vector<std::string> pieces = entry.items();
       const bool                     is_one = pieces.size() <= 1;
       if (!is_one && pieces.size() != n)
-        entry.refuse("scene.tolerance-count: there are " + std::to_string(n) +
-                       " quantities and " + std::to_string(pieces.size()) +
-                       " tolerances",
-                     "Write one tolerance for all Quantities, or one for "
-                     "each.");
+        entry.refuse(
+          "scene.tolerance-count: there are " + std::to_string(n) +
+            " quantities and " + std::to_string(pieces.size()) + " tolerances",
+          "Write one tolerance for all Quantities, or one for each.");
       std::vector<Tolerance> tolerances;
       for (const std::string &piece : pieces)
         tolerances.push_back(
@@ -211,11 +210,10 @@ namespace lamella
     {
       for (const char *budget : {"Budget DoFs", "Budget seconds"})
         if (in[budget].number() > 0.)
-          in[budget].refuse("scene.budget-without-tolerance: a budget limits a "
-                            "run that refines until a Tolerance is met, but "
-                            "Tolerance is empty",
-                            "Write Tolerance, as in Tolerance = 1, or remove "
-                            "this budget.");
+          in[budget].refuse(
+            "scene.budget-without-tolerance: a budget limits a run that "
+            "refines until a Tolerance is met, but Tolerance is empty",
+            "Write Tolerance, as in Tolerance = 1, or remove this budget.");
     }
 
 
@@ -224,11 +222,10 @@ namespace lamella
     check_tolerance(const Entries &in, const GoalParameters &goals)
     {
       if (goals.bars == ErrorBars::never)
-        in["Error bars"].refuse("scene.tolerance-without-bars: a run with a "
-                                "Tolerance needs error estimates, but Error "
-                                "bars = false",
-                                "Write Error bars = auto, or remove "
-                                "Tolerance.");
+        in["Error bars"].refuse(
+          "scene.tolerance-without-bars: a run with a Tolerance needs error "
+          "estimates, but Error bars = false",
+          "Write Error bars = auto, or remove Tolerance.");
       if (goals.quantities.empty() && goals.probes_as_goals.empty())
         in["Tolerance"].refuse(
           "scene.no-goals: the Tolerance has no quantity to apply to, since "

@@ -451,14 +451,13 @@ namespace lamella
                            "; the most similar name is '" + nearest + "'") +
         ". Remove this subsection, or add the missing 'end' before it.")
         .at(place(item));
-    throw InputError("scene.unknown-subsection: there is no subsection '" +
-                     name +
-                     "', since this name is in no list (Materials, Sections, "
-                     "Bodies and so on). Add the name to its list, or remove "
-                     "the subsection" +
-                     (are_alike(name, nearest) ?
-                        "; the most similar name is '" + nearest + "'." :
-                        "."))
+    throw InputError(
+      "scene.unknown-subsection: there is no subsection '" + name +
+      "', since this name is in no list (Materials, Sections, Bodies "
+      "and so on). Add the name to its list, or remove the subsection" +
+      (are_alike(name, nearest) ?
+         "; the most similar name is '" + nearest + "'." :
+         "."))
       .at(place(item));
   }
 

@@ -62,18 +62,17 @@ namespace lamella
         const double bytes     = bytes_per_entry * entries,
                      available = available_memory(scene.solve.memory_limit);
         if (dofs > small && bytes > available)
-          throw InputError("Body " + body.name,
-                           "",
-                           "scene.too-large: " + body.theory.name() +
-                             " with this section and this axis has " +
-                             to_text(dofs, 3) +
-                             " DoFs, whose stiffness matrix alone needs more "
-                             "memory than " +
-                             gigabytes(bytes) + "; the machine has " +
-                             gigabytes(available) + " available",
-                           "Use fewer cells (Section " + body.section +
-                             "/Cells across, Cells per ply), fewer Axis "
-                             "elements, or a theory of lower order.");
+          throw InputError(
+            "Body " + body.name,
+            "",
+            "scene.too-large: " + body.theory.name() +
+              " with this section and this axis has " + to_text(dofs, 3) +
+              " DoFs, whose stiffness matrix alone needs more memory than " +
+              gigabytes(bytes) + "; the machine has " + gigabytes(available) +
+              " available",
+            "Use fewer cells (Section " + body.section +
+              "/Cells across, Cells per ply), fewer Axis "
+              "elements, or a theory of lower order.");
       }
   }
 } // namespace lamella

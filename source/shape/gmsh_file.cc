@@ -221,13 +221,12 @@ namespace lamella
       at.expect(words, "as its counts say");
       // A point or volume makes no part of a section.
       if (n > 1 && (dimension == 1 || dimension == 2))
-        refuse_line(at.entry,
-                    at.line,
-                    "shape.several-groups: the " + name + " " +
-                      std::to_string(tag) + " is in " + std::to_string(n) +
-                      " physical groups",
-                    "Put each curve and each surface into one physical group "
-                    "only.");
+        refuse_line(
+          at.entry,
+          at.line,
+          "shape.several-groups: the " + name + " " + std::to_string(tag) +
+            " is in " + std::to_string(n) + " physical groups",
+          "Put each curve and each surface into one physical group only.");
       if (!group_of_entity.insert({{dimension, tag}, group}).second)
         at.fault("a second " + name + " " + std::to_string(tag));
     }

@@ -259,37 +259,36 @@ namespace lamella
     std::vector<Declaration>
     entries_of_wall_plies()
     {
-      return {{"Wall ply thicknesses",
-               "",
-               Anything(),
-               "BWT",
-               "Thin-walled: thicknesses of the plies of Wall layup with "
-               "commas between, and '|' between walls [length]. Their sum must "
-               "be the thickness of the wall. Empty: equal thicknesses."},
-              {"Wall ply materials",
-               "",
-               Anything(),
-               "BWT",
-               "Thin-walled: materials of the plies of Wall layup, in the same "
-               "form. Empty: Material."},
-              {"Cells per wall",
-               "1",
-               cells(),
-               "BW",
-               "Thin-walled: number of cells through walls without a Wall "
-               "layup."},
-              {"Cells along wall",
-               "4",
-               cells(),
-               "BW",
-               "Thin-walled: number of cells along each wall between its "
-               "corners."},
-              {"Cells around",
-               "24",
-               cells(),
-               "T",
-               "Tube: number of cells around the tube, a multiple of 4, at "
-               "least 8."}};
+      return {
+        {"Wall ply thicknesses",
+         "",
+         Anything(),
+         "BWT",
+         "Thin-walled: thicknesses of the plies of Wall layup with "
+         "commas between, and '|' between walls [length]. Their sum must "
+         "be the thickness of the wall. Empty: equal thicknesses."},
+        {"Wall ply materials",
+         "",
+         Anything(),
+         "BWT",
+         "Thin-walled: materials of the plies of Wall layup, in the same "
+         "form. Empty: Material."},
+        {"Cells per wall",
+         "1",
+         cells(),
+         "BW",
+         "Thin-walled: number of cells through walls without a Wall layup."},
+        {"Cells along wall",
+         "4",
+         cells(),
+         "BW",
+         "Thin-walled: number of cells along each wall between its corners."},
+        {"Cells around",
+         "24",
+         cells(),
+         "T",
+         "Tube: number of cells around the tube, a multiple of 4, at "
+         "least 8."}};
     }
 
 

@@ -177,14 +177,13 @@ namespace lamella
   {
     const double cells = std::pow(4., times) * section.mesh.n_active_cells();
     if (cells > max_section_cells)
-      throw InputError(what + "/Cells divided",
-                       std::to_string(times),
-                       "shape.too-many-cells: the division would give " +
-                         to_text(cells) +
-                         " cells in the section; the largest number is " +
-                         to_text(max_section_cells),
-                       "Reduce Cells divided, or use a theory of higher "
-                       "order.");
+      throw InputError(
+        what + "/Cells divided",
+        std::to_string(times),
+        "shape.too-many-cells: the division would give " + to_text(cells) +
+          " cells in the section; the largest number is " +
+          to_text(max_section_cells),
+        "Reduce Cells divided, or use a theory of higher order.");
     Triangulation<2> fine;
     fine.copy_triangulation(section.mesh);
     fine.refine_global(times);

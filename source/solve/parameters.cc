@@ -87,14 +87,13 @@ namespace lamella
                       "displacements and dissipated energy change by less than "
                       "1 %; auto 0.1: less than 0.1 %.");
     declare_rotations(prm);
-    prm.declare_entry("Contact strategy",
-                      "condensed",
-                      selection<Strategy>(),
-                      "condensed: one factorization, then contact on the "
-                      "compliance matrix of its constraints; full: assembly "
-                      "and factorization of K plus the penalty matrix in each "
-                      "iteration, as in the paper. Both give the same "
-                      "results.");
+    prm.declare_entry(
+      "Contact strategy",
+      "condensed",
+      selection<Strategy>(),
+      "condensed: one factorization, then contact on the compliance matrix of "
+      "its constraints; full: assembly and factorization of K plus the penalty "
+      "matrix in each iteration, as in the paper. Both give the same results.");
     declare_solver(prm);
     prm.declare_entry("Rotation limit",
                       "0.5",

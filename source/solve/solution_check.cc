@@ -213,11 +213,10 @@ namespace lamella
       for (const GapConstraint &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);
       if (smallest < 0.)
-        warnings.push_back("contact.initial-overlap: " + what +
-                           "the bodies overlap at the start by up to " +
-                           to_text(-smallest, 3) +
-                           " and are pushed apart by contact forces "
-                           "(Overclosure = resolve)");
+        warnings.push_back(
+          "contact.initial-overlap: " + what +
+          "the bodies overlap at the start by up to " + to_text(-smallest, 3) +
+          " and are pushed apart by contact forces (Overclosure = resolve)");
     }
 
 

@@ -103,15 +103,13 @@ namespace lamella
         return;
       for (const Load &load : scene.loads)
         if (load.couple || load.is_follower)
-          throw InputError("Load " + load.name + "/" +
-                             (load.couple ? "Couple" : "Pressure"),
-                           load.couple ? to_text(*load.couple) :
-                                         load.pressure.text() + ", follows",
-                           "export.follower-load: loads that rotate with the "
-                           "bodies (follower loads) are not exported to "
-                           "CalculiX",
-                           "Use a Force, or remove 'follows' from the "
-                           "Pressure.");
+          throw InputError(
+            "Load " + load.name + "/" + (load.couple ? "Couple" : "Pressure"),
+            load.couple ? to_text(*load.couple) :
+                          load.pressure.text() + ", follows",
+            "export.follower-load: loads that rotate with the bodies (follower "
+            "loads) are not exported to CalculiX",
+            "Use a Force, or remove 'follows' from the Pressure.");
     }
 
 

@@ -138,13 +138,12 @@ namespace lamella
     check_law(const ContactPair &pair, const std::string &path)
     {
       if (pair.overclosure == Overclosure::adjust)
-        throw InputError(path + "/Overclosure",
-                         name_of(pair.overclosure),
-                         "export.overclosure-adjust: Overclosure = adjust, "
-                         "which subtracts the overlap from the gaps, has no "
-                         "counterpart in CalculiX",
-                         "Move the bodies apart, or write Overclosure = "
-                         "resolve.");
+        throw InputError(
+          path + "/Overclosure",
+          name_of(pair.overclosure),
+          "export.overclosure-adjust: Overclosure = adjust, which subtracts "
+          "the overlap from the gaps, has no counterpart in CalculiX",
+          "Move the bodies apart, or write Overclosure = resolve.");
       if (pair.discretization == Discretization::edge_to_surface)
         throw InputError(
           path + "/Discretization",
