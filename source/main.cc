@@ -43,9 +43,9 @@ namespace
   require_one_process(const CommandLine &command)
   {
     if (command.task != CommandLine::Task::run && n_processes() > 1)
-      throw InputError("run.task-in-parallel: the commands trade, export, "
-                       "report and new work on one process only. Start lamella "
-                       "without mpirun.");
+      throw InputError("run.task-in-parallel: trade, export, report and new "
+                       "work on one process only. Start lamella without "
+                       "mpirun.");
   }
 
 

@@ -19,11 +19,9 @@ namespace lamella
     for (const LocalInteraction &interaction : interactions)
       if (interaction.is_contact_side)
         add("adapt.fields-missing: body " + beam.name() +
-            ": theory SV does not represent the local deformation of sections "
-            "near " +
+            ": theory SV has no local deformation of sections near " +
             interaction.name +
-            ", so pressures and stresses there are not accurate. Use Theory = "
-            "SV-6");
+            ", so pressures and stresses are inaccurate there. Use SV-6");
       else if (interaction.is_heat_source)
         add("adapt.fields-missing: body " + beam.name() +
             ": theory SV does not represent temperatures that vary along the "

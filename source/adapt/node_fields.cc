@@ -325,8 +325,8 @@ namespace lamella
                         (body.facts.is_unsolved ?
                            "." :
                            ", so reducing its DoFs saves nothing.") +
-                        " Each node of the axis has all section functions as "
-                        "DoFs (those of " +
+                        " Each node has all section functions as DoFs (those "
+                        "of " +
                         beam.section().theory().name() + ")");
       if (theory.order == 0 && description.pieces.empty())
         add_missing_field_notes(beam, body.interactions, notes);

@@ -84,10 +84,9 @@ namespace lamella
           "adapt.too-many-constraints: body " + beam.name() + ": contact " +
           contact.name +
           " has more contact constraints than the body has DoFs where Theories "
-          "has LE-N of a lower degree. Only the resultant contact force is "
-          "accurate there, not the pressure. Extend the LE-N of the highest "
-          "degree over the contact (Theory breaks), or use Discretization = "
-          "node to surface");
+          "has LE-N of a lower degree. The contact force is accurate there, "
+          "not the pressure. Extend the LE-N of the highest degree over the "
+          "contact, or use Discretization = node to surface");
   }
 
 

@@ -42,9 +42,8 @@ namespace lamella
       "auto",
       Selection("auto|assumed|full"),
       "assumed: transverse shear strains are interpolated one degree lower "
-      "along the axis (MITC), against shear locking; full: shear strains of "
-      "the interpolated displacements; auto: assumed for B2 and B3, full for "
-      "B4.");
+      "along the axis (MITC), against shear locking; full: those of the "
+      "displacements; auto: assumed for B2 and B3, full for B4.");
   }
 
 
@@ -68,8 +67,7 @@ namespace lamella
         return 0.;
       const double refinement_factor = entry.number(text.substr(5));
       if (!(refinement_factor >= least && refinement_factor <= most))
-        entry.refuse("axis.factor-out-of-range: the factor after auto must lie "
-                     "between " +
+        entry.refuse("axis.factor-out-of-range: the factor must lie between " +
                        to_text(least) + " and " + to_text(most),
                      "Write, for example, auto 2 for twice as many elements.");
       return refinement_factor;
@@ -117,8 +115,7 @@ namespace lamella
       in["Axis breaks"].refuse(
         "axis.breaks-with-auto: Axis elements = " + elements.text() +
           " chooses the lengths of all elements, so Axis breaks has no effect",
-        "Remove Axis breaks, or write numbers in Axis elements, as in 4, 8, "
-        "4.");
+        "Remove Axis breaks, or write Axis elements = 4, 8, 4, for example.");
     return mesh;
   }
 } // namespace lamella

@@ -54,8 +54,7 @@ namespace lamella
   Entry::positive() const
   {
     if (is_empty())
-      refuse_missing("entry.is-missing: give a positive number, for example "
-                     "0.5.");
+      refuse_missing("entry.is-missing: give a positive number, as in 0.5.");
     const double value = number();
     if (!(value > 0.))
       refuse("entry.not-positive: the value must be positive");
@@ -83,8 +82,8 @@ namespace lamella
     for (const double value : values)
       {
         if (!(value > previous && value < end))
-          refuse("entry.not-ascending: the values must ascend, each more than "
-                 "0 and less than " +
+          refuse("entry.not-ascending: the values must ascend, all between 0 "
+                 "and " +
                  name + " (" + to_text(end) + "), as in 0.2, 0.5");
         previous = value;
       }
@@ -129,8 +128,8 @@ namespace lamella
     if (x.size() != 3)
       refuse("entry.not-a-point: " +
              (part.text() == what ? "the value " : "'" + part.text() + "' ") +
-             "must be three numbers x, y, z with commas between, as in 0.05, "
-             "1, 0.106");
+             "must be three numbers x, y, z with commas between, as in 0, 1, "
+             "0.1");
     return {x[0], x[1], x[2]};
   }
 

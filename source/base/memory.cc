@@ -201,12 +201,10 @@ namespace lamella
         return;
       }
     throw InputError(
-      "base.address-space-limited: the address space of this process is "
-      "limited to " +
+      "base.address-space-limited: the address space is limited to " +
       gigabytes(limit.rlim_cur) +
       " (ulimit -v); the program needs, beside its libraries, at least " +
       gigabytes(least) +
-      ". Raise this limit; to limit memory, use the entry Memory limit of the "
-      "scene.");
+      ". Raise this limit, or use the entry Memory limit instead.");
   }
 } // namespace lamella

@@ -79,8 +79,7 @@ namespace lamella
     if (word.empty() || *end != '\0' || !std::isfinite(value) ||
         word.find_first_of("xX") != std::string::npos)
       return {"entry.not-a-number: '" + word + "' is not a number",
-              "Write the number alone, without a unit or a formula, as in 0.05 "
-              "or 5e-2."};
+              "Write the number alone, without a unit, as in 0.05 or 5e-2."};
     // strtod returns 0 for numbers below the range of doubles.
     const bool is_zero =
       word.substr(0, word.find_first_of("eE")).find_first_of("123456789") ==
@@ -88,8 +87,7 @@ namespace lamella
     if (!is_zero &&
         (std::abs(value) < smallest_number || std::abs(value) > largest_number))
       return {"entry.number-out-of-range: '" + word +
-                "' is out of range: numbers other than 0 must lie between "
-                "1e-30 and 1e30",
+                "' is out of range: its size must be 0 or from 1e-30 to 1e30",
               "Correct the exponent, or choose other Units."};
     return {};
   }

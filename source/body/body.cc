@@ -94,8 +94,8 @@ namespace lamella
                         "Thermal expansion",
                         *this,
                         "has a Temperature",
-                        "Give it (0 if it does not expand), or leave the body "
-                        "out of the load.");
+                        "Write it (0 for no expansion), or remove the body "
+                        "from the load.");
     temperature_change = change;
   }
 

@@ -260,8 +260,7 @@ namespace lamella
               "body.ball-outside: no hexahedron of the body intersects the "
               "ball with the radius " +
                 to_text(ball.radius),
-              "Give its center in coordinates of the scene, inside or near the "
-              "body.");
+              "Write a center in scene coordinates, inside or near the body.");
           require(mesh.n_global_active_cells() + 7. * flagged);
           mesh.execute_coarsening_and_refinement();
         }

@@ -44,13 +44,13 @@ namespace lamella
     prm.declare_entry("Axis",
                       "0, 1, 0",
                       patterns::numbers(3),
-                      "Direction of the beam axis in scene coordinates, the y "
-                      "of the body.");
+                      "Direction of the axis (y of the body) in scene "
+                      "coordinates.");
     prm.declare_entry("Up",
                       "0, 0, 1",
                       patterns::numbers(3),
-                      "Direction towards which z of the section points, as far "
-                      "as Axis allows.");
+                      "Approximate direction of z of the section, across "
+                      "Axis.");
     prm.declare_entry("Length",
                       "",
                       patterns::optional(patterns::positive()),
@@ -71,8 +71,7 @@ namespace lamella
       "Length step",
       "",
       patterns::optional(patterns::number()),
-      "Difference between the Length of one copy and the next [length]; "
-      "default 0.");
+      "Difference in Length of neighboring copies [length]; default 0.");
     prm.declare_entry(
       "Stabilization",
       "0",
@@ -89,8 +88,7 @@ namespace lamella
       "Whether rigid-body motions that no support prevents are removed, true "
       "or false. If no contact can prevent a motion, the middle of the body "
       "stays in place and the loads must be in equilibrium. If a contact can, "
-      "springs as of Stabilization = 1e-6 act, whose effect iterations remove "
-      "from the result.");
+      "springs as of Stabilization = 1e-6 act.");
     prm.enter_subsection("Kinematics");
     TheoryParameters::declare(prm);
     AxisParameters::declare(prm);
@@ -230,8 +228,7 @@ namespace lamella
         "body.column-functions: the section '" + body.section +
           "' is more than " + to_text(LagrangeElement::default_column_aspect) +
           " times as wide as thick. LE-N then uses functions that extend over "
-          "all plies of a column of cells, and these cannot be joined for "
-          "different N",
+          "all plies, which cannot be joined for different N",
         "Use the same N for each LE-N in Theories, and Section order = auto.");
     }
 

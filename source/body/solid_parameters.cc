@@ -46,8 +46,7 @@ namespace lamella
       ball.radius = entry.number(parts[1]);
       ball.times  = times(entry, parts[2]);
       if (!(ball.radius > 0.))
-        entry.refuse("entry.not-positive: the radius of the ball must be "
-                     "positive");
+        entry.refuse("entry.not-positive: the ball's radius must be positive");
       return ball;
     }
   } // namespace

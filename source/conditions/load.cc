@@ -264,15 +264,13 @@ namespace lamella
           "conditions.integral-inconsistent: load " + name +
           ": the resultant by a finer quadrature is " +
           to_text(at.independent) + " instead of " + to_text(at.force) +
-          ". The expression varies within the distance of quadrature points. "
-          "Write a smoother expression, or use more elements where the load "
-          "acts");
+          ". The expression varies faster than the quadrature resolves. Write "
+          "a smoother expression, or use more elements under the load");
       if (at.checked && at.size == 0.)
         notes.push_back(
           "conditions.load-zero: load " + name +
-          " is zero at all sampled points of its region (On). If it should not "
-          "be zero, correct the position or the width of the load in its "
-          "expression");
+          " is zero at all sampled points of its region (On). If this is a "
+          "mistake, correct position or width of the load in its expression");
       if (at.bisections > followed)
         notes.push_back(
           "conditions.load-within-element: load " + name +

@@ -122,9 +122,8 @@ namespace lamella
         regions.push_back(region);
       }
     if (regions.empty())
-      on.refuse_missing("conditions.no-region: write where it acts as BODY: "
-                        "point, BODY: line, BODY: body or BODY: SURFACE, as in "
-                        "upper: top.");
+      on.refuse_missing("conditions.no-region: write BODY: point, BODY: line, "
+                        "BODY: body or BODY: SURFACE, as in upper: top.");
     const bool uses_points =
       std::any_of(regions.begin(), regions.end(), [](const Region &r) {
         return !r.at.empty();
@@ -144,9 +143,8 @@ namespace lamella
     prm.declare_entry("Factors",
                       "",
                       patterns::numbers(),
-                      "One factor for each load step, for this subsection "
-                      "only, instead of Load factors. Empty: Load factors "
-                      "apply.");
+                      "One factor for each load step, instead of Load factors. "
+                      "Empty: Load factors apply.");
   }
 
 
@@ -186,9 +184,8 @@ namespace lamella
     prm.declare_entry("At",
                       "",
                       Anything(),
-                      "Positions x, y, z in scene coordinates: points with "
-                      "semicolons between, or the two ends of a line "
-                      "[length].");
+                      "Scene coordinates x, y, z of points, with semicolons "
+                      "between, or of the two ends of a line [length].");
     prm.declare_entry("u",
                       "",
                       Anything(),
@@ -199,9 +196,8 @@ namespace lamella
                       "",
                       patterns::optional(patterns::number()),
                       "On surfaces, instead of u: displacement along the "
-                      "outward normal; tangential displacements are free. 0 is "
-                      "a symmetry condition, for any orientation of the body "
-                      "[length].");
+                      "outward normal, with free tangential displacements; 0 "
+                      "is a symmetry condition [length].");
     prm.declare_entry(
       "Rotation",
       "",
@@ -230,9 +226,8 @@ namespace lamella
         return u;
       const std::vector<std::string> components = entry.items();
       if (components.size() != 3)
-        entry.refuse("conditions.count-of-components: write three values with "
-                     "commas between, each a number or 'free', as in 0, free, "
-                     "0");
+        entry.refuse("conditions.count-of-components: write three values, each "
+                     "a number or 'free', as in 0, free, 0");
       for (unsigned int c = 0; c < 3; ++c)
         u[c] = components[c] == "free" ?
                  std::optional<double>() :
@@ -240,8 +235,8 @@ namespace lamella
       if (!u[0] && !u[1] && !u[2])
         entry.refuse("conditions.all-components-free: all three components are "
                      "free, so this support constrains nothing",
-                     "Remove the support, or prescribe a component, as in 0, "
-                     "free, free.");
+                     "Remove the support, or write 0, free, free, for "
+                     "example.");
       return u;
     }
 
@@ -288,8 +283,7 @@ namespace lamella
           "Remove one of the two.");
       if (!support.u[0] || !support.u[1] || !support.u[2])
         entry.refuse("conditions.rotation-with-free-u: a Rotation prescribes "
-                     "all displacement components, but u leaves some of them "
-                     "free",
+                     "all displacement components, but some of u are free",
                      "Write three numbers in u, or remove u.");
       support.rotation = entry.point();
       if (!about.is_empty())
@@ -352,9 +346,8 @@ namespace lamella
       prm.declare_entry("At",
                         "",
                         Anything(),
-                        "Positions x, y, z in scene coordinates of points or "
-                        "of the two ends of a line, as for a support "
-                        "[length].");
+                        "Scene coordinates x, y, z of points or of the two "
+                        "ends of a line, as for a support [length].");
     }
 
 
@@ -390,8 +383,7 @@ namespace lamella
         "Moment on a surface such as start or end: three components in scene "
         "coordinates [force x length], applied as tractions that vary linearly "
         "over the surface and have no resultant force. With Rotations = large "
-        "the tractions rotate with the surface, and the moment keeps its "
-        "direction.");
+        "the tractions rotate, the moment keeps its direction.");
     }
   } // namespace
 
@@ -434,13 +426,13 @@ namespace lamella
           if (!heats && is_body)
             on.refuse("conditions.load-on-body: a load other than a "
                       "Temperature acts on a point, a line or a surface",
-                      "Name one of these in On, as in upper: top; for weight "
-                      "use Gravity.");
+                      "Write On = upper: top, for example; for weight use "
+                      "Gravity.");
           if (needs_surface && region.kind != Region::Kind::surface)
-            what.refuse("conditions.needs-surface: a Pressure or Couple acts "
-                        "on surfaces only",
-                        "Name a surface in On, or use Force at a point or "
-                        "along a line.");
+            what.refuse("conditions.needs-surface: Pressure and Couple need a "
+                        "surface",
+                        "Name a surface in On, or use Force for points and "
+                        "lines.");
           if (load.couple && region.is_several_surfaces())
             on.refuse("conditions.couple-on-surfaces: '" + region.surface +
                         "' names several surfaces, but a Couple acts on one",
@@ -526,8 +518,7 @@ namespace lamella
     load.is_follower = parse_follower(load.pressure);
     if (load.is_follower && load.pressure.empty())
       what.refuse(
-        "conditions.follows-without-pressure: `follows` needs a pressure "
-        "before it",
+        "conditions.follows-without-pressure: `follows` needs a pressure",
         "Write a number or an expression first, as in `12, follows`.");
     load.temperature = in["Temperature"].text();
     if (given.front() == "Couple")

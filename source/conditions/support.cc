@@ -182,8 +182,7 @@ namespace lamella
                        to_text(rotation.rotation),
                        "conditions.rotation-of-point: a rotation of a single "
                        "point about itself has no effect",
-                       "Give the center of rotation in About, or name a "
-                       "surface in On.");
+                       "Write the center in About, or name a surface in On.");
     return rotation;
   }
 

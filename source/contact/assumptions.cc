@@ -125,8 +125,7 @@ namespace lamella
               std::to_string(shared.size()) + " points as Contact " + b.name +
               ", one of them on body '" + bodies[a.first_body]->name() +
               "' at " + to_text(shared.front()),
-            "Name surfaces without common nodes, or remove one of the two "
-            "contacts.");
+            "Name surfaces without common nodes, or remove a contact.");
         }
   }
 
@@ -149,8 +148,7 @@ namespace lamella
             " nodes of First and Second face each other; " +
             std::to_string(contact.nonmatching_nodes) + " nodes of First and " +
             std::to_string(contact.nonmatching_nodes_second) +
-            " nodes of Second face no node of the other surface and could "
-            "penetrate it",
+            " of Second face no node of the other side and can penetrate",
           "Write auto or surface to surface, or give both surfaces the same "
           "nodes (Cells across, Axis elements, Axis nodes).");
       }

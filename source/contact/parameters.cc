@@ -34,8 +34,7 @@ namespace lamella
                         patterns::WordOrPattern("auto", patterns::positive()),
                         "Penalty stiffness: auto, or a positive number in the "
                         "unit of Penalty per. auto is 1e6 times the local "
-                        "stiffness E_n A / h of the softer side at each "
-                        "contact point.");
+                        "stiffness E_n A / h of the softer side.");
       prm.declare_entry("Penalty per",
                         name_of(PenaltyKind::per_area),
                         selection<PenaltyKind>(),
@@ -81,8 +80,8 @@ namespace lamella
                       selection<SlaveSide>(),
                       "Slave (nonmortar) side, whose nodes have the gap "
                       "constraints: first or second; auto: the side with the "
-                      "finer mesh, for edge to surface the first. Unused with "
-                      "node to node.");
+                      "finer mesh (edge to surface: first). Unused with node "
+                      "to node.");
     prm.declare_entry("Search distance",
                       "auto",
                       patterns::WordOrPattern("auto", patterns::positive()),
@@ -165,8 +164,8 @@ namespace lamella
         first.refuse(
           "contact.first-is-obstacle: this is an obstacle, but First must be a "
           "surface of a body",
-          "Write the surface in First, as in upper: bottom, and the obstacle "
-          "in Second.");
+          "Write a surface in First, as in upper: bottom, the obstacle in "
+          "Second.");
       contact.first    = parse_surface(first, bodies);
       contact.obstacle = find_obstacle(second.text(), obstacles);
       if (contact.obstacle != nullptr)
@@ -207,8 +206,8 @@ namespace lamella
       const double mu = friction.number();
       if (!(mu >= 0. && mu <= most))
         friction.refuse(
-          "contact.friction-out-of-range: the friction coefficient must lie "
-          "between 0 and 10",
+          "contact.friction-out-of-range: the coefficient must lie between 0 "
+          "and 10",
           "Write the coefficient of friction, as in 0.3, or none.");
       return mu;
     }
@@ -251,8 +250,7 @@ namespace lamella
           in[on_second ? "Second" : "First"].refuse(
             "contact.edges-of-end-face: edge to surface contact needs a "
             "lateral surface, which has edges at the ends of the body",
-            "Name a lateral surface such as top or bottom, as in upper: "
-            "bottom.");
+            "Name a surface such as bottom, as in upper: bottom.");
     }
 
 
@@ -304,8 +302,8 @@ namespace lamella
       check_obstacle(contact, in);
     else if (contact.discretization == Discretization::line_to_roller)
       in["Discretization"].refuse(
-        "contact.second-not-obstacle: line to roller contact needs an obstacle "
-        "in Second",
+        "contact.second-not-obstacle: line to roller needs an obstacle in "
+        "Second",
         "Write Discretization = auto, or name a cylinder of "
         "Obstacles in Second.");
     else if (contact.discretization == Discretization::edge_to_surface)
@@ -331,8 +329,7 @@ namespace lamella
     prm.declare_entry("Through",
                       "0, 0, 0",
                       patterns::numbers(3),
-                      "A point on the plane, or on the axis of the cylinder "
-                      "[length].");
+                      "A point on the plane or on the cylinder axis [length].");
     prm.declare_entry("Normal",
                       "0, 0, 1",
                       patterns::numbers(3),
@@ -349,8 +346,7 @@ namespace lamella
     prm.declare_entry("u",
                       "0, 0, 0",
                       patterns::numbers(3),
-                      "Displacement of the obstacle at load factor 1 "
-                      "[length].");
+                      "Obstacle displacement at load factor 1 [length].");
     HistoryParameters::declare(prm);
   }
 

@@ -18,8 +18,7 @@ namespace lamella
                     const BarRules &rules)
     {
       if (first * second > rules.growth * first * first)
-        return "the quantity changes more from one refinement to the next, "
-               "by " +
+        return "the quantity changes more in each refinement, by " +
                to_text(100. * std::abs(first) / scale, 2) + " and then by " +
                to_text(100. * std::abs(second) / scale, 2) + " %" +
                describe_growth();

@@ -318,8 +318,7 @@ namespace lamella
       return "all goals are within their tolerances";
     const std::vector<GoalResult> goals = open_goals();
     if (goals.empty())
-      return "refinement does not improve the quantities whose tolerance is "
-             "not met";
+      return "refinement does not improve quantities beyond their tolerance";
     for (const GoalResult &goal : goals)
       if (goal.shares.empty())
         return goal.why;

@@ -209,9 +209,8 @@ namespace lamella
       "linear.not-positive-definite: The stiffness matrix of " + what +
         " is not positive definite (pivot " + std::to_string(number) + " of " +
         std::to_string(pattern.block_of.size()) +
-        "). Either supports leave a motion free (add a Support), or the body "
-        "is too slender or its stiffnesses differ too much for double "
-        "precision.",
+        "). Either a rigid-body motion is free (add a Support), or the body is "
+        "too slender or too heterogeneous for double precision.",
       pattern.permutation[number - 1]);
   }
 

@@ -111,8 +111,7 @@ namespace lamella
         {
           throw NumericsError(
             "linear.out-of-memory: The factorization of " + what +
-            " does not fit in memory. Use a coarser mesh or a theory of lower "
-            "order.");
+            " does not fit in memory. Use a coarser mesh or lower order.");
         }
       assemble(terms, constraints);
       fill_diagonal(constraints);

@@ -166,17 +166,15 @@ namespace lamella
       if (status == CHOLMOD_OUT_OF_MEMORY)
         throw NumericsError(
           "linear.out-of-memory: The factorization of " + what +
-          " does not fit in memory. Use a coarser mesh or a theory of lower "
-          "order.");
+          " does not fit in memory. Use a coarser mesh or lower order.");
       const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
       throw NotPositiveDefinite(
         "linear.not-positive-definite: The stiffness matrix of " + what +
           " is not positive definite (pivot " +
           std::to_string(std::min<std::size_t>(minor + 1, n)) + " of " +
           std::to_string(n) +
-          "). Either supports leave a motion free (add a Support), or the body "
-          "is too slender or its stiffnesses differ too much for double "
-          "precision.",
+          "). Either a rigid-body motion is free (add a Support), or the body "
+          "is too slender or too heterogeneous for double precision.",
         order[std::min<std::size_t>(minor, n - 1)]);
     }
 

@@ -292,9 +292,8 @@ namespace lamella
           (error < 0 ? std::string("singular to rounding") :
                        std::to_string(negative_pivots) +
                          " negative pivots of " + std::to_string(mumps.n)) +
-          "). Either supports leave a motion free (add a Support), or the body "
-          "is too slender or its stiffnesses differ too much for double "
-          "precision.");
+          "). Either a rigid-body motion is free (add a Support), or the body "
+          "is too slender or too heterogeneous for double precision.");
       if (error < 0)
         throw NumericsError(
           "linear.mumps-failed: the solver MUMPS could not factorize " + what +

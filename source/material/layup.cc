@@ -61,8 +61,7 @@ namespace lamella
   {
     const std::string &code = entry.text();
     if (code.size() > 1000)
-      entry.refuse("material.layup-too-long: the layup has more than 1000 "
-                   "characters",
+      entry.refuse("material.layup-too-long: the layup exceeds 1000 characters",
                    "Use brackets and repetitions, as in [0/90]50s.");
     // A bracket, what it holds, and what follows it; or no bracket at all.
     static const std::regex form(

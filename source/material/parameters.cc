@@ -29,8 +29,7 @@ namespace lamella
                         "",
                         patterns::numbers(),
                         "The same nine values as strains, for the criterion "
-                        "`maximum strain`; those of shear are engineering "
-                        "strains.");
+                        "`maximum strain`; shear in engineering strains.");
       prm.declare_entry("Yield",
                         "",
                         patterns::optional(patterns::positive()),
@@ -46,10 +45,9 @@ namespace lamella
                         "carbon",
                         Anything(),
                         "Inclination parameters of Puck's criterion: published "
-                        "values for carbon or glass, or four numbers: for "
-                        "shear along the fiber with transverse tension and "
-                        "with compression, and for shear across the fiber "
-                        "likewise.");
+                        "values for carbon or glass, or four numbers, for "
+                        "shear along the fiber with tension and with "
+                        "compression, and likewise across the fiber.");
     }
   } // namespace
 
@@ -68,8 +66,7 @@ namespace lamella
       "",
       patterns::numbers(),
       "Orthotropic material: E1, E2, E3, G12, G13, G23, nu12, nu13, nu23, in "
-      "stresses of the scene. Axis 1 is along the fiber, axis 3 normal to the "
-      "ply.");
+      "stresses of the scene; 1 is along the fiber, 3 normal to the ply.");
     prm.declare_entry(
       "Isotropic",
       "",
@@ -85,9 +82,9 @@ namespace lamella
       "Thermal expansion",
       "",
       patterns::numbers(),
-      "Thermal expansion coefficients, strains per kelvin, for the Temperature "
-      "of a load: one number, or three for the material axes 1, 2 and 3. They "
-      "may be negative.");
+      "Thermal expansion, strain per kelvin, for the Temperature of a load: "
+      "one number, or three for the material axes 1, 2 and 3; may be "
+      "negative.");
     declare_strengths(prm);
   }
 
@@ -100,9 +97,8 @@ namespace lamella
     {
       const Material material = library_material(entry, units);
       if (units.stress.empty() && entry.text() != "hertz-200")
-        entry.refuse("material.library-without-units: the constants of a "
-                     "built-in material have units, but the scene has Units = "
-                     "none",
+        entry.refuse("material.library-without-units: built-in materials have "
+                     "units, but the scene has Units = none",
                      "Write Units = m, N or Units = mm, N.");
       return material;
     }
@@ -114,12 +110,11 @@ namespace lamella
     {
       const std::vector<double> numbers = entry.numbers();
       if (numbers.size() != 2)
-        entry.refuse("material.wrong-count: write two numbers, E and nu, as in "
-                     "210e9, 0.3");
+        entry.refuse("material.wrong-count: write two numbers E, nu, as in "
+                     "2e11, 0.3");
       if (!(numbers[1] > -1. && numbers[1] < 0.5))
         entry.refuse(
-          "material.not-positive-definite: Poisson's ratio nu must lie between "
-          "-1 and 0.5");
+          "material.not-positive-definite: nu must lie between -1 and 0.5");
       return EngineeringConstants::isotropic(numbers[0], numbers[1]);
     }
 
@@ -131,8 +126,7 @@ namespace lamella
       const std::vector<double> n = entry.numbers();
       if (n.size() != 9)
         entry.refuse("material.wrong-count: write nine numbers, E1, E2, E3, "
-                     "G12, G13, G23, nu12, nu13, nu23; the number of values "
-                     "here is " +
+                     "G12, G13, G23, nu12, nu13, nu23; the number here is " +
                      std::to_string(n.size()));
       return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
     }
@@ -158,8 +152,7 @@ namespace lamella
         if (!(numbers[i] > 0.))
           entry.refuse("material.strength-not-positive: " + names[i] + " = " +
                          to_text(numbers[i]) + " must be positive",
-                       "Write all strengths as positive numbers, also those in "
-                       "compression.");
+                       "Write positive strengths, also in compression.");
       return numbers;
     }
 
@@ -185,9 +178,8 @@ namespace lamella
       if (n.empty())
         return {};
       if (n.size() != 1 && n.size() != 3)
-        entry.refuse("material.wrong-count: write one number, or three numbers "
-                     "for the material axes 1, 2 and 3; the number of values "
-                     "here is " +
+        entry.refuse("material.wrong-count: write one number, or three for the "
+                     "material axes 1, 2 and 3; the number here is " +
                      std::to_string(n.size()));
       // A strain of a tenth a kelvin is none of a solid.
       constexpr double     most = 0.1;
@@ -197,8 +189,8 @@ namespace lamella
           alpha[k] = n[n.size() == 1 ? 0 : k];
           if (!(std::abs(alpha[k]) < most))
             entry.refuse(
-              "material.expansion-too-large: a thermal expansion is a strain "
-              "per kelvin, and " +
+              "material.expansion-too-large: the unit is strain per kelvin, "
+              "and " +
                 to_text(alpha[k]) + " 1/K is too large for a solid",
               "Write, for example, 12e-6 for steel.");
         }

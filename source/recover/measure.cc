@@ -52,9 +52,8 @@ namespace lamella
       if (minus == std::string::npos ||
           text.find(difference, minus + 1) != std::string::npos)
         entry.refuse(
-          "recover.difference-syntax: write the difference of two results of "
-          "probes, with one minus sign between blanks, as in tip: uz - root: "
-          "uz");
+          "recover.difference-syntax: write two results of probes with one "
+          "minus sign between blanks, as in tip: uz - root: uz");
       return {Entry(entry.path(), trimmed(text.substr(0, minus))),
               Entry(entry.path(),
                     trimmed(text.substr(minus + difference.size())))};
@@ -109,12 +108,10 @@ namespace lamella
     const NamedQuantity &a = quantity.terms[0], &b = quantity.terms[1];
     if (a.kind() != b.kind())
       of.refuse("recover.kinds-differ: " + a.column + " and " + b.column +
-                  " are quantities of different kinds, which cannot be "
-                  "subtracted",
+                  " are of different kinds and cannot be subtracted",
                 "Name two displacements, two strains or two stresses.");
     if (a.label() == b.label())
-      of.refuse("recover.same-column: the difference of a quantity with itself "
-                "is always zero",
+      of.refuse("recover.same-column: a quantity minus itself is always zero",
                 "Name two different probes, or two different columns.");
     quantity.over =
       parse_over(in["Divided by"], places.front().distance(places.back()));

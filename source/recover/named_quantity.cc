@@ -189,8 +189,7 @@ namespace lamella
                        contact_quantity_names().begin(),
                        contact_quantity_names().end());
       if (std::find(columns.begin(), columns.end(), column) == columns.end())
-        text.refuse("recover.unknown-column: there is no such quantity; those "
-                    "of " +
+        text.refuse("recover.unknown-column: unknown quantity; those of " +
                     std::string(of_contact ? "contact " : "support ") + name +
                     " are " + joined(columns));
       quantity.strip  = strip;
@@ -291,8 +290,7 @@ namespace lamella
         {
           if (parts[1] != measure.quantity.column)
             text.refuse("recover.unknown-column: " + measure.name +
-                        " is a Measure and has no such column; its only column "
-                        "is " +
+                        " is a Measure, whose only column is " +
                         measure.quantity.column);
           NamedQuantity quantity = measure.quantity;
           quantity.path          = text.path();
@@ -349,8 +347,8 @@ namespace lamella
     const auto [begin, end] = search_radius_along(points, quantity.strip->axis);
     if (quantity.strip->to <= begin || quantity.strip->from >= end)
       entry.refuse(
-        "recover.strip-outside: the strip does not overlap the contact, which "
-        "extends from " +
+        "recover.strip-outside: the strip misses the contact, which extends "
+        "from " +
           to_text(begin) + " to " + to_text(end) + " along " +
           "xyz"[quantity.strip->axis],
         "Write a strip within this range.");

@@ -246,8 +246,7 @@ namespace lamella
             units.length + remedy);
       }
     if (!is_rigid && largest < small_strain && largest > arithmetic::rounding)
-      sentences.push_back("recover.implausible-strain: the largest strain is "
-                          "only " +
+      sentences.push_back("recover.implausible-strain: strains are at most " +
                           to_text(largest, 2) +
                           "; realistic loads cause larger strains" + remedy);
   }

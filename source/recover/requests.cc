@@ -51,9 +51,8 @@ namespace lamella
     parse_place(const Entry &entry, const std::vector<std::string> &bodies)
     {
       if (entry.is_empty())
-        entry.refuse_missing("recover.position-missing: write a body and a "
-                             "position as BODY: x, y, z, for example upper: 0, "
-                             "1, 0.1.");
+        entry.refuse_missing("recover.position-missing: write BODY: x, y, z, "
+                             "for example upper: 0, 1, 0.1.");
       const auto [body, place] = parse_on_body(entry, bodies);
       return {body, entry.point(place)};
     }
@@ -115,8 +114,7 @@ namespace lamella
     if (box[0] < 0. || box[1] < 0. || box[2] < 0.)
       in["Box"].refuse(
         "recover.negative-edge: the edge lengths of Box must not be negative",
-        "Write three lengths, 0 for a direction without extent, as in 0.1, "
-        "0.1, 0.");
+        "Write three lengths (0 for no extent), as in 0.1, 0.1, 0.");
     return {name,
             body,
             position,
@@ -133,7 +131,7 @@ namespace lamella
     prm.declare_entry("From",
                       "",
                       Anything(),
-                      "Start of the line, BODY: x, y, z in scene coordinates "
+                      "Start of the line, BODY: x, y, z in the scene "
                       "[length].");
     prm.declare_entry("To",
                       "",
@@ -157,11 +155,9 @@ namespace lamella
     const auto [first, from] = parse_place(in["From"], bodies);
     const auto [second, to]  = parse_place(in["To"], bodies);
     if (first != second)
-      in.refuse("recover.two-bodies: From and To of a line must be in the same "
-                "body");
+      in.refuse("recover.two-bodies: From and To must be in the same body");
     if (from.distance(to) == 0.)
-      in.refuse("recover.same-point: From and To of the line are the same "
-                "point",
+      in.refuse("recover.same-point: From and To are the same point",
                 "Write two different points.");
     return {name,
             first,
@@ -185,8 +181,7 @@ namespace lamella
     prm.declare_entry("Samples",
                       "8",
                       patterns::Whole(1, most_in_cut),
-                      "Number of intervals in each direction of a section "
-                      "cell.");
+                      "Intervals in each direction of a section cell.");
   }
 
 

@@ -158,8 +158,7 @@ namespace lamella
                        "recover.cut-outside: the axis of body '" + body.name() +
                          "' ends before " + to_text(cut.position) +
                          ", the position of the cut",
-                       "Write a distance from the start of the axis between 0 "
-                       "and Length.");
+                       "Write a distance from its start between 0 and Length.");
   }
 
 

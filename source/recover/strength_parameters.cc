@@ -34,9 +34,8 @@ namespace lamella
     prm.declare_entry("Stress",
                       name_of(StressValues::recovered),
                       selection<StressValues>(),
-                      "Stresses for the check of the most critical points: "
-                      "recovered, or equilibrium (laminates only), as in a "
-                      "Probe.");
+                      "Stresses at the most critical points: recovered, or "
+                      "equilibrium (laminates only), as in a Probe.");
   }
 
 
@@ -98,8 +97,7 @@ namespace lamella
       if (corners.size() != 2)
         entry.refuse("recover.not-a-box: '" + text +
                        "' is no box; a box is given by two opposite corners",
-                     "Write the corners as x, y, z: x, y, z, and '|' between "
-                     "boxes.");
+                     "Write x, y, z: x, y, z, and '|' between boxes.");
       const std::array<Point<3>, 2> box = {
         {entry.point(corners[0]), entry.point(corners[1])}};
       for (unsigned int c = 0; c < 3; ++c)
@@ -135,8 +133,7 @@ namespace lamella
         if (!in[name].is_empty())
           in[name].refuse("recover.no-criteria: this entry has no effect, "
                           "since Strength has no Criteria",
-                          "Write Criteria, as in Tsai-Wu, or remove this "
-                          "entry.");
+                          "Write Criteria, or remove this entry.");
     return result;
   }
 } // namespace lamella

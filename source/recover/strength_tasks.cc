@@ -143,9 +143,8 @@ namespace lamella
             "recover.criterion-unused: no ply of the bodies can be checked "
             "with this criterion",
             "Core shear and core crushing need a material with Core strengths "
-            "(a core), face wrinkling a ply on a core, and other criteria a "
-            "ply that is no core. Remove this criterion, or write Core "
-            "strengths.");
+            "(a core), face wrinkling a ply on a core, others a ply that is no "
+            "core. Remove the criterion, or write Core strengths.");
       }
   }
 

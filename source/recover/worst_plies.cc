@@ -128,6 +128,6 @@ namespace lamella
            "refinement without limit: " +
            why +
            ". Exclude this region (Strength/Excluded boxes), or refine the "
-           "mesh and compare";
+           "mesh";
   }
 } // namespace lamella

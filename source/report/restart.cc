@@ -192,8 +192,7 @@ namespace lamella
                          const std::string &scene)
     {
       if (restart.version != version())
-        return "report.restart-version: the run to resume was made by "
-               "version " +
+        return "report.restart-version: the run is of version " +
                restart.version + " of Lamella, but this is version " +
                version() + ". Run the scene from the start, without --resume.";
       if (restart.scene.size() > scene.size() &&

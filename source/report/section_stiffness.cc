@@ -45,9 +45,8 @@ namespace lamella
             if (!(scale > 0.) || !std::isfinite(m[i][j]))
               throw NumericsError(
                 "report.section-ill-conditioned: The stiffness of the section "
-                "is too ill-conditioned for double precision: cells are too "
-                "thin, or moduli differ too much. Use thicker cells or more "
-                "similar moduli.");
+                "is too ill-conditioned for double precision: use thicker "
+                "cells, or more similar moduli.");
             if (i != j && std::abs(m[i][j]) < negligible * scale)
               m[i][j] = 0.;
           }

@@ -92,8 +92,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
           command.print_parameters || command.resume || !command.output.empty())
         throw InputError(
           "run.option-not-for-new: the command new, which writes a scene, "
-          "accepts --kind only. Use the other options with a run: lamella "
-          "SCENE.prm.");
+          "accepts --kind only. Use others with lamella SCENE.prm.");
       if (!command.version && !command.help && command.scene.empty())
         throw InputError(
           "run.no-name: no name of a scene is given. Write lamella new NAME, "
@@ -241,8 +240,8 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       {
         if (!result.scene.empty())
           throw InputError(
-            "run.two-scenes: only one scene (for report: folder) can be given, "
-            "but both '" +
+            "run.two-scenes: only one scene or folder can be given, not both "
+            "'" +
             result.scene + "' and '" + word + "' are given.");
         result.scene = word;
       }

@@ -156,8 +156,6 @@ namespace lamella
       return "";
     return "run.failure-not-found: no ply fails up to load factor " + safe +
            ", and at " + to_text(*without_state, 6) +
-           " the solution failed, so the load factor of first failure is not "
-           "known. Cause: " +
-           reason;
+           " the solution failed. Cause: " + reason;
   }
 } // namespace lamella

@@ -40,8 +40,7 @@ namespace lamella
                           "results/NAME",
                           "results/" + name);
       throw InputError(
-        "run.unknown-kind: there is no template of this kind. The most similar "
-        "kind is " +
+        "run.unknown-kind: there is no such template. The most similar is " +
         nearest_name(kind, kinds_of_new_scenes()) + ", and the kinds are " +
         joined(kinds_of_new_scenes()) + ".")
         .at("--kind " + kind + ": ");
@@ -75,8 +74,7 @@ namespace lamella
     if (fs::exists(file, error))
       throw InputError(
         "run.scene-exists: " + file +
-        " exists and is not overwritten. Choose another name, or remove the "
-        "file.")
+        " exists already. Choose another name, or remove the file.")
         .at(place);
     OutputFile target(file);
     target.stream() << text;

@@ -84,7 +84,7 @@ namespace lamella
              "run.idle-contact: no contact force acts in contact " +
                joined(names) +
                " in any load step. Close the gap (Origin of a body, Through of "
-               "an obstacle), or check the direction of loads and prescribed "
+               "an obstacle), or check the directions of loads and "
                "displacements";
   }
 
@@ -192,9 +192,8 @@ namespace lamella
           warnings.push_back(
             "run.line-contact-not-valid: contact " + contact.name +
             ": the body bends around '" + contact.second_name +
-            "', so contact is not along a single line, as Discretization = "
-            "line to roller assumes. Use Discretization = auto or surface to "
-            "surface");
+            "', so contact is not along a single line (line to roller). Use "
+            "Discretization = auto or surface to surface");
         if (is_line || wraps_around)
           continue;
         const ContactArc arc = contact_arc(contact, active);
@@ -446,8 +445,7 @@ namespace lamella
             (checks.is_large ?
                "loads and contact forces on the deformed bodies " :
                "contact forces not along their main direction ") +
-            "are not in equilibrium. Add a Support if this reaction is too "
-            "large");
+            "do not balance. Add a Support if this reaction is too large");
       }
     return warnings;
   }

@@ -23,8 +23,7 @@ namespace lamella
               Entry(quantity.path, quantity.label())
                 .refuse("scene.no-friction: contact " + contact.name +
                           " has no friction",
-                        "Write Friction in this contact, or remove this "
-                        "quantity.");
+                        "Write Friction there, or remove this quantity.");
     }
   } // namespace
 
@@ -48,9 +47,7 @@ namespace lamella
         "Goals/Tolerance",
         "",
         "scene.tolerance-with-friction: contact " + contact->name +
-          " has friction, but a run with a Tolerance does not refine load "
-          "steps",
-        "Remove Tolerance; Error bars = true estimates the errors of a single "
-        "run.");
+          " has friction, but a Tolerance does not refine load steps",
+        "Remove Tolerance; Error bars = true estimates errors.");
   }
 } // namespace lamella

@@ -120,8 +120,7 @@ namespace lamella
                            "' and " + label +
                            " are quantities of different kinds, so one "
                            "tolerance with a unit cannot apply to both",
-                         "Write one tolerance for each quantity, or one in per "
-                         "cent.");
+                         "Write one tolerance per quantity, or per cent.");
         }
     }
 
@@ -163,8 +162,7 @@ namespace lamella
     {
       if (entry.text().find_first_of("|;") != std::string::npos)
         entry.refuse(
-          "scene.tolerance-separator: tolerances are separated by commas, not "
-          "by '|' or ';'",
+          "scene.tolerance-separator: tolerances are separated by commas",
           "Write, for example, 1, 0.5 MPa.");
       const std::vector<std::string> pieces = entry.items();
       const bool                     is_one = pieces.size() <= 1;
@@ -228,9 +226,8 @@ namespace lamella
           "Write Error bars = auto, or remove Tolerance.");
       if (goals.quantities.empty() && goals.probes_as_goals.empty())
         in["Tolerance"].refuse(
-          "scene.no-goals: the Tolerance has no quantity to apply to, since "
-          "the scene has neither probes nor References of supports and "
-          "contacts",
+          "scene.no-goals: the Tolerance has no quantity: the scene has "
+          "neither probes nor References of supports and contacts",
           "Add a Probe, or write Quantities in subsection Goals.");
     }
   } // namespace

@@ -46,8 +46,7 @@ namespace lamella
                theory.name(),
                "scene.theory-cannot-rotate: Rotations = large needs a theory "
                "that can represent finite rotations of sections",
-               "Write Theory = EBBT, TBT, SV, SV-N, LE-N, TE-N with N >= 2, or "
-               "solid-2.");
+               "Use EBBT, TBT, SV, SV-N, LE-N, TE-N with N >= 2, or solid-2.");
       if (!has_finite_rotations && !theory.is_solid() &&
           body.axis.degree != cubic)
         refuse(place + "Kinematics/Axis element",
@@ -118,8 +117,7 @@ namespace lamella
         throw InputError(place + "Penalty",
                          "",
                          "scene.penalty-of-line: a Penalty is a force per area "
-                         "and penetration, but line contact with a roller has "
-                         "no area",
+                         "and penetration, but line contact has no area",
                          "Write Enforcement = exact, or Penalty = auto.");
       if (is_line && !has_roller(contact, body))
         throw InputError(place + "Discretization",
@@ -192,8 +190,7 @@ namespace lamella
         refuse("Goals/Error bars",
                name_of(goals.bars),
                rule,
-               "Write Error bars = true, which compares with fewer axis "
-               "elements.");
+               "Write true, which compares with fewer axis elements.");
     }
 
 
@@ -243,8 +240,7 @@ namespace lamella
       throw InputError(
         "Rotations",
         name_of(scene.solve.rotations),
-        "scene.rotations-in-parallel: Rotations = large works on one process "
-        "only",
+        "scene.rotations-in-parallel: large rotations work on one process only",
         "Start lamella without mpirun, or write Rotations = linear.");
     if (scene.solve.strategy == Strategy::full)
       refuse("Contact strategy",

@@ -45,8 +45,7 @@ namespace lamella
         "layer-wise Lagrange expansion of degree N (LE-1, 2, 3 are L4, L9, "
         "L16); SV-N: Saint-Venant solutions of the section and its deformation "
         "near loads, supports and contacts at N wave numbers (SV: none); "
-        "solid-N: hexahedra of degree N, 1 or 2, instead of a beam, on the "
-        "same meshes.");
+        "solid-N: hexahedra of degree N (1 or 2) instead of a beam.");
       prm.declare_entry(
         "Gravity",
         "0, 0, 0",
@@ -138,8 +137,7 @@ namespace lamella
               if (!std::regex_match(name, form))
                 entry.refuse("scene.invalid-name: '" + name +
                                "' is not a valid name",
-                             "Write a letter first and then letters, digits, "
-                             "'_' and '-'.");
+                             "Write a letter, then letters, digits, '_', '-'.");
               if (!seen.insert(name).second)
                 entry.refuse("scene.repeated-name: '" + name +
                              "' is in the list twice; remove one of the two");
@@ -194,13 +192,12 @@ namespace lamella
       if (entry.is_empty())
         return false;
       if (entry.text() != "first failure")
-        entry.refuse("scene.unknown-find: write `first failure`, or leave the "
-                     "value empty");
+        entry.refuse("scene.unknown-find: write `first failure`, or nothing");
       if (strength.criteria.empty())
         entry.refuse("scene.no-criteria: Find = first failure needs failure "
                      "criteria, but Criteria is empty",
-                     "Write Criteria in subsection Strength, and Strengths in "
-                     "each Material.");
+                     "Write Strength/Criteria, and Strengths of each "
+                     "Material.");
       return true;
     }
 
@@ -272,8 +269,7 @@ namespace lamella
       if (scene.find_first_failure && !path.empty())
         in["Find"].refuse("scene.find-with-factors: " + path +
                             " has its own Factors, but Find = first failure "
-                            "raises the load factor of all loads until a ply "
-                            "fails",
+                            "raises one load factor until a ply fails",
                           "Remove these Factors, or Find.");
     }
 

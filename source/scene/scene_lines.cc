@@ -147,9 +147,8 @@ namespace lamella
       if ((word == "subsection" || word == "set") &&
           rest.substr(0, rest.find('=')).find('/') != std::string::npos)
         throw InputError("scene.slash-in-name: '" + line +
-                         "' has a '/' in a name. In a file, write nested "
-                         "subsections; '/' separates subsections in --set "
-                         "only.")
+                         "' has a '/' in a name. In a file, nest subsections; "
+                         "'/' separates subsections in --set only.")
           .at(here);
     }
 

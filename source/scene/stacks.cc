@@ -64,9 +64,8 @@ namespace lamella
               for (const std::string &other : given.items())
                 if (copy == other)
                   given.refuse("scene.name-of-copy: '" + copy +
-                                 "' is also the name that a copy gets (Copies) "
-                                 "of " +
-                                 kind + " " + name,
+                                 "' is also the name of a copy of " + kind +
+                                 " " + name,
                                "Rename one of the two subsections.");
               names.push_back(copy);
             }
@@ -183,8 +182,8 @@ namespace lamella
         return;
       if (first_is_stack && second_is_stack && first.first != second.first)
         entry(text, path + "Second")
-          .refuse("scene.two-stacks: First and Second are both repeated bodies "
-                  "(Copies), " +
+          .refuse("scene.two-stacks: First and Second are both bodies with "
+                  "Copies, " +
                     first.first + " and " + second.first,
                   "Write a single copy in First or Second, such as " +
                     copy_name(second.first, 1) + ".");
@@ -227,8 +226,7 @@ namespace lamella
               given.refuse("scene.step-without-copies: this step is the "
                            "difference between one copy of the body and the "
                            "next, but the body has no Copies",
-                           "Write Copies, as in Copies = 5, or remove the "
-                           "step.");
+                           "Write Copies, as in 5, or remove the step.");
       }
     if (stacks.empty())
       return;

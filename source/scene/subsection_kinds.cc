@@ -226,8 +226,7 @@ namespace lamella
           throw InputError(
             "Contact " + last.name,
             "",
-            "scene.repeated-contact: First and Second are also those of "
-            "Contact " +
+            "scene.repeated-contact: First and Second are those of Contact " +
               other->name,
             "Remove one of the two contacts.");
     }

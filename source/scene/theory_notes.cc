@@ -71,9 +71,8 @@ namespace lamella
           "scene.shear-of-theory: body " + body.name +
           ": compared with the shear stiffness k G A of the section, " +
           body.theory.name() + " is " + describe_stiffness(ratio) +
-          " in bending at this length, since it does not describe the "
-          "transverse shear of these plies (12 E I / (k G A L^2)). Use Theory "
-          "= LE-N");
+          " in bending at this length, since it does not describe the shear of "
+          "these plies (12 E I / (k G A L^2)). Use LE-N");
     }
 
 
@@ -94,11 +93,9 @@ namespace lamella
         notes.push_back(
           "scene.torsion-of-theory: body " + body.name + ": in torsion " +
           body.theory.name() + " is " + to_text(*found / *truth, 2) +
-          " times as stiff as LE-2 for this section (torsional stiffness G J "
-          "= " +
+          " times as stiff as LE-2 for this section (G J = " +
           to_text(*found, 3) + " instead of " + to_text(*truth, 3) +
-          "), also for the bending of its walls. Use Theory = LE-N if the body "
-          "twists");
+          "), also for the bending of its walls. Use LE-N if the body twists");
     }
 
     /// Returns the relative increase of the axial stiffness without lateral
@@ -174,8 +171,8 @@ namespace lamella
       if (longest > coarse * width && error > worth)
         notes.push_back(
           "scene.long-element-at-clamp: body " + body.name +
-          ": a support constrains the whole section at an axis element with "
-          "the length " +
+          ": a support constrains the section at an axis element with the "
+          "length " +
           to_text(longest, 3) + ", " + to_text(longest / width, 2) +
           " times the width of the section, so deflections may be " +
           to_text(100. * error, 1) +
@@ -243,8 +240,8 @@ namespace lamella
             notes.push_back(
               "scene.poisson-locking: body " + body.name +
               ": the bilinear cells (L4) of LE-1 cannot represent lateral "
-              "contraction in bending and are too stiff (Poisson locking). Use "
-              "Theory = LE-2");
+              "contraction and are too stiff in bending (Poisson locking). Use "
+              "LE-2");
         }
       return notes;
     }
@@ -293,11 +290,9 @@ namespace lamella
             notes.push_back(
               "scene.bend-twist-coupling: body " + body.name +
               ": the layup twists when it bends, which " + body.theory.name() +
-              " cannot describe. By classical lamination theory this makes the "
-              "body " +
+              " cannot describe. By lamination theory this makes the body " +
               to_text(ratio, 3) +
-              " times too stiff in bending. Use Theory = TE-N with N >= 2, or "
-              "LE-N");
+              " times too stiff in bending. Use TE-N with N >= 2, or LE-N");
         }
       return notes;
     }

@@ -36,8 +36,7 @@ namespace lamella
         "Bodies",
         "",
         Anything(),
-        "Bodies whose theory and meshes the variants change. Empty: all "
-        "bodies.");
+        "Bodies whose theory and meshes variants change. Empty: all.");
     }
 
 
@@ -85,8 +84,7 @@ namespace lamella
       "Time limit",
       "0",
       patterns::number(),
-      "Processor time in seconds after which a variant is stopped; 0: no "
-      "limit.");
+      "Processor seconds after which a variant is stopped; 0: no limit.");
   }
 
 
@@ -125,8 +123,8 @@ namespace lamella
         return std::nullopt;
       if (piece == word)
         variant.refuse(
-          "scene.variant-tolerance-missing: the value after the word tolerance "
-          "is missing",
+          "scene.variant-tolerance-missing: the value after tolerance is "
+          "missing",
           "Write a tolerance in per cent, as in tolerance 1.");
       const double per_cent = variant.number(piece.substr(word.size() + 1));
       if (!(per_cent > 0. && per_cent <= 100.))
@@ -184,8 +182,7 @@ namespace lamella
         }
       if (variant.tolerance && (variant.axis != 1. || variant.section != 1.))
         text.refuse("scene.factors-with-tolerance: a variant with a tolerance "
-                    "refines its meshes automatically, so mesh factors have no "
-                    "use",
+                    "refines its meshes automatically",
                     "Remove axis FACTOR and section FACTOR from this variant.");
       return variant;
     }
@@ -226,15 +223,13 @@ namespace lamella
           if (!quantity.given)
             reference.refuse(
               "scene.no-reference: " + quantity.label() +
-                " has no value in References of the scene, but Reference = "
-                "given needs one",
+                " has no value in References, which Reference = given needs",
               "Add a value to References, remove the quantity, or write "
               "Reference = finest.");
           if (*quantity.given == 0.)
             reference.refuse(
               "scene.reference-zero: " + quantity.label() +
-                " has the reference value 0, so its relative error is "
-                "undefined",
+                " has the reference 0, so its relative error is undefined",
               "Choose another quantity, or another position of the probe.");
         }
     }

@@ -154,8 +154,7 @@ namespace lamella
                                theory.kind == Kind::SV ? 40 :
                                                          2;
     if (theory.order < least || theory.order > limit)
-      entry.refuse("section.order-out-of-range: the number N of this theory is "
-                   "out of range",
+      entry.refuse("section.order-out-of-range: the number N is out of range",
                    remedy);
     return theory;
   }
@@ -168,8 +167,7 @@ namespace lamella
     prm.declare_entry("Theory",
                       "",
                       dealii::Patterns::Anything(),
-                      "Theory of this body, instead of the Theory of the "
-                      "scene.");
+                      "Theory of this body, instead of that of the scene.");
     prm.declare_entry(
       "Theories",
       "",
@@ -179,9 +177,8 @@ namespace lamella
     prm.declare_entry("Theory breaks",
                       "",
                       patterns::numbers(),
-                      "Distances from the start of the axis, ascending, at "
-                      "which one of Theories ends and the next begins "
-                      "[length].");
+                      "Ascending distances from the start of the axis at which "
+                      "one of Theories ends and the next begins [length].");
     prm.declare_entry(
       "Section order",
       "auto",
@@ -232,12 +229,11 @@ namespace lamella
         all.refuse("section.taylor-theory-in-pieces: " + word +
                      " has section functions that LE-N and SV-N do not "
                      "contain, so they cannot be joined",
-                   "Write only LE-N and SV-N in Theories, or TE-N as the "
-                   "single Theory.");
+                   "Use LE-N and SV-N in Theories, or TE-N as the only "
+                   "Theory.");
       if (theory.kind == Theory::Kind::solid)
         all.refuse("section.solid-in-pieces: " + word +
-                     " is no beam theory, but Theories are joined along the "
-                     "axis of a beam",
+                     " is no beam theory, but Theories are those of a beam",
                    "Write only LE-N and SV-N in Theories, or use a separate "
                    "body with the solid theory.");
       return theory;
@@ -266,7 +262,7 @@ namespace lamella
         all.refuse("section.different-orders-of-sv: SV-" +
                      std::to_string(*waves.begin()) + " and SV-" +
                      std::to_string(*waves.rbegin()) +
-                     " in Theories have different wave numbers",
+                     " use different wave numbers and cannot be joined",
                    "Write the same N for each SV-N in Theories, or SV.");
       const unsigned int highest = degrees.empty() ? 0 : *degrees.rbegin();
       const unsigned int space   = order.text() == "auto" && highest > 0 ?
@@ -275,11 +271,12 @@ namespace lamella
       if (space < highest)
         order.refuse("section.section-order-too-low: Theories has LE-" +
                        std::to_string(highest) +
-                       ", which needs at least this order",
-                     "Write Section order = auto.");
+                       ", which needs at least this degree of Section order",
+                     "Write Section order = auto, or " +
+                       std::to_string(highest) + " or more.");
       if (only_LE && space > highest)
-        order.refuse("section.section-order-unused: applies to SV-N, and "
-                     "Theories has none",
+        order.refuse("section.section-order-unused: Section order is for SV-N, "
+                     "but Theories has no SV-N",
                      "Write Section order = auto, or remove the entry.");
       for (Theory &theory : theories)
         {
@@ -326,8 +323,7 @@ namespace lamella
     for (const std::string &word : all.items())
       pieces.theories.push_back(parse_piece(all, word));
     if (pieces.theories.size() != pieces.breaks.size() + 1)
-      all.refuse("section.count-of-theories: Theory breaks divide the axis "
-                 "into " +
+      all.refuse("section.count-of-theories: Theory breaks make " +
                    std::to_string(pieces.breaks.size() + 1) +
                    " parts, but the number of theories is " +
                    std::to_string(pieces.theories.size()),

@@ -207,12 +207,10 @@ namespace lamella
                 entry,
                 group.line,
                 "shape.part-without-material: the physical surface '" + name +
-                  "' has no material of this name; the most similar name in "
-                  "Materials is '" +
+                  "' is no material; the most similar name in Materials is '" +
                   nearest_name(name, known) + "'",
-                "Rename the physical surface, or give its material in Parts: "
-                "'" +
-                  name + ": " + known[0] + "'.");
+                "Rename the surface, or write its material in Parts: '" + name +
+                  ": " + known[0] + "'.");
             ply_of_tag[key.second] = section.plies.size();
             section.plies.push_back({oriented_material.material,
                                      oriented_material.angle,
@@ -246,8 +244,7 @@ namespace lamella
               refuse_line(entry,
                           group.line,
                           "shape.reserved-name: the physical line '" + name +
-                            "' has a name that is reserved for sides of a body "
-                            "(" +
+                            "' has a name reserved for sides of a body (" +
                             joined(reserved) + ")",
                           "Rename the physical line.");
             if (!std::regex_match(name, form))
@@ -255,8 +252,7 @@ namespace lamella
                           group.line,
                           "shape.invalid-name: '" + name +
                             "' is no valid name of a physical line",
-                          "Write a letter first and then letters, digits, '_' "
-                          "and '-'.");
+                          "Write a letter, then letters, digits, '_', '-'.");
             // Groups of one name are one boundary.
             const types::boundary_id id =
               id_of_name.insert({name, section.boundaries.size()})

@@ -185,8 +185,7 @@ namespace lamella
                   "Save the file as plain ASCII, without a byte order mark.");
     if (!all.next() || (all.current != "$MeshFormat" && all.current != "$NOD"))
       all.entry.refuse("shape.not-a-mesh: this file is not a mesh file of Gmsh",
-                       "Write a mesh file with 'gmsh -2 NAME.geo -o "
-                       "NAME.msh'.");
+                       "Write one with 'gmsh -2 NAME.geo -o NAME.msh'.");
     std::string version = "1";
     bool        binary  = false;
     if (all.current == "$MeshFormat")

@@ -119,9 +119,8 @@ namespace lamella
          "1",
          List(cells()),
          "LBWT",
-         "Laminate: number of cells through the thickness of a ply, one for "
-         "all plies or one for each ply. Walls with a Wall layup: one number "
-         "for all plies."}};
+         "Laminate: number of cells through a ply, one for all plies or one "
+         "for each ply. Walls with a Wall layup: one number for all plies."}};
     }
 
 
@@ -153,8 +152,8 @@ namespace lamella
                number(),
                "DEBW",
                "All shapes but laminate, tube and file: fiber angle about z in "
-               "degrees, 0 along +y, positive from +y towards +x. Not with a "
-               "Wall layup."}};
+               "degrees, 0 along +y, positive towards +x. Not with a Wall "
+               "layup."}};
     }
 
 
@@ -185,14 +184,12 @@ namespace lamella
          "8",
          cells(),
          "D",
-         "Half disc: number of cells in each ring around that point, a "
-         "multiple of 4."},
+         "Half disc: cells in each ring around that point, a multiple of 4."},
         {"Refinements",
          "1",
          Whole(0, ShapeReader::max_ellipse_refinements),
          "E",
-         "Ellipse: how often its 12 initial cells are divided into four, 0 to "
-         "6."}};
+         "Ellipse: how often its 12 cells are divided into four, 0 to 6."}};
     }
 
 
@@ -287,8 +284,7 @@ namespace lamella
          "24",
          cells(),
          "T",
-         "Tube: number of cells around the tube, a multiple of 4, at "
-         "least 8."}};
+         "Tube: cells around the tube, a multiple of 4, at least 8."}};
     }
 
 
@@ -308,9 +304,8 @@ namespace lamella
          "",
          Anything(),
          "F",
-         "File: materials of physical surfaces that do not have the name of a "
-         "material, PART: MATERIAL ANGLE with '|' between; ANGLE may be "
-         "omitted."},
+         "File: materials of physical surfaces that have other names, PART: "
+         "MATERIAL ANGLE with '|' between; ANGLE may be omitted."},
         {"Ply planes",
          "",
          Anything(),
@@ -361,8 +356,7 @@ namespace lamella
         if (!entry.is_of(kind) && in[entry.name].text() != entry.fallback)
           in[entry.name].refuse("shape.entry-of-other-shape: the shape '" +
                                   name_of(kind) + "' does not have this entry",
-                                "Remove this entry; the entries of the shape "
-                                "are " +
+                                "Remove this entry; the shape has " +
                                   joined(own) + ".");
       if (letter_of(kind) == 'W' && !in["Wall thickness"].is_empty() &&
           !in["Web thickness"].is_empty() && !in["Flange thickness"].is_empty())

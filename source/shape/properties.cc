@@ -178,8 +178,7 @@ namespace lamella
       if (parts.size() > 1)
         entry.refuse("shape.section-in-pieces: the section consists of " +
                        std::to_string(parts.size()) +
-                       " parts that are not connected by sides of cells; one "
-                       "part is at " +
+                       " unconnected parts; one part is at " +
                        to_text(parts[0]) + ", another at " + to_text(parts[1]),
                      "Connect the parts, or make a body of each.");
     }

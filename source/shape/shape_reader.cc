@@ -14,8 +14,8 @@ namespace lamella
   {
     const std::vector<double> values = in[entry].numbers();
     if (values.empty())
-      in[entry].refuse_missing("shape.length-missing: write a positive length, "
-                               "as in 0.05.");
+      in[entry].refuse_missing("shape.length-missing: write a positive "
+                               "length.");
     return values;
   }
 
@@ -27,8 +27,7 @@ namespace lamella
     const std::vector<unsigned int> values =
       in[entry].whole_numbers(1, max_cells_in_line);
     if (values.empty())
-      in[entry].refuse_missing("shape.number-missing: write a whole number, as "
-                               "in 2.");
+      in[entry].refuse_missing("shape.number-missing: write a whole number.");
     return values;
   }
 
@@ -43,9 +42,8 @@ namespace lamella
     if (entry.is_empty() && materials.size() == 1)
       result.material = materials[0];
     else if (entry.is_empty())
-      entry.refuse_missing("shape.material-missing: write the name of a "
-                           "material: " +
-                           joined(materials) + ".");
+      entry.refuse_missing(
+        "shape.material-missing: write a material: " + joined(materials) + ".");
     else
       result.material = material(entry, entry.text());
     return result;
@@ -107,8 +105,7 @@ namespace lamella
     if (names.empty() && materials.size() == 1)
       names = materials;
     if (names.empty())
-      entry.refuse_missing("shape.material-missing: write the name of a "
-                           "material: " +
+      entry.refuse_missing("shape.material-missing: write a material: " +
                            joined(materials) + ", or one for each ply.");
     for (const std::string &name : names)
       material(entry, name);
@@ -133,15 +130,14 @@ namespace lamella
       finest.is_empty() ? result.radius / 8. : finest.positive();
     if (!(result.finest_cell <= result.radius &&
           result.finest_cell >= 1e-6 * result.radius))
-      finest.refuse("shape.invalid-finest-cell: the size of the finest cell "
-                    "must lie between a millionth of Radius and Radius, which "
-                    "is " +
+      finest.refuse("shape.invalid-finest-cell: the cell size must lie between "
+                    "a millionth of Radius and Radius, which is " +
                     to_text(result.radius));
     result.sectors = count("Sectors");
     if (result.sectors % 4 != 0)
       in["Sectors"].refuse(
-        "shape.not-multiple-of-four: the number of sectors must be a multiple "
-        "of 4, as 8 or 12");
+        "shape.not-multiple-of-four: Sectors must be a multiple of 4, as 8 or "
+        "12");
     result.oriented_material = oriented_material();
     return result;
   }
@@ -213,9 +209,8 @@ namespace lamella
           const bool follows = word == "along" || word == "against";
           if (name.empty() || word.empty() || follows == curves.empty())
             entry.refuse("shape.invalid-ply-plane: '" + text +
-                           "' has none of the forms PART: DIRECTION, as in "
-                           "web: 180, PART: along CURVES, and PART: against "
-                           "CURVES",
+                           "' is not PART: DIRECTION, as in web: 180, PART: "
+                           "along CURVES or PART: against CURVES",
                          "Write '|' between parts.");
           PartPlane plane;
           if (follows)
@@ -238,8 +233,7 @@ namespace lamella
     const Entry name = in["File"];
     if (name.is_empty())
       name.refuse_missing(
-        "shape.file-missing: write the name of a mesh file of Gmsh, as in "
-        "beam.msh.");
+        "shape.file-missing: write a mesh file of Gmsh, as in beam.msh.");
     SectionFile result;
     result.path   = (std::filesystem::path(folder) / name.text()).string();
     result.what   = in.path();

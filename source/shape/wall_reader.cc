@@ -22,8 +22,7 @@ namespace lamella
     {
       const double sum = std::accumulate(walls.begin(), walls.end(), 0.);
       if (!(sum < extension))
-        entry.refuse("shape.walls-too-thick: the walls have a total thickness "
-                     "of " +
+        entry.refuse("shape.walls-too-thick: the walls together have " +
                        to_text(sum) + ", but the " + named + " " +
                        to_text(extension) + " must be larger",
                      "Make the walls thinner or the section larger.");
@@ -42,8 +41,7 @@ namespace lamella
                        (walls.size() == 1 ? "one wall" :
                                             std::to_string(walls.size()) +
                                               " walls (" + joined(walls) + ")"),
-                     "Write one layup for all walls, or one for each wall with "
-                     "'|' between.");
+                     "Write one layup, or one for each wall with '|' between.");
       return std::vector<std::string>(
         items.size() == walls.size() ?
           items :
@@ -156,8 +154,7 @@ namespace lamella
         if (!has_layup && in[name].text() != fallback)
           in[name].refuse("shape.entry-without-layup: this entry describes the "
                           "plies of Wall layup, but Wall layup is empty",
-                          "Write Wall layup, as in 45/-45, or remove this "
-                          "entry.");
+                          "Write Wall layup, or remove this entry.");
       if (has_layup && reader.counts("Cells per ply").size() != 1)
         in["Cells per ply"].refuse(
           "shape.one-number-for-plies: walls have one number of cells for all "

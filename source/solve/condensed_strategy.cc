@@ -45,8 +45,7 @@ namespace lamella
       if (!(found.error <= sound))
         throw NumericsError(
           "solve.friction-not-converged: The contact iteration with friction "
-          "did not converge: Coulomb's law is violated with a relative error "
-          "of " +
+          "did not converge: Coulomb's law has the relative error " +
           to_text(found.error, 2) + friction_remedy);
     }
 

@@ -555,7 +555,7 @@ namespace lamella
     const double size = state.u.linfty_norm(), change = du.l2_norm();
     if (!std::isfinite(change))
       throw NumericsError(
-        "solve.not-finite: The solution is not finite. Check the loads and the "
+        "solve.not-finite: The solution is not finite. Check loads and "
         "materials.");
     return change <= state.rounding() ? 0. : du.linfty_norm() / size;
   }
@@ -648,7 +648,6 @@ namespace lamella
       (names.empty() ? "" :
                        " (" + names + (changing.size() > 3 ? "; ...)" : ")")) +
       "." + describe_overlap() + " Try " + strategy->remedy() +
-      ", a finer mesh at the edge of the contact, or larger Maximum "
-      "iterations.");
+      ", a finer mesh at the contact edge, or larger Maximum iterations.");
   }
 } // namespace lamella

@@ -253,8 +253,9 @@ namespace lamella
     if (least < -parameters.instability_share * pressing / structure.size() *
                   length * length)
       throw NumericsError(
-        "solve.unstable-body: A body would tip or slide under its loads; only "
-        "its Stabilization prevents this. Add a Support.");
+        "solve.unstable-body: A body would turn over or slide away under its "
+        "loads; only the springs of Stabilization prevent this. Add a "
+        "Support.");
     return true;
   }
 } // namespace lamella

@@ -407,8 +407,7 @@ namespace lamella
   {
     const std::string remedy =
       ". The linear result is no approximation here. Use Rotations = large, "
-      "reduce the loads, or write Beyond linear range = accept to get this "
-      "result.";
+      "reduce the loads, or write Beyond linear range = accept.";
     if (found.stiffening > most_stiffening)
       throw NumericsError("solve.large-deflections: The deflections are too "
                           "large for the linear model: " +

@@ -55,16 +55,14 @@ namespace lamella
         "finite rotations and sliding, at small strains. It needs theories "
         "whose section functions can rotate (LE-N, TE-N with N >= 2, with Axis "
         "element = B4; solid-2) or whose sections rotate rigidly (EBBT, TBT, "
-        "SV, SV-N); auto: linear, or large where the linear result neglects "
-        "more than 2e-3.");
+        "SV, SV-N); auto: linear, or large if linear neglects more than 2e-3.");
       prm.declare_entry(
         "Stress axes",
         name_of(StressAxes::material),
         selection<StressAxes>(),
-        "With large rotations: axes for the components sxx ... syz of Cauchy "
-        "stress in probes, lines and cuts, material (rotated with the "
-        "material) or those of the scene. s11 ... s23 refer to the rotated ply "
-        "axes.");
+        "With large rotations: axes of the components sxx ... syz of Cauchy "
+        "stress in probes, lines and cuts: rotated with the material, or those "
+        "of the scene. s11 ... s23 refer to the rotated ply axes.");
     }
   } // namespace
 
@@ -153,8 +151,8 @@ namespace lamella
       parameters.load_factors.emplace_back(factor);
     if (parameters.load_factors.empty())
       in["Load factors"].refuse_missing(
-        "solve.load-factors-missing: write one number for each load step, as "
-        "in 0.5, 1.");
+        "solve.load-factors-missing: write one number per load step, as in "
+        "0.5, 1.");
     parameters.substeps     = parse_substeps(in["Substeps"]);
     parameters.rotations    = in["Rotations"].choice<Rotations>();
     parameters.stress_axes  = in["Stress axes"].choice<StressAxes>();

@@ -57,10 +57,9 @@ namespace lamella
         throw NumericsError(
           "solve.spring-energy: Stabilizing springs store " +
           to_text(100. * checks.stabilization_share, 3) +
-          " % of the energy, so the contacts of a body with Stabilization do "
-          "not constrain this body. Add a support, close its gaps by a "
-          "prescribed displacement, or load it towards the body that is to "
-          "support it.");
+          " % of the energy, so contacts do not constrain a body with "
+          "Stabilization. Add a support, close its gaps by a prescribed "
+          "displacement, or load it towards the body that is to support it.");
     }
 
 
@@ -100,9 +99,8 @@ namespace lamella
           throw IllConditioned(
             "solve.not-balanced: The solution fails a check: " +
             std::string(what) + ": the relative error is " + to_text(error, 3) +
-            ". The scene is too ill-conditioned for double precision: make "
-            "bodies less slender, or stiffnesses and penalties less "
-            "different.");
+            ". The scene is too ill-conditioned: use less slender bodies, or "
+            "less different stiffnesses and penalties.");
     }
 
 
@@ -117,8 +115,8 @@ namespace lamella
           "solve.contact-forces-differ: The forces of a contact on its two "
           "bodies differ by " +
           to_text(contact.imbalance, 3) +
-          " of their sum. This is an error in Lamella: please report it with "
-          "the scene file.");
+          " of their sum. This is an error in Lamella: please report the "
+          "scene.");
       else if (contact.min_force < 0. ||
                !(contact.law_error <= std::max(sound * displacement, rounding)))
         throw NumericsError(
@@ -128,8 +126,7 @@ namespace lamella
           ", and the gaps differ from the contact law by up to " +
           to_text(contact.law_error, 3) + " (relative violation " +
           to_text(contact.violation, 3) +
-          "). Use a smaller Penalty, or Contact strategy = condensed instead "
-          "of full.");
+          "). Use a smaller Penalty, or Contact strategy = condensed.");
     }
 
 
@@ -141,8 +138,7 @@ namespace lamella
       // mesh: the means over sections are checked.
       if (!(checks.max_mean_strain <= large_strain))
         throw NumericsError(
-          "solve.strain-beyond-law: The mean axial strain of a section "
-          "reaches " +
+          "solve.strain-beyond-law: The mean axial strain reaches " +
           to_text(100. * checks.max_mean_strain, 3) +
           " %, but the material law, linear in the Green-Lagrange strain, is "
           "valid only up to " +
@@ -164,7 +160,7 @@ namespace lamella
       check_contact_law(contact, checks.max_displacement, state.rounding());
     if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
       throw NumericsError(
-        "solve.not-finite: The solution is not finite. Check the loads and the "
+        "solve.not-finite: The solution is not finite. Check loads and "
         "materials.");
     if (checks.is_large)
       check_small_strain(checks);
@@ -270,13 +266,11 @@ namespace lamella
         warnings.push_back(
           "solve.element-rotation: an axis element rotates by " +
           to_text(checks.max_element_rotation * 180. / dealii::numbers::PI, 3) +
-          " degrees between its ends, which gives errors of some per cent. "
-          "Use " +
+          " degrees between its ends: errors are some per cent. Use " +
           to_text(std::ceil(checks.max_element_rotation /
                             (large_element_rotation / 2.)),
                   3) +
-          " times as many Axis elements there, so that each rotates by at most "
-          "10 degrees");
+          " times as many Axis elements there (10 degrees each)");
     }
   } // namespace
 
@@ -317,8 +311,7 @@ namespace lamella
     if (checks.stabilization_share > worth_saying)
       warnings.push_back("solve.spring-energy: stabilizing springs store " +
                          to_text(100. * checks.stabilization_share, 2) +
-                         " % of the energy, which should be negligible. Reduce "
-                         "Stabilization");
+                         " % of the energy, too much. Reduce Stabilization");
     const double first =
       state.free_corrections.empty() ? 0. : state.free_corrections.front();
     const double forces = std::max({checks.force_balance,

@@ -179,8 +179,7 @@ namespace lamella
           "solve.supports-contradict: this support and another prescribe "
           "different displacements of the same point, at " +
             to_text(row.position),
-          "Write the same Factors and displacements in both, or remove one of "
-          "the supports.");
+          "Write the same displacements and Factors, or remove a support.");
     return u;
   }
 

@@ -96,8 +96,7 @@ namespace lamella
       // The lock needs a file; it is not emptied, should another have it.
       if (error || !std::ofstream(directory + "/trade.lock", std::ios::app))
         throw InputError("trade.folder-not-writable: results cannot be written "
-                         "into this folder. Name a folder that you may write "
-                         "to.")
+                         "into this folder. Name another folder.")
           .at("--output " + directory + ": ");
     }
 
@@ -119,8 +118,8 @@ namespace lamella
         throw InputError("Trade/Error bars",
                          "true",
                          "trade.bars-with-large-rotations: with Rotations = "
-                         "large, error bars contain the error of the axis "
-                         "elements only",
+                         "large, error bars contain errors of axis elements "
+                         "only",
                          "Remove Error bars; the errors in the tables are "
                          "those against the finest variant.");
     }

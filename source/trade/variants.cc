@@ -100,8 +100,8 @@ namespace lamella
             file.path,
             "trade.mesh-not-coarser: a section mesh from a file can be refined "
             "but not coarsened, so section FACTOR is too small",
-            "Name a coarser mesh file in the variant, as in Section NAME/File "
-            "= coarse.msh");
+            "Name a coarser mesh in the variant: Section NAME/File = "
+            "coarse.msh.");
         return {{"Cells divided", std::to_string(times)}};
       }
     };

@@ -191,11 +191,9 @@ namespace lamella
                 path + "/Normal displacement",
                 "",
                 "export.oblique-normal: at " + to_text(mesh.node(node)) +
-                  " the surface normal is not along an axis of the scene, but "
-                  "a CalculiX input file prescribes displacements along these "
-                  "axes only",
-                "Rotate the bodies so that the normal is along an axis, or "
-                "prescribe u.");
+                  " the normal is not along an axis of the scene, but CalculiX "
+                  "input files prescribe displacements along these only",
+                "Align the normal with an axis, or prescribe u.");
             hold(
               node, c, std::copysign(1., normal[c]) * *support.normal, s, mesh);
           }

@@ -86,8 +86,7 @@ namespace lamella
           "",
           "export.load-factors: the exported file has one load factor per step "
           "for all loads and supports",
-          "Remove Factors, or write *AMPLITUDE into the file after the "
-          "export.");
+          "Remove Factors, or write *AMPLITUDE into the exported file.");
     }
 
 
@@ -318,9 +317,8 @@ namespace lamella
         throw InputError(fault.rule + ". " + fault.remedy).at(place);
       const double value = to_number(text);
       if (!(value > 0.))
-        throw InputError("entry.not-positive: the contact stiffness must be "
-                         "auto or a positive number, in units of pressure per "
-                         "penetration.")
+        throw InputError("entry.not-positive: contact stiffness is auto or a "
+                         "positive number (pressure per penetration).")
           .at(place);
       return value;
     }
@@ -362,8 +360,7 @@ namespace lamella
     const std::filesystem::path name = request.output;
     if (name.extension() != ".inp")
       throw InputError(
-        "export.not-inp: the name of a CalculiX input file must end in .inp, "
-        "as in beam.inp.")
+        "export.not-inp: the file name must end in .inp, as in beam.inp.")
         .at("--output " + request.output + ": ");
     const Deck         deck(scene,
                     request.element.empty() ? "C3D20R" : request.element,

@@ -17,8 +17,7 @@ namespace lamella
     const std::vector<std::string> names{"C3D20R", "C3D8I", "C3D8R"};
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw InputError(
-        "export.unknown-element: there is no such element for the export. "
-        "Choose one of " +
+        "export.unknown-element: there is no such element. Choose one of " +
         joined(names) + "; the most similar is " + nearest_name(name, names) +
         ".")
         .at("--element " + name + ": ");
