@@ -44,8 +44,7 @@ namespace
   {
     if (command.task != CommandLine::Task::run && n_processes() > 1)
       throw InputError("run.task-in-parallel: trade, export, report and new "
-                       "work on one process only. Start lamella without "
-                       "mpirun.");
+                       "work on one process. Start lamella without mpirun.");
   }
 
 

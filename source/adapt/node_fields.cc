@@ -320,14 +320,13 @@ namespace lamella
     {
       const Theory &theory = description.theory;
       if (!why.empty())
-        notes.push_back("adapt.all-fields: body " + beam.name() + ": for " +
-                        theory.name() + ", " + why +
-                        (body.facts.is_unsolved ?
-                           "." :
-                           ", so reducing its DoFs saves nothing.") +
-                        " Each node has all section functions as DoFs (those "
-                        "of " +
-                        beam.section().theory().name() + ")");
+        notes.push_back(
+          "adapt.all-fields: body " + beam.name() + ": for " + theory.name() +
+          ", " + why +
+          (body.facts.is_unsolved ? "." :
+                                    ", so reducing its DoFs saves nothing.") +
+          " Each node has all section functions as DoFs (those of " +
+          beam.section().theory().name() + ")");
       if (theory.order == 0 && description.pieces.empty())
         add_missing_field_notes(beam, body.interactions, notes);
       else if (why.empty())

@@ -28,9 +28,8 @@ namespace lamella
     prm.declare_entry("Axis breaks",
                       "",
                       patterns::numbers(),
-                      "Distances from the start of the axis, ascending, that "
-                      "divide the axis into parts with their own number of "
-                      "elements [length].");
+                      "Ascending distances from the start of the axis that "
+                      "divide the axis into parts of equal elements [length].");
     prm.declare_entry("Axis nodes",
                       "Gauss-Lobatto",
                       Selection("Gauss-Lobatto|equidistant"),

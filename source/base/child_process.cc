@@ -178,8 +178,7 @@ namespace lamella
     std::signal(SIGCHLD, SIG_DFL);
     if (pipe(ends.data()) != 0)
       throw InputError("base.too-many-files: cannot start a process: too many "
-                       "files are open. Close other programs, or raise the "
-                       "limit (ulimit -n).");
+                       "files are open. Close programs, or raise ulimit -n.");
     const pid_t child = fork();
     if (child < 0)
       throw InputError("base.no-process: cannot start another process: the "

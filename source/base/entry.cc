@@ -82,8 +82,7 @@ namespace lamella
     for (const double value : values)
       {
         if (!(value > previous && value < end))
-          refuse("entry.not-ascending: the values must ascend, all between 0 "
-                 "and " +
+          refuse("entry.not-ascending: values must ascend between 0 and " +
                  name + " (" + to_text(end) + "), as in 0.2, 0.5");
         previous = value;
       }
@@ -128,8 +127,7 @@ namespace lamella
     if (x.size() != 3)
       refuse("entry.not-a-point: " +
              (part.text() == what ? "the value " : "'" + part.text() + "' ") +
-             "must be three numbers x, y, z with commas between, as in 0, 1, "
-             "0.1");
+             "must be three numbers x, y, z with commas, as in 0, 1, 0.1");
     return {x[0], x[1], x[2]};
   }
 

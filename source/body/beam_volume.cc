@@ -39,8 +39,7 @@ namespace lamella
       throw InputError("Body " + name() + "/Kinematics/Theory",
                        beam_section->theory().name(),
                        "body.temperature-of-theory: with Poisson correction "
-                       "this theory omits thermal expansion in the section "
-                       "plane",
+                       "this theory omits thermal expansion of sections",
                        "For a body with a Temperature use TE-2, LE-N or SV-N, "
                        "or Poisson correction = false.");
     Body::heat(change);

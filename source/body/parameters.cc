@@ -44,13 +44,11 @@ namespace lamella
     prm.declare_entry("Axis",
                       "0, 1, 0",
                       patterns::numbers(3),
-                      "Direction of the axis (y of the body) in scene "
-                      "coordinates.");
+                      "Direction of the axis, y of the body.");
     prm.declare_entry("Up",
                       "0, 0, 1",
                       patterns::numbers(3),
-                      "Approximate direction of z of the section, across "
-                      "Axis.");
+                      "Approximate direction of z of the section.");
     prm.declare_entry("Length",
                       "",
                       patterns::optional(patterns::positive()),
@@ -123,8 +121,7 @@ namespace lamella
       const double share = entry.number();
       if (!(share >= 0. && share <= largest_stabilization))
         entry.refuse(
-          "body.stabilization-out-of-range: Stabilization must lie between 0 "
-          "(no springs) and " +
+          "body.stabilization-out-of-range: the value must lie between 0 and " +
           to_text(largest_stabilization) +
           "; springs of 1e-6 constrain a body and do not change the result");
       return share;

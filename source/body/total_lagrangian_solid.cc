@@ -24,8 +24,7 @@ namespace lamella
     if (degree < 2)
       throw InputError(
         "body.solid-1-cannot-rotate: large rotations of a solid need Theory = "
-        "solid-2, since the incompatible modes of solid-1 are formulated with "
-        "infinitesimal strains.");
+        "solid-2, since solid-1 has modes for infinitesimal strains.");
   }
 
 

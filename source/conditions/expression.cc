@@ -65,8 +65,7 @@ namespace lamella
     const auto fail = [&](const std::string &why) {
       entry.refuse("conditions.invalid-expression: '" + expression +
                      "' is not an expression of x, y, z" + why,
-                   "Write a formula in the syntax of muParser, as in "
-                   "-1000*sin(pi*y/2).");
+                   "Write a formula (muParser), as in -1000*sin(pi*y/2).");
     };
     const std::string fault = fault_of(expression);
     if (!fault.empty())

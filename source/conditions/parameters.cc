@@ -40,14 +40,14 @@ namespace lamella
     {
       const bool is_point = kind == Region::Kind::point;
       if (is_point ? points.empty() : points.size() != 2)
-        at.refuse(
-          "conditions.count-of-points: a " + name_of(kind) + " in On needs " +
-            (is_point ? "at least one point" : "its two end points") + " here",
-          "Write three numbers x, y, z for each point and ';' between points, "
-          "as in 0, 1, 0; 0, 2, 0.");
+        at.refuse("conditions.count-of-points: a " + name_of(kind) +
+                    " in On needs " +
+                    (is_point ? "at least one point" : "its two end points") +
+                    " here",
+                  "Write x, y, z for each point, as in 0, 1, 0; 0, 2, 0.");
       if (!is_point && points[0].distance(points[1]) == 0.)
-        at.refuse("conditions.line-without-length: the two end points of the "
-                  "line are the same point",
+        at.refuse("conditions.line-without-length: both ends of the line are "
+                  "the same point",
                   "Write two different points, or On = BODY: point.");
     }
 
@@ -129,8 +129,8 @@ namespace lamella
         return !r.at.empty();
       });
     if (!points.empty() && !uses_points)
-      at.refuse("conditions.positions-unused: At gives positions, but no "
-                "region in On uses them",
+      at.refuse("conditions.positions-unused: no region in On uses the "
+                "positions",
                 "Remove At, or write BODY: point or BODY: line in On.");
     return regions;
   }
@@ -178,9 +178,9 @@ namespace lamella
       "On",
       "",
       Anything(),
-      "Region that is supported: BODY: point, line, start, end, ends, body or "
-      "a surface (left, right, bottom, top), as in upper: ends; several with "
-      "semicolons between.");
+      "Supported region, BODY: point, line, start, end, ends, body or a "
+      "surface (left, right, bottom, top), as in upper: ends; several between "
+      "semicolons.");
     prm.declare_entry("At",
                       "",
                       Anything(),
@@ -235,8 +235,7 @@ namespace lamella
       if (!u[0] && !u[1] && !u[2])
         entry.refuse("conditions.all-components-free: all three components are "
                      "free, so this support constrains nothing",
-                     "Remove the support, or write 0, free, free, for "
-                     "example.");
+                     "Remove the support, or prescribe a component.");
       return u;
     }
 
@@ -419,20 +418,19 @@ namespace lamella
         {
           const bool is_body = region.kind == Region::Kind::body;
           if (heats && !is_body)
-            on.refuse("conditions.temperature-of-part: a Temperature acts on "
-                      "whole bodies only",
+            on.refuse("conditions.temperature-of-part: a Temperature needs "
+                      "whole bodies",
                       "Write On = BODY: body, and for a temperature that "
                       "varies an expression, as in 50*z.");
           if (!heats && is_body)
             on.refuse("conditions.load-on-body: a load other than a "
                       "Temperature acts on a point, a line or a surface",
-                      "Write On = upper: top, for example; for weight use "
+                      "Name it in On, as in upper: top; for weight use "
                       "Gravity.");
           if (needs_surface && region.kind != Region::Kind::surface)
-            what.refuse("conditions.needs-surface: Pressure and Couple need a "
-                        "surface",
-                        "Name a surface in On, or use Force for points and "
-                        "lines.");
+            what.refuse(
+              "conditions.needs-surface: Pressure and Couple need a surface",
+              "Name a surface in On, or use Force for points and lines.");
           if (load.couple && region.is_several_surfaces())
             on.refuse("conditions.couple-on-surfaces: '" + region.surface +
                         "' names several surfaces, but a Couple acts on one",

@@ -115,8 +115,7 @@ namespace lamella
                              body.name() + "', which extends from " +
                              in_words(box.first, digits) + " to " +
                              in_words(box.second, digits),
-                           "Move the point into the body; coordinates are "
-                           "those of the scene.");
+                           "Move the point into the body (scene coordinates).");
         }
     return found;
   }

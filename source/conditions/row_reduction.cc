@@ -36,7 +36,7 @@ namespace lamella
               "Support " + support_names[rows[equation.number].support],
               "",
               "conditions.contradicting-supports: this support contradicts "
-              "other supports of body '" +
+              "others of body '" +
                 body.name() + "' at " +
                 to_text(rows[equation.number].position) +
                 ", where they prescribe other displacements of the same points",

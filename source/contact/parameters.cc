@@ -72,16 +72,15 @@ namespace lamella
       "one body and the other surface; line to roller: along the line of a "
       "beam that is nearest to a cylinder across the beam, also as it moves; "
       "auto: node to node if all facing nodes match, line to roller if the "
-      "roller is small compared with the elements (doc/theory/contact.md), "
-      "else surface to surface, with edge to surface in addition where an end "
-      "of a body presses.");
+      "roller is smaller than the elements (doc/theory/contact.md), else "
+      "surface to surface, with edge to surface where an end of a body "
+      "presses.");
     prm.declare_entry("Slave side",
                       name_of(SlaveSide::automatic),
                       selection<SlaveSide>(),
                       "Slave (nonmortar) side, whose nodes have the gap "
-                      "constraints: first or second; auto: the side with the "
-                      "finer mesh (edge to surface: first). Unused with node "
-                      "to node.");
+                      "constraints; auto: the side with the finer mesh (edge "
+                      "to surface: first). Unused with node to node.");
     prm.declare_entry("Search distance",
                       "auto",
                       patterns::WordOrPattern("auto", patterns::positive()),
@@ -104,9 +103,8 @@ namespace lamella
       "Friction",
       "none",
       patterns::WordOrPattern("none", patterns::optional(patterns::number())),
-      "Coefficient of friction mu of Coulomb's law: shear tractions are at "
-      "most mu times the pressure, and equal to it where the contact slips; "
-      "none: no friction.");
+      "Coefficient mu of Coulomb friction: shear tractions are at most mu "
+      "times the pressure, and equal to it under slip; none: no friction.");
   }
 
 
@@ -162,10 +160,8 @@ namespace lamella
       const Entry first = in["First"], second = in["Second"];
       if (find_obstacle(first.text(), obstacles) != nullptr)
         first.refuse(
-          "contact.first-is-obstacle: this is an obstacle, but First must be a "
-          "surface of a body",
-          "Write a surface in First, as in upper: bottom, the obstacle in "
-          "Second.");
+          "contact.first-is-obstacle: First must be a surface of a body",
+          "Write BODY: SURFACE in First, the obstacle in Second.");
       contact.first    = parse_surface(first, bodies);
       contact.obstacle = find_obstacle(second.text(), obstacles);
       if (contact.obstacle != nullptr)
@@ -206,8 +202,7 @@ namespace lamella
       const double mu = friction.number();
       if (!(mu >= 0. && mu <= most))
         friction.refuse(
-          "contact.friction-out-of-range: the coefficient must lie between 0 "
-          "and 10",
+          "contact.friction-out-of-range: mu must lie between 0 and 10",
           "Write the coefficient of friction, as in 0.3, or none.");
       return mu;
     }
@@ -302,10 +297,8 @@ namespace lamella
       check_obstacle(contact, in);
     else if (contact.discretization == Discretization::line_to_roller)
       in["Discretization"].refuse(
-        "contact.second-not-obstacle: line to roller needs an obstacle in "
-        "Second",
-        "Write Discretization = auto, or name a cylinder of "
-        "Obstacles in Second.");
+        "contact.second-not-obstacle: line to roller needs a cylinder",
+        "Write auto, or name a cylinder of Obstacles in Second.");
     else if (contact.discretization == Discretization::edge_to_surface)
       check_edges(contact, in);
     contact.search_distance = parse_search_distance(in["Search distance"]);
@@ -391,8 +384,7 @@ namespace lamella
     obstacle->direction = parse_direction(in["Axis"]);
     if (radius.is_empty())
       radius.refuse_missing(
-        "contact.radius-missing: write the radius of the cylinder, a positive "
-        "number such as 0.5.");
+        "contact.radius-missing: write the radius of the cylinder, as in 0.5.");
     obstacle->radius = radius.positive();
     return obstacle;
   }

@@ -131,9 +131,10 @@ namespace lamella
       "contact.search-distance-too-small: Contact " + contact.name +
       "/Search distance = " + to_text(*contact.search_distance) + ": " +
       std::to_string(count) +
-      " point(s) that were further apart at the start, and so have no contact "
-      "constraint, now touch '" +
-      interface.second_name + "', the deepest at " + to_text(worst->position) +
+      " point(s) touch without a contact constraint, since they were further "
+      "than this from '" +
+      interface.second_name + "' at the start, the deepest at " +
+      to_text(worst->position) +
       (deepest < 0. ? " (penetration " + to_text(-deepest, 3) + ")" : "") +
       ". Increase Search distance to at least " + to_text(enough * widest, 2) +
       ", or write auto.");

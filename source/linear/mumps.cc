@@ -282,8 +282,7 @@ namespace lamella
       if (error == singular && mumps.sym == unsymmetric)
         throw NumericsError(
           "linear.singular-matrix: The tangent stiffness matrix of " + what +
-          " is numerically singular. Check its supports and "
-          "the size of its loads.");
+          " is numerically singular. Check supports and loads.");
       if (error == singular || error == not_positive ||
           (factorized && error >= 0 && negative_pivots > 0))
         throw NumericsError(

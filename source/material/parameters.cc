@@ -33,8 +33,7 @@ namespace lamella
       prm.declare_entry("Yield",
                         "",
                         patterns::optional(patterns::positive()),
-                        "Yield stress of an isotropic material, for the "
-                        "criterion `von Mises`.");
+                        "Yield stress (isotropic material), for `von Mises`.");
       prm.declare_entry("Core strengths",
                         "",
                         patterns::numbers(),
@@ -83,8 +82,7 @@ namespace lamella
       "",
       patterns::numbers(),
       "Thermal expansion, strain per kelvin, for the Temperature of a load: "
-      "one number, or three for the material axes 1, 2 and 3; may be "
-      "negative.");
+      "one number, or three for the axes 1, 2 and 3; may be negative.");
     declare_strengths(prm);
   }
 
@@ -110,8 +108,7 @@ namespace lamella
     {
       const std::vector<double> numbers = entry.numbers();
       if (numbers.size() != 2)
-        entry.refuse("material.wrong-count: write two numbers E, nu, as in "
-                     "2e11, 0.3");
+        entry.refuse("material.wrong-count: write E, nu, as in 2e11, 0.3");
       if (!(numbers[1] > -1. && numbers[1] < 0.5))
         entry.refuse(
           "material.not-positive-definite: nu must lie between -1 and 0.5");
@@ -188,11 +185,9 @@ namespace lamella
         {
           alpha[k] = n[n.size() == 1 ? 0 : k];
           if (!(std::abs(alpha[k]) < most))
-            entry.refuse(
-              "material.expansion-too-large: the unit is strain per kelvin, "
-              "and " +
-                to_text(alpha[k]) + " 1/K is too large for a solid",
-              "Write, for example, 12e-6 for steel.");
+            entry.refuse("material.expansion-too-large: the unit is 1/K, and " +
+                           to_text(alpha[k]) + " is too large for a solid",
+                         "Write, for example, 12e-6 for steel.");
         }
       return alpha;
     }

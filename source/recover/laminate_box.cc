@@ -45,8 +45,8 @@ namespace lamella
         throw InputError(
           path,
           name_of(StressValues::equilibrium),
-          "recover.equilibrium-with-heat: Stress = equilibrium neglects "
-          "temperatures, but body '" +
+          "recover.equilibrium-with-heat: equilibrium neglects heat, but body "
+          "'" +
             body.name() + "' has a Temperature",
           "Write Stress = recovered, nodal or element.");
     }

@@ -139,8 +139,7 @@ namespace lamella
           "in AXIS FROM TO, as in roller: fz in y 40 60");
       const ContactStrip strip{*axis, text.number(in[2]), text.number(in[3])};
       if (!(strip.from < strip.to))
-        text.refuse("recover.strip-empty: the first limit of a strip must be "
-                    "less than the second",
+        text.refuse("recover.strip-empty: a strip must begin before its end",
                     "Exchange " + in[2] + " and " + in[3] +
                       ", or write two different limits.");
       return {column, strip};
@@ -251,8 +250,7 @@ namespace lamella
     const auto parts = text.items(':');
     if (parts.size() != 2)
       text.refuse(
-        "recover.quantity-syntax: write a result of a probe as PROBE: COLUMN, "
-        "for example tip: uz");
+        "recover.quantity-syntax: write PROBE: COLUMN, for example tip: uz");
     const auto               place = split(parts[0], '/');
     std::vector<std::string> names;
     for (const Probe &probe : probes)
@@ -346,12 +344,10 @@ namespace lamella
       refuse_axis("strips");
     const auto [begin, end] = search_radius_along(points, quantity.strip->axis);
     if (quantity.strip->to <= begin || quantity.strip->from >= end)
-      entry.refuse(
-        "recover.strip-outside: the strip misses the contact, which extends "
-        "from " +
-          to_text(begin) + " to " + to_text(end) + " along " +
-          "xyz"[quantity.strip->axis],
-        "Write a strip within this range.");
+      entry.refuse("recover.strip-outside: the contact only extends from " +
+                     to_text(begin) + " to " + to_text(end) + " along " +
+                     "xyz"[quantity.strip->axis],
+                   "Write a strip within this range.");
   }
 
 

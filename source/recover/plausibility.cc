@@ -276,9 +276,9 @@ namespace lamella
         bodies[farthest - moved.begin()]->name() + " moves by " +
         to_text(farthest->displacement.value, 3) + " at " +
         to_text(farthest->displacement.place) +
-        " almost without strains: this is a rigid-body motion that no support "
-        "or contact prevents, so its size is arbitrary. Check the positions of "
-        "contacts and supports");
+        " without strains: no support or contact prevents this rigid-body "
+        "motion, so its size is arbitrary. Check the positions of contacts and "
+        "supports");
   }
 
 

@@ -97,9 +97,9 @@ namespace lamella
     prm.declare_entry("References",
                       "",
                       Anything(),
-                      "Reference values to print beside the results, quantity: "
-                      "value: source, with '|' between. Quantities are the "
-                      "columns of probes.csv.");
+                      "Reference values to print, quantity: value: source, "
+                      "with '|' between. Quantities are columns of "
+                      "probes.csv.");
   }
 
 
@@ -131,8 +131,7 @@ namespace lamella
     prm.declare_entry("From",
                       "",
                       Anything(),
-                      "Start of the line, BODY: x, y, z in the scene "
-                      "[length].");
+                      "Start of the line, BODY: x, y, z [length].");
     prm.declare_entry("To",
                       "",
                       Anything(),
@@ -175,8 +174,8 @@ namespace lamella
     prm.declare_entry("At",
                       "",
                       Anything(),
-                      "Position of the cut, BODY: distance from the start of "
-                      "its axis [length].");
+                      "BODY: position along its axis, from the start "
+                      "[length].");
     declare_stress(prm);
     prm.declare_entry("Samples",
                       "8",

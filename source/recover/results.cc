@@ -297,8 +297,8 @@ namespace lamella
   Results::last() const
   {
     if (steps.empty())
-      throw InputError("recover.no-load-step: The results have no load step. "
-                       "Solve a load step first.");
+      throw InputError("recover.no-load-step: No load step has been solved "
+                       "yet.");
     return steps.back();
   }
 

@@ -23,8 +23,8 @@ namespace lamella
     prm.declare_entry("Bodies",
                       "",
                       Patterns::Anything(),
-                      "Bodies whose plies are checked, with commas between. "
-                      "Empty: all bodies.");
+                      "Bodies to check, with commas between. Empty: all "
+                      "bodies.");
     prm.declare_entry("Excluded boxes",
                       "",
                       Patterns::Anything(),

@@ -140,8 +140,8 @@ namespace lamella
           throw InputError(
             "Strength/Criteria",
             name_of(criterion),
-            "recover.criterion-unused: no ply of the bodies can be checked "
-            "with this criterion",
+            "recover.criterion-unused: this criterion applies to none of the "
+            "plies",
             "Core shear and core crushing need a material with Core strengths "
             "(a core), face wrinkling a ply on a core, others a ply that is no "
             "core. Remove the criterion, or write Core strengths.");
@@ -157,14 +157,14 @@ namespace lamella
   {
     const std::string missing = missing_entry(criterion, ply.properties);
     if (!missing.empty())
-      throw InputError(
-        "Strength/Criteria",
-        name_of(criterion),
-        "recover.strength-missing: material '" + ply.material + "' of body '" +
-          body.name() + "' has no " + missing,
-        "Write " + missing + " in subsection Material " + ply.material +
-          ", or remove the criterion from Criteria or the body from Bodies in "
-          "subsection Strength.");
+      throw InputError("Strength/Criteria",
+                       name_of(criterion),
+                       "recover.strength-missing: material '" + ply.material +
+                         "' of body '" + body.name() + "' has no " + missing,
+                       "Write " + missing + " in subsection Material " +
+                         ply.material +
+                         ", or remove the criterion (Criteria) or the body "
+                         "(Strength/Bodies).");
   }
 
 

@@ -126,8 +126,6 @@ namespace lamella
            bodies[worst->body]->name() + "' at " + to_text(x) +
            ", may belong to a stress singularity, where it decreases with each "
            "refinement without limit: " +
-           why +
-           ". Exclude this region (Strength/Excluded boxes), or refine the "
-           "mesh";
+           why + ". Exclude it by Strength/Excluded boxes, or refine the mesh";
   }
 } // namespace lamella

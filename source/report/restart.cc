@@ -200,8 +200,7 @@ namespace lamella
         return "report.restart-revised: the run has automatically changed axis "
                "elements or contacts of its scene (see the end of " +
                directory +
-               "/scene.prm) and cannot be resumed. Run the scene from the "
-               "start, without --resume.";
+               "/scene.prm) and cannot be resumed. Run it without --resume.";
       if (restart.scene != scene)
         return "report.restart-of-other-scene: the run to resume is of a "
                "different scene, which is in " +
@@ -234,10 +233,8 @@ namespace lamella
       }
     catch (const std::exception &)
       {
-        fail(
-          "report.restart-damaged: the file 'restart' in the folder is damaged "
-          "or was not written by Lamella. Run the scene from the start, "
-          "without --resume.");
+        fail("report.restart-damaged: the file 'restart' in the folder is "
+             "damaged. Run the scene from the start, without --resume.");
       }
     const std::string reason = reason_not_to_resume(restart, directory, scene);
     if (!reason.empty())

@@ -89,9 +89,8 @@ namespace lamella
                                  result.kGA_z})
         if (!(value > 0.) || !std::isfinite(value))
           throw NumericsError(
-            "report.section-ill-conditioned: The 6 x 6 compliance matrix of "
-            "the section is too ill-conditioned: its moduli differ too much. "
-            "Use more similar moduli.");
+            "report.section-ill-conditioned: The 6 x 6 section compliance is "
+            "too ill-conditioned. Use more similar moduli.");
       return result;
     }
 

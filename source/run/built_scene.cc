@@ -319,10 +319,9 @@ namespace lamella
         whole->bodies()[contacts[worst].first_body]->name() + "' and '" +
         contacts[worst].second_name + "' overlap at the start by " +
         to_text(deepest, 4) + " at " + to_text(place) +
-        ", where supports fix both, so that contact forces cannot push them "
-        "apart",
-      "Use Overclosure = adjust, which subtracts the overlap from the gaps, or "
-      "move the bodies apart.");
+        ", where supports fix both, so that no contact force can separate them",
+      "Write adjust, which subtracts the overlap from the gaps, or move the "
+      "bodies apart.");
   }
 
 

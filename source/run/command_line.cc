@@ -75,7 +75,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
         throw InputError(
           "run.option-not-for-report: the command report accepts --output "
           "only. Use --set, --validate, --print-parameters and --resume with a "
-          "run: lamella SCENE.prm.");
+          "run.");
       if (!command.version && !command.help && command.scene.empty())
         throw InputError(
           "run.no-folder: no folder is given. Name the folder with the results "
@@ -115,8 +115,8 @@ by Ctrl-C, which says what stands in the folder and how to go on.
                          !command.contact_stiffness.empty()))
         throw InputError(
           "run.option-of-export: the options --calculix, --element and "
-          "--contact-stiffness are for lamella export only. Remove them, or "
-          "write lamella export.");
+          "--contact-stiffness are for lamella export. Remove them, or write "
+          "lamella export.");
       if (command.task != Task::new_scene && !command.kind.empty())
         throw InputError("run.option-of-new: the option --kind is for lamella "
                          "new only. Remove --kind, or write lamella new.");
@@ -242,7 +242,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
           throw InputError(
             "run.two-scenes: only one scene or folder can be given, not both "
             "'" +
-            result.scene + "' and '" + word + "' are given.");
+            result.scene + "' and '" + word + "'.");
         result.scene = word;
       }
 

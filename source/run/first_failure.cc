@@ -45,8 +45,8 @@ namespace lamella
         "first failure",
         "run.no-growing-load: no load or prescribed displacement of the scene "
         "grows with the load factor",
-        "Add a load other than a Temperature, Gravity, or a displacement of a "
-        "support or an obstacle.");
+        "Add a load (no Temperature), Gravity, or a displacement of a support "
+        "or obstacle.");
   }
 
 

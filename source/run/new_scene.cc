@@ -81,8 +81,7 @@ namespace lamella
     if (!target.stream() || !target.commit())
       throw InputError(
         "run.scene-not-writable: " + file +
-        " cannot be written. Choose a name in a folder that exists and that "
-        "you may write to.")
+        " cannot be written. Choose a name in an existing, writable folder.")
         .at(place);
     out << "Scene: " << file << " (" << kind << "). It runs as it is: lamella "
         << file << std::endl;

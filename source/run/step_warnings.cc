@@ -84,8 +84,7 @@ namespace lamella
              "run.idle-contact: no contact force acts in contact " +
                joined(names) +
                " in any load step. Close the gap (Origin of a body, Through of "
-               "an obstacle), or check the directions of loads and "
-               "displacements";
+               "an obstacle), or check the directions of loads";
   }
 
 
@@ -469,9 +468,9 @@ namespace lamella
             ": the transverse stresses, integrated from the equilibrium "
             "equations, miss their boundary value at the upper face by " +
             to_text(100. * share, 2) +
-            " % of the largest such stress. Use more elements along the axis "
-            "there, or a position further away from supports, edges and "
-            "concentrated loads");
+            " % of the largest. Use more elements along the axis there, or a "
+            "position further away from supports, edges and concentrated "
+            "loads");
       });
     return warnings;
   }

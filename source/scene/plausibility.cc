@@ -221,8 +221,7 @@ namespace lamella
         plausibility_warnings.push_back(
           "scene.rotation-above-turn: support " + support.name +
           ": its Rotation, " + to_text(support.rotation->norm()) +
-          " rad, is more than a full revolution. Rotation is in radians: a "
-          "degree is 0.0174533 rad");
+          " rad, is more than a revolution. A degree is 0.0174533 rad");
     return plausibility_warnings;
   }
 } // namespace lamella

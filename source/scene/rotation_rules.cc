@@ -122,9 +122,9 @@ namespace lamella
       if (is_line && !has_roller(contact, body))
         throw InputError(place + "Discretization",
                          name_of(contact.discretization),
-                         "scene.no-line-contact: line to roller contact needs "
-                         "a beam with its axis perpendicular to that of the "
-                         "roller, but body '" +
+                         "scene.no-line-contact: line to roller needs a beam "
+                         "whose axis is perpendicular to the roller, but body "
+                         "'" +
                            body.name + "' is no such beam",
                          "Write Discretization = auto.");
       if (contact.discretization != Discretization::automatic ||
@@ -204,8 +204,7 @@ namespace lamella
           throw InputError("Load " + load.name + "/Pressure",
                            load.pressure.text() + ", follows",
                            "scene.follower-load-linear: a follower load "
-                           "rotates with the surface, but Rotations = linear "
-                           "neglects rotations",
+                           "rotates, but Rotations = linear neglects rotations",
                            "Remove 'follows', or write Rotations = large.");
     }
   } // namespace

@@ -196,8 +196,7 @@ namespace lamella
       if (strength.criteria.empty())
         entry.refuse("scene.no-criteria: Find = first failure needs failure "
                      "criteria, but Criteria is empty",
-                     "Write Strength/Criteria, and Strengths of each "
-                     "Material.");
+                     "Write Strength/Criteria, and Strengths of materials.");
       return true;
     }
 

@@ -127,8 +127,7 @@ namespace lamella
     refuse_repetition(subsections, "subsection", file);
     if (entries.empty())
       throw InputError("scene.no-entries: the scene file has no entries. "
-                       "`lamella --print-parameters` prints all possible "
-                       "entries.")
+                       "`lamella --print-parameters` prints all entries.")
         .at(file + ": ");
     for (const std::string &assignment : overrides)
       set_entry(override_entry(checked_bytes(assignment, "--set")));

@@ -182,8 +182,7 @@ namespace lamella
         return;
       if (first_is_stack && second_is_stack && first.first != second.first)
         entry(text, path + "Second")
-          .refuse("scene.two-stacks: First and Second are both bodies with "
-                  "Copies, " +
+          .refuse("scene.two-stacks: both First and Second have Copies, " +
                     first.first + " and " + second.first,
                   "Write a single copy in First or Second, such as " +
                     copy_name(second.first, 1) + ".");

@@ -85,9 +85,8 @@ namespace lamella
       prm.declare_entry("References",
                         "",
                         Anything(),
-                        "Reference values to print beside the resultant force, "
-                        "quantity: value: source, with '|' between. "
-                        "Quantities: fx, fy, fz.");
+                        "Reference values to print, quantity: value: source, "
+                        "with '|' between. Quantities: fx, fy, fz.");
     }
 
 
@@ -226,7 +225,7 @@ namespace lamella
           throw InputError(
             "Contact " + last.name,
             "",
-            "scene.repeated-contact: First and Second are those of Contact " +
+            "scene.repeated-contact: its surfaces are those of Contact " +
               other->name,
             "Remove one of the two contacts.");
     }

@@ -171,8 +171,7 @@ namespace lamella
       if (longest > coarse * width && error > worth)
         notes.push_back(
           "scene.long-element-at-clamp: body " + body.name +
-          ": a support constrains the section at an axis element with the "
-          "length " +
+          ": a support constrains the section at an element of length " +
           to_text(longest, 3) + ", " + to_text(longest / width, 2) +
           " times the width of the section, so deflections may be " +
           to_text(100. * error, 1) +
@@ -239,9 +238,8 @@ namespace lamella
           if (has_LE_1(body))
             notes.push_back(
               "scene.poisson-locking: body " + body.name +
-              ": the bilinear cells (L4) of LE-1 cannot represent lateral "
-              "contraction and are too stiff in bending (Poisson locking). Use "
-              "LE-2");
+              ": the bilinear cells (L4) of LE-1 cannot contract in bending "
+              "and are too stiff (Poisson locking). Use LE-2");
         }
       return notes;
     }
@@ -261,9 +259,8 @@ namespace lamella
               !std::holds_alternative<ThinWalled>(shape))
             notes.push_back(
               "scene.distorted-solid-1: body " + body.name +
-              ": long hexahedra of solid-1 whose section cells are no "
-              "rectangles are too stiff in bending, by tens of per cent for a "
-              "section of this shape (" +
+              ": long hexahedra of solid-1 are too stiff in bending if section "
+              "cells are no rectangles, by tens of per cent for this shape (" +
               name_of(shape) + "). Use Theory = solid-2");
         }
       return notes;

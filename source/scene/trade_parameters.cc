@@ -123,8 +123,7 @@ namespace lamella
         return std::nullopt;
       if (piece == word)
         variant.refuse(
-          "scene.variant-tolerance-missing: the value after tolerance is "
-          "missing",
+          "scene.variant-tolerance-missing: the value of tolerance is missing",
           "Write a tolerance in per cent, as in tolerance 1.");
       const double per_cent = variant.number(piece.substr(word.size() + 1));
       if (!(per_cent > 0. && per_cent <= 100.))
@@ -224,8 +223,7 @@ namespace lamella
             reference.refuse(
               "scene.no-reference: " + quantity.label() +
                 " has no value in References, which Reference = given needs",
-              "Add a value to References, remove the quantity, or write "
-              "Reference = finest.");
+              "Add a value, remove the quantity, or write Reference = finest.");
           if (*quantity.given == 0.)
             reference.refuse(
               "scene.reference-zero: " + quantity.label() +
@@ -246,8 +244,8 @@ namespace lamella
         references.push_back(variant.name);
       if (std::find(references.begin(), references.end(), entry.text()) ==
           references.end())
-        entry.refuse("scene.unknown-reference: write finest, solid, given or "
-                     "the name of a variant",
+        entry.refuse("scene.unknown-reference: write finest, solid, given or a "
+                     "variant",
                      "The most similar is '" +
                        nearest_name(entry.text(), references) + "'.");
       return entry.text();
@@ -278,8 +276,8 @@ namespace lamella
       const double seconds = entry.number();
       if (!(seconds >= 0. && seconds <= longest_time))
         entry.refuse(
-          "scene.invalid-time-limit: write the limit in seconds, at most 1e9, "
-          "or 0 for no limit");
+          "scene.invalid-time-limit: write seconds, at most 1e9, or 0 for no "
+          "limit");
       return seconds;
     }
   } // namespace

@@ -190,15 +190,14 @@ namespace lamella
       "Poisson correction",
       "true",
       dealii::Patterns::Bool(),
-      "Whether sections of EBBT, TBT and TE-1 contract freely; if not, Poisson "
-      "locking makes deflections about 26 % too small at nu = 0.3. No effect "
-      "on other theories.");
+      "Whether sections of EBBT, TBT and TE-1 contract freely; else Poisson "
+      "locking makes deflections 26 % too small at nu = 0.3. Unused with other "
+      "theories.");
     prm.declare_entry("Shear factor",
                       "1",
                       patterns::positive(),
-                      "For TBT: shear correction factor k of k G A, 5/6 for "
-                      "rectangles of one material, 1 in the paper. No effect "
-                      "on other theories.");
+                      "For TBT only: shear correction factor k of k G A, 5/6 "
+                      "for rectangles of one material, 1 in the paper.");
   }
 
 
@@ -222,15 +221,13 @@ namespace lamella
       if (theory.is_classical())
         all.refuse(
           "section.classical-theory-in-pieces: " + word +
-            " uses a reduced material law and cannot be combined with other "
-            "theories in Theories",
+            " uses a reduced material law and cannot be part of Theories",
           "Write SV instead.");
       if (theory.kind == Theory::Kind::TE)
         all.refuse("section.taylor-theory-in-pieces: " + word +
                      " has section functions that LE-N and SV-N do not "
                      "contain, so they cannot be joined",
-                   "Use LE-N and SV-N in Theories, or TE-N as the only "
-                   "Theory.");
+                   "Use LE-N and SV-N in Theories, or TE-N as Theory.");
       if (theory.kind == Theory::Kind::solid)
         all.refuse("section.solid-in-pieces: " + word +
                      " is no beam theory, but Theories are those of a beam",
@@ -275,8 +272,8 @@ namespace lamella
                      "Write Section order = auto, or " +
                        std::to_string(highest) + " or more.");
       if (only_LE && space > highest)
-        order.refuse("section.section-order-unused: Section order is for SV-N, "
-                     "but Theories has no SV-N",
+        order.refuse("section.section-order-unused: Section order needs SV-N "
+                     "in Theories",
                      "Write Section order = auto, or remove the entry.");
       for (Theory &theory : theories)
         {

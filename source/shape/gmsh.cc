@@ -288,8 +288,7 @@ namespace lamella
           element.line,
           "shape.cell-without-material: the cell at " +
             to_text(Point<2>(center)) +
-            " is in no named physical surface, so its material is unknown; put "
-            "its surface into one");
+            " is in no named physical surface, so it has no material");
       cell.material_id = ply->second;
       return cell;
     }

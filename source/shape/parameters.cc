@@ -152,8 +152,7 @@ namespace lamella
                number(),
                "DEBW",
                "All shapes but laminate, tube and file: fiber angle about z in "
-               "degrees, 0 along +y, positive towards +x. Not with a Wall "
-               "layup."}};
+               "degrees, 0 along +y, towards +x. Not with a Wall layup."}};
     }
 
 
@@ -178,8 +177,8 @@ namespace lamella
          "",
          optional(positive()),
          "D",
-         "Half disc: size of the cells at that point [length]. Default: an "
-         "eighth of the radius."},
+         "Half disc: size of the cells there [length]. Default: an eighth of "
+         "the radius."},
         {"Sectors",
          "8",
          cells(),
@@ -268,8 +267,7 @@ namespace lamella
          "",
          Anything(),
          "BWT",
-         "Thin-walled: materials of the plies of Wall layup, in the same "
-         "form. Empty: Material."},
+         "Thin-walled: materials of these plies, likewise. Empty: Material."},
         {"Cells per wall",
          "1",
          cells(),
@@ -298,8 +296,8 @@ namespace lamella
          "",
          Anything(),
          "F",
-         "File: mesh of quadrilaterals by Gmsh, NAME.msh, relative to the "
-         "folder of the scene."},
+         "File: mesh of quadrilaterals by Gmsh, relative to the scene's "
+         "folder."},
         {"Parts",
          "",
          Anything(),

@@ -136,8 +136,7 @@ namespace lamella
     result.sectors = count("Sectors");
     if (result.sectors % 4 != 0)
       in["Sectors"].refuse(
-        "shape.not-multiple-of-four: Sectors must be a multiple of 4, as 8 or "
-        "12");
+        "shape.not-multiple-of-four: Sectors must be a multiple of 4, as 8");
     result.oriented_material = oriented_material();
     return result;
   }

@@ -144,8 +144,7 @@ namespace lamella
           "Write Cells per ply instead.");
       if (!in["Wall ply materials"].is_empty() && !in["Material"].is_empty())
         in["Material"].refuse(
-          "shape.material-unused: Material has no effect, since Wall ply "
-          "materials are given",
+          "shape.material-unused: Wall ply materials are given, too",
           "Remove Material or Wall ply materials.");
       for (const auto &[name, fallback] :
            {std::pair<const char *, const char *>{"Wall ply thicknesses", ""},

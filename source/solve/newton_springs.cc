@@ -254,8 +254,7 @@ namespace lamella
                   length * length)
       throw NumericsError(
         "solve.unstable-body: A body would turn over or slide away under its "
-        "loads; only the springs of Stabilization prevent this. Add a "
-        "Support.");
+        "loads; only Stabilization prevents this. Add a Support.");
     return true;
   }
 } // namespace lamella

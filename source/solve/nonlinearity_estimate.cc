@@ -393,8 +393,7 @@ namespace lamella
     if (found.amplification > effect_worth_saying ||
         (found.buckling_factor && *found.buckling_factor * near < 1.))
       warnings.push_back(
-        "solve.compression: compressive forces reduce the stiffness, which the "
-        "linear model neglects: " +
+        "solve.compression: compressive forces reduce the stiffness: " +
         describe_buckling(found, structure));
     return warnings;
   }

@@ -112,11 +112,10 @@ namespace lamella
     {
       if (!(contact.imbalance < tolerable))
         throw NumericsError(
-          "solve.contact-forces-differ: The forces of a contact on its two "
-          "bodies differ by " +
+          "solve.contact-forces-differ: The contact forces on two bodies "
+          "differ by " +
           to_text(contact.imbalance, 3) +
-          " of their sum. This is an error in Lamella: please report the "
-          "scene.");
+          " of their sum, an error in Lamella: please report the scene.");
       else if (contact.min_force < 0. ||
                !(contact.law_error <= std::max(sound * displacement, rounding)))
         throw NumericsError(
@@ -203,8 +202,8 @@ namespace lamella
           " larger than the gaps at the contact points, " +
           to_text(100. * kkt.unresolved_curvature / displacement, 2) +
           " % of the displacements: the mesh does not resolve the curvature of "
-          "the surfaces. Refine the mesh at the contact, or use Discretization "
-          "= node to surface");
+          "the surfaces. Refine it there, or use Discretization = node to "
+          "surface");
       double smallest = 0.;
       for (const GapConstraint &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);
@@ -320,8 +319,7 @@ namespace lamella
                                     checks.energy_balance});
     if (forces > worth_reporting)
       warnings.push_back(
-        "solve.not-balanced: reactions, contact forces and loads balance up to "
-        "a relative error of " +
+        "solve.not-balanced: forces balance up to a relative error of " +
         to_text(forces, 2) +
         ", since bodies are very slender or stiffnesses very different");
     if (first > ill_conditioned)

@@ -110,16 +110,15 @@ namespace lamella
       if (scene.solve.rotations == Rotations::automatic)
         throw InputError("Rotations",
                          name_of(scene.solve.rotations),
-                         "trade.automatic-rotations: a trade compares runs "
-                         "with the same kinematics, but auto may choose linear "
-                         "or large for each run",
+                         "trade.automatic-rotations: a trade compares runs of "
+                         "one kind, but auto may choose linear or large for "
+                         "each",
                          "Write Rotations = linear or large.");
       if (is_large && scene.trade.error_bars)
         throw InputError("Trade/Error bars",
                          "true",
                          "trade.bars-with-large-rotations: with Rotations = "
-                         "large, error bars contain errors of axis elements "
-                         "only",
+                         "large, error bars are of axis elements only",
                          "Remove Error bars; the errors in the tables are "
                          "those against the finest variant.");
     }

@@ -100,8 +100,7 @@ namespace lamella
             file.path,
             "trade.mesh-not-coarser: a section mesh from a file can be refined "
             "but not coarsened, so section FACTOR is too small",
-            "Name a coarser mesh in the variant: Section NAME/File = "
-            "coarse.msh.");
+            "Write Section NAME/File = coarse.msh in the variant.");
         return {{"Cells divided", std::to_string(times)}};
       }
     };

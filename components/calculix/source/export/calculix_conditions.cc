@@ -37,15 +37,14 @@ namespace lamella
           throw InputError(
             "Body " + body.name + "/Isostatic support",
             "true",
-            "export.isostatic-support: the isostatic support of a body is not "
-            "exported to CalculiX",
+            "export.isostatic-support: isostatic supports are not exported",
             "Constrain the body by a Support, and remove Isostatic support.");
         else if (body.stabilization != 0.)
           throw InputError(
             "Body " + body.name + "/Stabilization",
             to_text(body.stabilization),
-            "export.stabilization-not-exported: the stabilizing springs of a "
-            "body are not exported to CalculiX",
+            "export.stabilization-not-exported: stabilizing springs are not "
+            "exported",
             "Constrain the body by a Support and write Stabilization = 0.");
       const std::vector<PrescribedFunctional> rows =
         prescribed_functionals(scene.supports, mesh.bodies());
@@ -76,14 +75,13 @@ namespace lamella
           throw InputError(
             "Load " + load.name + "/Temperature",
             load.temperature.text(),
-            "export.temperature-not-exported: loads by Temperature are not "
-            "exported to CalculiX",
+            "export.temperature-not-exported: temperatures are not exported",
             "Remove this load from Loads.");
       if (scene.gravity.norm() > 0.)
         throw InputError("Gravity",
                          to_text(scene.gravity),
-                         "export.gravity-not-exported: the weight of bodies is "
-                         "not exported to CalculiX",
+                         "export.gravity-not-exported: weights are not "
+                         "exported",
                          "Write Gravity = 0, 0, 0.");
     }
 
@@ -231,8 +229,7 @@ namespace lamella
                          " this support prescribes " + to_text(value) +
                          ", but another support " + to_text(place->second) +
                          " there",
-                       "Write equal values, or leave this component free in "
-                       "one of the supports.");
+                       "Write equal values, or free in one support.");
   }
 
 

@@ -215,12 +215,11 @@ namespace lamella
     throw InputError(
       "Body " + scene.bodies[body].name,
       "",
-      "export.single-row: the body is a single row of hexahedra, for which the "
-      "reduced integration of C3D20R leaves hourglass modes: displacements are "
-      "wrong by 40 to 70 %",
+      "export.single-row: the body is a single row of hexahedra, where C3D20R "
+      "(reduced integration) has hourglass modes: displacements are wrong by "
+      "40 to 70 %",
       "Use two cells across or through the thickness (Cells across, Cells per "
-      "ply, Axis elements; or Cells divided = 1 for any section), or export "
-      "with --element C3D8I.");
+      "ply, Axis elements, Cells divided = 1), or --element C3D8I.");
   }
 
 
