@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What holds a section at an end (boundary_layer_modes.h), and zones seen in a
-// mirror.
+// Constraints of an end section (boundary_layer_modes.h), and mirrored zones.
 
 #include <lamella/adapt/boundary_layer_modes.h>
 #include <lamella/base/arithmetic.h>

@@ -13,8 +13,8 @@ namespace lamella
 
   namespace
   {
-    /// What @p touch does to a section with @p n_fields: @p loads, all of them
-    /// @p at_node or not.
+    /// Effect of @p touch on a section with @p n_fields: @p loads, @p at_node
+    /// or not.
     void
     take_loads(LocalInteraction               &interaction,
                const std::vector<SectionLoad> &loads,

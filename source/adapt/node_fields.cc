@@ -76,8 +76,8 @@ namespace lamella
 
 
 
-    /// Lets all nodes of an element have what one of them has, where stresses
-    /// are asked for in it.
+    /// Gives all nodes of an element the functions of each where stresses are
+    /// needed.
     void
     equalize_elements(std::vector<std::set<unsigned int>>          &near,
                       const Axis                                   &axis,

@@ -23,8 +23,7 @@ namespace lamella
 
 
 
-    /// Returns a_ab - r . X_,ab at @p st, r = x - X: the Hessian of |r|^2 / 2
-    /// by (s, t).
+    /// Returns a_ab - r . X_,ab at @p st, r = x - X: Hessian of |r|^2 / 2.
     Tensor<2, 2>
     projection_matrix(const FacetMap        &map,
                       const Point<2>        &st,

@@ -26,8 +26,7 @@ namespace lamella
 
   namespace
   {
-    // Share of a facet's length that a point may be past a side with a
-    // neighbor.
+    // Share of a facet's length allowed past a side with a neighbor.
     constexpr double past_the_side = 0.05;
 
 
@@ -52,8 +51,7 @@ namespace lamella
 
     /// Returns t of the stationary distance from the axis of @p roller on the
     /// line s = @p start[0] of @p map, from t = @p start[1] on: r . X_,t = 0,
-    /// by Newton's method with X_,tt from differences. Nothing if it diverges
-    /// or finds a maximum.
+    /// by Newton's method with X_,tt from differences. Empty without a minimum.
     std::optional<double>
     nearest_on(const FacetMap &map, const Obstacle &roller, Point<2> start)
     {
@@ -100,8 +98,7 @@ namespace lamella
 
 
 
-  // Facets at a station of the axis, in material coordinates, found by linear
-  // interpolation along s.
+  // Facets at a station of the axis, in material coordinates, linear in s.
   CylinderContactLines::Line
   CylinderContactLines::line_at(const MeshSurface &surface,
                                 const Obstacle    &roller,

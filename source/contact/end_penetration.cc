@@ -20,8 +20,7 @@ namespace lamella
 
     /// Returns the closest-point projection of @p point onto @p other, at most
     /// @p search_radius away. None if a place that @p point does not face is
-    /// closer: the point is then beside the body and projects onto its far
-    /// side.
+    /// closer: the point is then beside the body.
     std::optional<SurfaceHit>
     nearest_projection(const MeshSurface  &other,
                        const SurfacePoint &point,
@@ -41,8 +40,7 @@ namespace lamella
 
 
     /// Returns whether @p hit on @p other is at an end of that body, among
-    /// whose end nodes @p ends are: flush ends are as deep in each other as the
-    /// faces beside them.
+    /// whose end nodes @p ends are: flush ends penetrate like their faces.
     bool
     is_at_end(const MeshSurface               &other,
               const SurfaceHit                &hit,

@@ -12,9 +12,8 @@ namespace lamella
 
   namespace
   {
-    // The penetration that this leaves is a millionth of what the cells below
-    // the contact are compressed by; doc/theory/penalty.md shows the plateau it
-    // is on.
+    // The penetration is a millionth of the compression of the cells below the
+    // contact (doc/theory/penalty.md).
     constexpr double automatic_multiple = 1e6;
 
 

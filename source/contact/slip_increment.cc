@@ -7,8 +7,7 @@
 // Slip of a step from the change of the projections, objective by construction:
 // both points of a pair move with their bodies, and only the distance of the
 // projections on each surface counts (Wriggers, Computational Contact
-// Mechanics, Springer 2006, Sec. 4.2). Tangents are convected with the slave
-// surface.
+// Mechanics, Springer 2006, Sec. 4.2). Tangents are convected.
 namespace lamella
 {
   using namespace dealii;

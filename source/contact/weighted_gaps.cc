@@ -41,8 +41,7 @@ namespace lamella
 
 
 
-    /// Returns a rule that is exact for hat times trace functions on flat
-    /// facets.
+    /// Returns a rule exact for hat times trace functions on flat facets.
     const Quadrature<2> &
     rule_of_segment(const MeshSurface::Facet &slave,
                     const MeshSurface::Facet &master)
@@ -225,8 +224,8 @@ namespace lamella
 
 
     // Fan of triangles from the first corner; a segment is convex. Weights are
-    // areas on the facet: those in the chord plane over the cosine of the angle
-    // between both normals.
+    // areas on the facet: those in the chord plane over the cosine between both
+    // normals.
     void
     Integrator::add_segment(const Cell                      &cell,
                             const ChordPlane                &plane,

@@ -55,8 +55,7 @@ namespace lamella
   namespace
   {
     /// Returns those of @p elements to be refined, by their errors per DoF,
-    /// until the error of the others is at most @p left and 1 - @p share of
-    /// all.
+    /// until the others have at most @p left and 1 - @p share of all.
     std::vector<ElementError>
     worst_elements(std::vector<ElementError> elements,
                    const double              share,

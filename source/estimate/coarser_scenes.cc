@@ -33,7 +33,7 @@ namespace lamella
 
 
     /// Appends the ends of the elements @p begin to @p end of @p lengths,
-    /// merged two by two, to @p ends. If their number is odd, three are merged:
+    /// merged in pairs, to @p ends. If their number is odd, three are merged:
     /// the longest (or its neighbor) and the next two, or at the end the two
     /// before.
     void

@@ -64,9 +64,8 @@ namespace lamella
 
 
 
-    /// Replaces LE-N of @p size by SV-10 with the same section functions if it
-    /// would have too many DoFs, @p times as many as now, and
-    /// may_have_responses().
+    /// Replaces LE-N of @p size by SV-10 with the same section functions if its
+    /// DoFs, @p times as many as now, are too many, and may_have_responses().
     void
     limit_size(BodyDescription &body,
                const BodySize  &size,

@@ -47,8 +47,7 @@ namespace lamella
     using Goals = std::vector<GoalResult>;
 
     /// Returns the function that makes the bars of @p run without Estimation,
-    /// and the name of the models for messages; empty if impossible or too
-    /// costly.
+    /// and the name of the models; empty if impossible or too costly.
     std::pair<std::function<Goals(std::ostream &, ModelCache &)>, std::string>
     choose_estimator(const Simulation &run)
     {

@@ -39,9 +39,8 @@ namespace lamella
                        const double               at,
                        const unsigned int         most)
     {
-      // Of the interval from the first to the last point Legendre polynomials
-      // are nearly orthogonal over Gauss points, so the normal equations lose
-      // no digits.
+      // Legendre polynomials of the interval from the first to the last point
+      // are nearly orthogonal over Gauss points: no digits are lost.
       const auto [low, high] =
         std::minmax_element(points.begin(), points.end());
       const double origin = *low,

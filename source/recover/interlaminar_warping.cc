@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Integrals through a column, and the correction by the warping of shear that
-// displacements lack.
+// Integrals through a column, and the correction by warping due to shear.
 
 #include <lamella/recover/interlaminar.h>
 
@@ -148,8 +147,7 @@ namespace lamella
         to.sadd(-ratio, 1., from);
       }
 
-      /// The delta of which it makes @p right; none where that takes more than
-      /// some tens of steps.
+      /// The delta of which it makes @p right; none after some tens of steps.
       std::optional<Vector>
       inverse(const Vector &right) const
       {

@@ -32,8 +32,7 @@ namespace lamella
 
 
     /// Pieces of one ply each: elements of the same ply are merged. A line in
-    /// an interface has two sides, the lower ply first, then all of the upper
-    /// one.
+    /// an interface has two sides, the lower ply first, then the upper.
     std::array<std::vector<Piece>, 2>
     pieces_of(const Line &line, const Body &body, const std::string &path)
     {

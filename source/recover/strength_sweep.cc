@@ -125,8 +125,8 @@ namespace lamella
 
 
 
-  /// The points that a task has looked at, those that came near to the largest
-  /// 1/R so far, and that.
+  /// Sampled points of a task, those near the largest 1/R so far, and that
+  /// value.
   class StrengthSweep::Candidates
   {
   public:

@@ -91,9 +91,8 @@ namespace lamella
 
 
 
-    /// What a row that rubs has beside: 0 open, 1 sticks, 2 slips; the shear on
-    /// the second side over its area; the length of the slip so far; energy
-    /// dissipated per area.
+    /// What a row that rubs has beside: 0 open, 1 sticks, 2 slips; shear on the
+    /// second side per area; slip so far; energy dissipated per area.
     void
     append_friction(const ContactRow &row,
                     NamedArrays      &vectors,

@@ -184,8 +184,7 @@ namespace lamella
 
   namespace
   {
-    /// Returns why the run in @p directory cannot go on as @p scene; empty if
-    /// it can.
+    /// Returns why the run in @p directory cannot resume @p scene, or nothing.
     std::string
     reason_not_to_resume(const Restart     &restart,
                          const std::string &directory,

@@ -20,8 +20,8 @@ namespace lamella
 
   namespace
   {
-    /// What a run writes, and `scripts/plot` and `lamella report` after it,
-    /// also half finished.
+    /// Files of a run, of `scripts/plot` and of `lamella report`, also
+    /// unfinished.
     bool
     is_result(const std::string &name)
     {

@@ -53,9 +53,8 @@ namespace lamella
 
 
 
-    /// Rounds to multiples of @p unit. Numbers become short, and a file of them
-    /// half as long; the sides of elements on which a field is continuous still
-    /// agree.
+    /// Rounds to multiples of @p unit. Numbers become short, and files half as
+    /// long; sides of elements with continuous fields still agree.
     void
     round_to(const double unit, std::vector<float> &values, const Range &range)
     {
@@ -77,8 +76,7 @@ namespace lamella
 
 
     /// Of the @p n components from @p first on each for itself in each element,
-    /// whose points end at @p ends, but no finer than the largest of all asks
-    /// for.
+    /// whose points end at @p ends, no finer than the largest asks for.
     void
     round_fields(std::vector<std::vector<float>> &fields,
                  const unsigned int               first,
@@ -190,8 +188,7 @@ namespace lamella
         return lattice;
       }
 
-      /// The @p count numbers of @p values from @p begin on, which are made
-      /// where there are none.
+      /// The @p count numbers of @p values from @p begin on, made if missing.
       template <typename Number>
       static Number *
       part_of(std::vector<Number> &values,

@@ -38,8 +38,7 @@ namespace lamella
 
 
     /// The array as VTK's readers take it: the number of blocks, their size,
-    /// that of the last one if it is shorter, the sizes of all when compressed,
-    /// and the blocks.
+    /// that of a shorter last one, all compressed sizes, and the blocks.
     std::string
     compressed(const VtuArray &array)
     {

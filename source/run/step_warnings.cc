@@ -295,8 +295,8 @@ namespace lamella
 
   namespace
   {
-    /// Returns pairs of names: a body whose ends have contact constraints, and
-    /// the other body.
+    /// Returns names of bodies with contact constraints at ends, and of the
+    /// others.
     std::set<std::pair<std::string, std::string>>
     ends_with_rows(const std::vector<ContactInterface> &contacts,
                    const Bodies                        &bodies)

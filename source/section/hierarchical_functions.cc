@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Basis of a Lagrange expansion, hierarchical by degree: products of integrated
-// Legendre polynomials.
+// Basis of a Lagrange expansion by products of integrated Legendre polynomials.
 
 #include <lamella/section/lagrange_element.h>
 

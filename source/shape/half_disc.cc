@@ -42,8 +42,7 @@ namespace lamella
       static constexpr double last_radius = 0.6, rounding = 0.15;
 
       /// The point at @p x along the tangent at P and @p depth below it, bent
-      /// so that depth 0 is the arc: a point as far from P, on a ring whose
-      /// ends lie on the arc.
+      /// so that depth 0 is the arc: a point as far from P, on a ring.
       static Complex
       bent(const double x, const double depth);
 

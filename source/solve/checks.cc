@@ -73,8 +73,7 @@ namespace lamella
 
 
     /// What one row of a support does at @p place with @p force to the body
-    /// with that @p center, about it: by its place and direction, whatever the
-    /// body's theory feels.
+    /// with that @p center, about it, whatever the theory feels.
     Wrench
     wrench_of(const PrescribedFunctional &row,
               const Point<3>             &place,
@@ -186,10 +185,9 @@ namespace lamella
 
     /// The strain energy that the last digits of the displacements @p u make,
     /// or lengths of @p nothing, if that is more. A body that has no more is
-    /// moved by its supports as a whole; its forces are rounding, too, balance
-    /// nothing, and are not looked at. (That of bending is larger by decades in
-    /// the slenderest body that doubles can hold: it falls with (h / L)^3
-    /// only.)
+    /// moved by its supports as a whole; its forces are rounding, too, and are
+    /// ignored. (That of bending is larger by decades in the slenderest body
+    /// that doubles can hold: it falls with (h / L)^3 only.)
     double
     rounding_energy(const double  largest_stiffness,
                     const Vector &u,
@@ -269,9 +267,8 @@ namespace lamella
 
 
     /// The @p load, springs and deformation of body @p b, and whether the
-    /// forces
-    /// @p on_body, of supports and contacts so far, balance. Returns the energy
-    /// that is rounding.
+    /// forces @p on_body, of supports and contacts, balance. Returns the
+    /// rounding energy.
     double
     check_body(const TangentOperator &tangent,
                const unsigned int     b,

@@ -369,8 +369,7 @@ namespace lamella
 
 
 
-  // Rows of the multiplier methods that close without force share the force of
-  // dependent rows.
+  // Rows of multipliers that close without force share that of dependent rows.
   CondensedStrategy::Violations
   CondensedStrategy::touching_rows(const ContactProblem            &problem,
                                    const std::vector<unsigned int> &part,

@@ -187,8 +187,7 @@ namespace lamella
         return right;
       }
 
-      /// Returns the second-order error of the direction @p d,
-      /// (T^-1 dx) o (T dz).
+      /// Returns the second-order error of @p d, (T^-1 dx) o (T dz).
       Tensor<1, 3>
       correction(const unsigned int point, const ConePair &d) const
       {
@@ -287,8 +286,8 @@ namespace lamella
 
 
 
-  // The last finite iterate is returned if a factorization fails at the
-  // boundary of the cones.
+  // The last finite iterate is the result if a factorization fails at the
+  // cones.
   PointVectors
   cone_minimum(const PointCompliance &W, const PointVectors &q)
   {

@@ -130,8 +130,7 @@ namespace lamella
 
 
 
-  // Warm start from the previous load step, for rows that penetrate without
-  // contact.
+  // Warm start from the last step, for rows that penetrate without contact.
   ContactProblem
   ContactSolver::first_problem(const State      &free,
                                const LoadFactor &factor,
@@ -339,8 +338,7 @@ namespace lamella
     for (unsigned int round = 1;; ++round)
       {
         // Proximal step: the springs become free of force at the last state.
-        // The change of the offsets times the stiffness is the remaining spring
-        // force.
+        // The offset change times the stiffness is the remaining force.
         const SpringOffsets rest   = structure.spring_lengths(state.u);
         double              change = 0., force = 0.;
         for (unsigned int b = 0; b < rest.size(); ++b)
@@ -628,8 +626,7 @@ namespace lamella
 
 
 
-  // Lists the first constraints that still change, with the initial overlap as
-  // a frequent cause.
+  // Lists the first constraints that still change, and the initial overlap.
   void
   ContactSolver::check_iterations(
     const unsigned int               iterations,

@@ -91,7 +91,7 @@ namespace lamella
       solve_in_sequence(const PointVectors &start) const;
 
     private:
-      /// Returns the proximal problem with the regularization @p soft about @p
+      /// Returns the proximal problem with regularization @p soft about @p
       /// lambda.
       CoulombSearch
       softened(const double soft, const PointVectors &lambda) const;
@@ -103,8 +103,7 @@ namespace lamella
       PointVectors
       natural_map(const PointVectors &lambda) const;
 
-      /// Solves the linear equations of the states of @p at, with slip
-      /// linearized.
+      /// Solves the linear equations of the states of @p at, slip linearized.
       NewtonStep
       newton_step(const Trial &at, const PointVectors &lambda) const;
 
@@ -125,8 +124,7 @@ namespace lamella
       PointVectors
       after_sweeps(PointVectors lambda, const unsigned int sweeps) const;
 
-      /// Returns the force of @p point that satisfies the law, all others
-      /// fixed.
+      /// Returns the force of @p point by the law, with all others fixed.
       Tensor<1, 3>
       local_force(const unsigned int  point,
                   const Tensor<1, 3> &v,
@@ -531,8 +529,7 @@ namespace lamella
 
     // Fixed point of the associated problem (de Saxce and Feng, 1998): with
     // gaps opened by mu |v_t| the law becomes normality, a convex minimum on
-    // cones (Acary, Cadoux, Lemarechal and Malick, 2011); Newton's method
-    // finishes.
+    // cones (Acary, Cadoux, Lemarechal and Malick, 2011), then Newton.
     CoulombSolution
     CoulombSearch::solve_by_cones(const PointVectors &start) const
     {
@@ -576,7 +573,7 @@ namespace lamella
 
 
 
-    // Proximal term soft (lambda' - lambda): W + soft 1, q + soft (about -
+    // Proximal term soft (lambda' - lambda): W + soft, q + soft (about -
     // lambda).
     CoulombSearch
     CoulombSearch::softened(const double soft, const PointVectors &lambda) const

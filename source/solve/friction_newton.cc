@@ -99,8 +99,7 @@ namespace lamella
     // Accuracy of displacements from one solution with K + K^p, and of forces.
     constexpr double rounding = arithmetic::rounding_of_solutions;
 
-    // Near the solution du vanishes; the rounding of the state is then the
-    // scale.
+    // Near the solution du vanishes; then rounding of the state is the scale.
     const double size   = std::max(at.du.linfty_norm(),
                                  problem.closed / arithmetic::rounding),
                  forces = largest_component(at.force);
@@ -334,8 +333,7 @@ namespace lamella
 
 
 
-  // Convergence test per row, in forces; for slip the bound is rho times the
-  // rounding of slips.
+  // Convergence test per row, in forces; for slip rho times its rounding.
   Round
   FrictionNewton::violating_rows(const Iterate &at,
                                  const Trial   &trial,

@@ -31,8 +31,8 @@ namespace lamella
 
 
 
-  // v = s(u) + a lambda_t - s_0: the elastic part of the slip of a penalty law
-  // does not dissipate.
+  // v = s(u) + a lambda_t - s_0: elastic slip of a penalty law does not
+  // dissipate.
   Tensor<1, 2>
   slip_in_step(const GapConstraint &row,
                const unsigned int   r,
@@ -148,8 +148,7 @@ namespace lamella
 
   namespace
   {
-    /// Returns the mean normal force of row @p r between @p before and @p state
-    /// (trapezoidal rule).
+    /// Returns the mean normal force of row @p r from @p before to @p state.
     double
     mean_force(const State &before, const State &state, const unsigned int r)
     {
@@ -227,9 +226,8 @@ namespace lamella
       pressed.insert(rows.contact_of_row(r).first);
     for (unsigned int r = 0; r < state.friction.shear.size(); ++r)
       {
-        // Points that a moving contact zone leaves have slipped, too; in a
-        // contact that opens, most of the relative displacement is without
-        // contact.
+        // Points that a moving contact zone leaves have slipped, too; in one
+        // that opens, most of the displacement is without contact.
         const double mean  = mean_force(before, state, r);
         const bool   slips = state.friction.direction[r].norm() > 0. ||
                            (state.force[r] == 0. && mean > 0. &&

@@ -188,8 +188,7 @@ namespace lamella
 
 
 
-  // Complementarity function d lambda - (g + a lambda): positive in active
-  // rows.
+  // Complementarity function d lambda - (g + a lambda): positive if active.
   std::vector<double>
   FullStrategy::overlaps(const ContactProblem &problem, const Iterate &at) const
   {
@@ -240,8 +239,8 @@ namespace lamella
                                 const std::vector<double> &overlap,
                                 const double               closed)
   {
-    // Activating the worst penetrations first takes the fewest rounds if few of
-    // many rows stay active.
+    // Activating the worst penetrations first is fastest if few rows stay
+    // active.
     constexpr std::size_t                        few = 8;
     std::vector<unsigned int>                    next;
     std::vector<std::pair<double, unsigned int>> closing;

@@ -49,14 +49,12 @@ namespace lamella
       Equilibrium end = newton.advance(start, to);
       solved.state    = std::move(end.state);
       reached         = solved.state.u;
-      // The iterations end at the rounding of the largest displacement on the
-      // way.
+      // The iterations end at the rounding of the largest displacement.
       constexpr double digits = 100.;
       for (unsigned int b = 0; b < solved.state.u.n_blocks(); ++b)
         {
           double size = digits * solved.state.u.block(b).linfty_norm();
-          // Forces between bodies have the rounding of the moved body's
-          // displacement.
+          // Forces between bodies have the rounding of their displacement.
           size = std::max(size, end.rounding / arithmetic::rounding);
           solved.state.free_sizes.push_back(
             before.free_sizes.empty() ? size :

@@ -16,8 +16,7 @@
 //   attempt()  tries one part with predicted and with actual stresses,
 //   step()     iterates until equilibrium, contact law and pairing hold,
 //   correct()  solves one linearized contact problem (newton_iteration.cc).
-// Residuals are G^T (f + B^T lambda - f_int), from strains at quadrature
-// points.
+// Residuals are G^T (f + B^T lambda - f_int), from quadrature points.
 namespace lamella
 {
   namespace
@@ -353,8 +352,7 @@ namespace lamella
             if (++pairings > parameters.max_pairings)
               return false;
             r = unbalanced(state, to);
-            // New pairs carry their first forces: the reference residual is
-            // reset.
+            // New pairs have their first forces: reset the reference residual.
             began = 0.;
           }
         if (moved.l2_norm() > 0.)

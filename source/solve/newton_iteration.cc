@@ -114,10 +114,9 @@ namespace lamella
 
 
 
-  // Fixed-point form x = du + A x with A = K_c^-1 (H + S), where K_c is the
-  // tangent with the active constraints fixed, solved by GMRES (Saad and
-  // Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869) only if A du is not
-  // negligible.
+  // Fixed-point form x = du + A x with A = K_c^-1 (H + S), K_c the tangent with
+  // the active constraints fixed, solved by GMRES (Saad and Schultz, SIAM J.
+  // Sci. Stat. Comput. 7 (1986) 856-869) only if A du is not negligible.
   BlockVector
   Newton::correct_row_rotation(ContactStrategy   &strategy,
                                const BlockVector &u,
@@ -166,8 +165,7 @@ namespace lamella
     if (structure.has_springs() &&
         length_of(x) > parameters.max_spring_influence * length_of(du))
       return du;
-    // First-order update of the forces; the next iteration finds the active
-    // set.
+    // First-order update of forces; the next iteration finds the active set.
     add_forces(contacts.rows(), closed, forces, state);
     for (const unsigned int row : state.active)
       if (state.force[row] < 0.)

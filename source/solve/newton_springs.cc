@@ -141,8 +141,7 @@ namespace lamella
 
 
     /// Smallest eigenvalue of the symmetric part of @p A with its eigenvector.
-    /// Symmetric eigenproblem of LAPACK; the dimension is the number of
-    /// springs.
+    /// By LAPACK; the dimension is the number of springs.
     std::pair<double, Vector>
     least_of(const dealii::FullMatrix<double> &A)
     {
@@ -163,8 +162,7 @@ namespace lamella
 
 
 
-    /// Norm of the loads plus the sum of the contact forces of @p state at @p
-    /// to.
+    /// Norm of loads plus sum of the contact forces of @p state at @p to.
     double
     size_of_forces(const Structure  &structure,
                    const State      &state,
@@ -179,9 +177,8 @@ namespace lamella
 
 
     /// Displacements due to each of @p loads about the state of @p about, with
-    /// the active @p rows of @p state held.
-    /// Displacements K_c^-1 f with active constraints fixed (condensed
-    /// strategy).
+    /// the active @p rows of @p state held. Displacements K_c^-1 f with active
+    /// constraints fixed.
     std::vector<BlockVector>
     answers(const TangentOperator          &about,
             const GapConstraints           &rows,

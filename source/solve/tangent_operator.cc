@@ -72,8 +72,7 @@ namespace lamella
             // support_increment() sets the values.
             held[k].value = 0.;
           }
-        // Elimination of the rows at the state, without contradictions as
-        // values are 0.
+        // Elimination of rows at the state; values of 0 have no contradictions.
         moved_reductions.back() =
           std::make_unique<RowReduction>(*bodies[b], b, held, names);
       }
@@ -122,8 +121,7 @@ namespace lamella
 
   namespace
   {
-    /// Returns the part of @p u in DoFs without rigid motions of @p body:
-    /// warpings.
+    /// Returns the part of @p u in DoFs without rigid motions: warpings.
     Vector
     warpings_in(const Body &body, const Vector &u)
     {
@@ -168,8 +166,7 @@ namespace lamella
                      const LoadFactor                        &at,
                      const double                             size)
     {
-      // Dependent rows are combinations of the others, with factors of order
-      // ten.
+      // Dependent rows are combinations of others, with factors of order ten.
       constexpr double combined     = 10.;
       const Vector     warpings     = warpings_in(body, u);
       double           second_order = 0., off = 0.;
