@@ -105,7 +105,8 @@ namespace lamella
 
 
     /// Returns @p u less the response to @p heat along the whole @p piece,
-    /// scaled to the energy of a state along one H; empty if rounding.
+    /// scaled to the energy of a state along one H; nothing if that is
+    /// rounding.
     std::optional<Vector>
     disturbance(const Beam &piece, const Vector &u, const HeatedSection &heat)
     {
@@ -200,7 +201,7 @@ namespace lamella
 
 
 
-    // Weights sqrt(int N_i dy / H): sums of squares are integrals over the
+    // Weights sqrt(int N_i dy / H): the sum of squares is an integral over the
     // axis.
     Snapshots
     snapshots_of(const Beam                &piece,
@@ -228,7 +229,8 @@ namespace lamella
 
 
 
-    /// Returns the distance from the end where @p norms exceed the tolerance.
+    /// Returns the distance from the end up to which @p norms exceed the
+    /// tolerance.
     double
     influence_length_of(const std::vector<double> &norms,
                         const std::vector<double> &distances,

@@ -36,7 +36,8 @@ namespace lamella
             const GradingRules              &rules)
     {
       // The first element, of length a, has int_0^a dy / (c a + growth y) = 1
-      // if c = growth / (exp(growth) - 1); the next is exp(growth) as long.
+      // if c = growth / (exp(growth) - 1); the next is exp(growth) times
+      // longer.
       const double first = rules.growth / std::expm1(rules.growth);
       double       size  = length / rules.least;
       for (const ShortElement &place : places)
@@ -152,8 +153,8 @@ namespace lamella
           std::any_of(loaded.begin(), loaded.end(), [&](const auto &part) {
             return part.begin < end && part.end > begin;
           });
-        // The allowance avoids an element for an integral barely above an
-        // integer.
+        // The allowance avoids a further element for an integral barely above
+        // an integer.
         const unsigned int n =
           n_elements(integral.back() - rules.rounding_allowance,
                      is_loaded ? 2. : 1.,
@@ -296,7 +297,8 @@ namespace lamella
           if (region.body != number)
             continue;
           // A clamped end disturbs the section over a length of about H
-          // (Saint-Venant's principle). Conditions on the whole surface do not.
+          // (Saint-Venant's principle). Conditions on the whole surface do not
+          // change at the ends.
           for (const double y : {0., beam.axis().length()})
             if (is_clamp(region, y, beam.axis().length()) &&
                 !region.is_whole_body() &&

@@ -81,8 +81,7 @@ namespace lamella
 
     /// Adds the parts of the axis of @p beam that @p f loads to @p parts:
     /// pieces between @p ends of spans and changes of its sign. Spans shorter
-    /// than the height of the section are omitted, since their elements are
-    /// short.
+    /// than the height of the section are omitted: elements are short.
     void
     add_parts(const Beam              &beam,
               const AlongAxis         &f,

@@ -13,8 +13,7 @@ namespace lamella
 
   namespace
   {
-    /// Effect of @p touch on a section with @p n_fields: @p loads, @p at_node
-    /// or not.
+    /// Effect of @p touch on a section of @p n_fields: @p loads, @p at_node.
     void
     take_loads(LocalInteraction               &interaction,
                const std::vector<SectionLoad> &loads,

@@ -76,8 +76,7 @@ namespace lamella
 
 
 
-    /// Gives all nodes of an element the functions of each where stresses are
-    /// needed.
+    /// Gives all nodes of elements with stress output the functions of each.
     void
     equalize_elements(std::vector<std::set<unsigned int>>          &near,
                       const Axis                                   &axis,

@@ -221,9 +221,8 @@ namespace lamella
 
   // Column k of D: the section forces of a unit of strain k (SectionOperator),
   //   D_ck = int b_c . C b_k dA,
-  // with the strain field b_k of the section for e_k = 1. The six columns of
-  // Gamma and kappa are the section stiffness; those of a and a' couple it to
-  // warping.
+  // with the strain field b_k of the section for e_k = 1. Six columns of Gamma
+  // and kappa are the section stiffness; those of a, a' couple it to warping.
   std::shared_ptr<GeometricallyExactBeam::Law>
   GeometricallyExactBeam::make_law(
     const SectionOperator &section_operator) const
@@ -272,8 +271,7 @@ namespace lamella
 
 
   // Section forces on fields, collected as stresses work-conjugate to e: if
-  // strain c makes the field amplitude f_c e_c, its stress is f_c times that
-  // force.
+  // strain c makes the field amplitude f_c e_c, its stress is f_c times it.
   std::vector<double>
   GeometricallyExactBeam::on_strains(const std::vector<unsigned int> &list,
                                      const FieldParts                &work,

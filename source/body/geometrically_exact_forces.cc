@@ -69,7 +69,8 @@ namespace lamella
     const Frame        frame = frame_at(station.point, element);
     const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
     const unsigned int m = element.a.front().size(), n = n_node_unknowns + m;
-    // Work of the frame's stresses on z, then by L on the unknowns.
+    // Work of the frame's stresses on the measures z, then by L on the
+    // unknowns.
     Tensor<1, 11> on_measures;
     for (unsigned int c = 0; c < n_strains; ++c)
       on_measures += station.weight * s[c] * of.first[c];
@@ -171,7 +172,8 @@ namespace lamella
 
 
 
-  // Geometric stiffness of constant stresses D e_0: second derivatives of e.
+  // Geometric stiffness of constant stresses D e_0, second derivatives of e
+  // only.
   void
   GeometricallyExactBeam::for_each_thermal_block(
     const Vector                                      &u,

@@ -23,7 +23,8 @@ namespace lamella
 
 
 
-    /// Returns a_ab - r . X_,ab at @p st, r = x - X: Hessian of |r|^2 / 2.
+    /// Returns a_ab - r . X_,ab at @p st, r = x - X: the Hessian of |r|^2 / 2
+    /// by (s, t).
     Tensor<2, 2>
     projection_matrix(const FacetMap        &map,
                       const Point<2>        &st,

@@ -17,7 +17,8 @@
 //   pairing_is_valid()  compares with a new search,
 //   begin_step()        stores reference points, from which slips are measured.
 // Gaps and slips of a row are averages over its points (integrate_gaps()) with
-// weights of the undeformed area. First is side 1 of Eq. 16, also as master.
+// weights of the undeformed area. Signs: First is side 1 of Eq. 16, whichever
+// side is the slave.
 //
 // Gap and slips of row i with slave points x_q = x(X_q), their projections y_q
 // and normals n_q, weights a_q phi_i(X_q) / A_i:
@@ -316,7 +317,8 @@ namespace lamella
 
 
 
-  // Pairs in the state of the last pairing, then moves to the current state.
+  // Pairs in the state of the last pairing, then moves to the current state, as
+  // the original run did.
   void
   Contact::restore(const ContactHistory &known,
                    const BlockVector    &u,
@@ -532,7 +534,8 @@ namespace lamella
 
 
 
-  // Tangents are convected with the slave surface: shear forces rotate along.
+  // Tangents are convected with the slave surface, so that shear forces rotate
+  // with the body.
   Tangents
   Contact::tangents_at(const ContactSides &sides,
                        const GapPoint     &point,
@@ -550,7 +553,8 @@ namespace lamella
 
 
 
-  // Slip rows along both tangents; obstacle motion by the average of (I - n n).
+  // Slip rows along both tangents; the motion of an obstacle enters by the
+  // average of (I - n n).
   void
   Contact::assemble_slips(const ContactSides &sides)
   {
@@ -858,7 +862,8 @@ namespace lamella
           deepest_node(paired_sides(now), now, search_radius, false);
         if (!node)
           return {};
-        // The undeformed position of the penetration, for refinement there.
+        // The place on the body that is penetrated, undeformed, for refinement
+        // there.
         const auto &[facet, st]  = node->at;
         const MeshSurface &faced = *undeformed.surface(!node->second);
         return CylinderPenetration{faced.facets()[facet].map(st).position,
@@ -872,7 +877,8 @@ namespace lamella
 
 
 
-  // Collision test in four parts of the step, as projections may be temporary.
+  // Continuous collision test in four parts of the step, as a projection may
+  // exist only on the way.
   bool
   Contact::passes_through(const BlockVector &before,
                           const LoadFactor  &from,
@@ -886,7 +892,8 @@ namespace lamella
     // What `adjust` has taken out of gaps is no depth.
     if (!removed_overlap.empty() || !may_pass_through(then, now))
       return false;
-    // Bodies that approach from the side have their first projection later.
+    // Bodies that approach from the side have their first projection on the
+    // way.
     constexpr unsigned int parts   = 4;
     BlockVector            reached = before;
     for (unsigned int k = 1; k <= parts; ++k)

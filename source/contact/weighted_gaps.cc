@@ -224,8 +224,7 @@ namespace lamella
 
 
     // Fan of triangles from the first corner; a segment is convex. Weights are
-    // areas on the facet: those in the chord plane over the cosine between both
-    // normals.
+    // areas on the facet: those in the chord plane over the cosine of normals.
     void
     Integrator::add_segment(const Cell                      &cell,
                             const ChordPlane                &plane,

@@ -34,8 +34,7 @@ namespace lamella
 
     /// Appends the ends of the elements @p begin to @p end of @p lengths,
     /// merged in pairs, to @p ends. If their number is odd, three are merged:
-    /// the longest (or its neighbor) and the next two, or at the end the two
-    /// before.
+    /// the longest (or its neighbor) and the next two, at the end two before.
     void
     merge_pairs(const std::vector<double> &lengths,
                 const std::size_t          begin,

@@ -16,8 +16,7 @@ namespace lamella
   namespace
   {
     // Unit coordinates closer than this are the same: those of neighbors come
-    // out of an inverted map. Nodes on the edge of a larger element are
-    // further.
+    // out of an inverted map. Nodes on larger elements are further.
     constexpr double same_unit = 1e-4;
 
 

@@ -125,8 +125,7 @@ namespace lamella
 
 
 
-  /// Sampled points of a task, those near the largest 1/R so far, and that
-  /// value.
+  /// Sampled points of a task, those near the largest 1/R so far, and it.
   class StrengthSweep::Candidates
   {
   public:

@@ -20,8 +20,7 @@ namespace lamella
 
   namespace
   {
-    /// Files of a run, of `scripts/plot` and of `lamella report`, also
-    /// unfinished.
+    /// Files of a run, of `scripts/plot` and of `lamella report`, half done.
     bool
     is_result(const std::string &name)
     {

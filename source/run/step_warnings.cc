@@ -295,8 +295,7 @@ namespace lamella
 
   namespace
   {
-    /// Returns names of bodies with contact constraints at ends, and of the
-    /// others.
+    /// Returns names of bodies with constraints at ends, and of the others.
     std::set<std::pair<std::string, std::string>>
     ends_with_rows(const std::vector<ContactInterface> &contacts,
                    const Bodies                        &bodies)

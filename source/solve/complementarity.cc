@@ -38,7 +38,8 @@ namespace lamella
              const std::vector<bool>      &start);
 
       /// Pivots until the set is correct; returns false after @p max_rounds or,
-      /// without @p single_pivots, if wrong constraints stagnate.
+      /// without @p single_pivots, if the number of wrong constraints
+      /// stagnates.
       bool
       pivot(const std::size_t max_rounds, const bool single_pivots);
 
@@ -298,7 +299,8 @@ namespace lamella
 
 
 
-    // Starts at lambda = 1 / |M|_1, s = 1, infeasible; active: lambda_i > s_i.
+    // Starts at lambda = 1 / |M|_1, s = 1, infeasible. The active set follows
+    // from lambda_i > s_i.
     void
     Search::find_interior()
     {

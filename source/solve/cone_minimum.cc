@@ -286,8 +286,7 @@ namespace lamella
 
 
 
-  // The last finite iterate is the result if a factorization fails at the
-  // cones.
+  // The last finite iterate is the result if a factorization fails.
   PointVectors
   cone_minimum(const PointCompliance &W, const PointVectors &q)
   {

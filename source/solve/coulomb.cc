@@ -91,8 +91,7 @@ namespace lamella
       solve_in_sequence(const PointVectors &start) const;
 
     private:
-      /// Returns the proximal problem with regularization @p soft about @p
-      /// lambda.
+      /// Returns the problem regularized by @p soft about @p lambda.
       CoulombSearch
       softened(const double soft, const PointVectors &lambda) const;
 
@@ -573,8 +572,7 @@ namespace lamella
 
 
 
-    // Proximal term soft (lambda' - lambda): W + soft, q + soft (about -
-    // lambda).
+    // Proximal term: W + soft 1, q + soft (about - lambda).
     CoulombSearch
     CoulombSearch::softened(const double soft, const PointVectors &lambda) const
     {

@@ -31,8 +31,7 @@ namespace lamella
 
 
 
-  // v = s(u) + a lambda_t - s_0: elastic slip of a penalty law does not
-  // dissipate.
+  // v = s(u) + a lambda_t - s_0: elastic slip does not dissipate.
   Tensor<1, 2>
   slip_in_step(const GapConstraint &row,
                const unsigned int   r,

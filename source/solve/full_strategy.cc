@@ -188,7 +188,8 @@ namespace lamella
 
 
 
-  // Complementarity function d lambda - (g + a lambda): positive if active.
+  // Complementarity function d lambda - (g + a lambda): positive in active
+  // rows.
   std::vector<double>
   FullStrategy::overlaps(const ContactProblem &problem, const Iterate &at) const
   {
@@ -239,8 +240,8 @@ namespace lamella
                                 const std::vector<double> &overlap,
                                 const double               closed)
   {
-    // Activating the worst penetrations first is fastest if few rows stay
-    // active.
+    // Activating the worst penetrations first takes the fewest rounds if few of
+    // many rows stay active.
     constexpr std::size_t                        few = 8;
     std::vector<unsigned int>                    next;
     std::vector<std::pair<double, unsigned int>> closing;

@@ -31,8 +31,7 @@ namespace lamella
     /// Below that folder: the results of the run that counts.
     constexpr const char *kept_run = "/run";
 
-    /// Runs below `short_run` seconds are repeated `tries` times; fastest
-    /// counts.
+    /// Runs below `short_run` seconds are timed `tries` times.
     constexpr double       short_run = 1.;
     constexpr unsigned int tries     = 3;
 
