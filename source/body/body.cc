@@ -94,8 +94,7 @@ namespace lamella
                         "Thermal expansion",
                         *this,
                         "has a Temperature",
-                        "Write it (0 for none), or remove the body from the "
-                        "load.");
+                        "Write it, or remove the body from the load.");
     temperature_change = change;
   }
 

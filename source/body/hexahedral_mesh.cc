@@ -257,8 +257,7 @@ namespace lamella
             throw InputError(
               what + "/Kinematics/Refine near",
               "",
-              "body.ball-outside: no hexahedron intersects the ball of "
-              "radius " +
+              "body.ball-outside: no cell intersects the ball of radius " +
                 to_text(ball.radius),
               "Write a center in scene coordinates, inside or near the body.");
           require(mesh.n_global_active_cells() + 7. * flagged);

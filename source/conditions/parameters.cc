@@ -46,8 +46,7 @@ namespace lamella
                     " here",
                   "Write x, y, z for each point, as in 0, 1, 0; 0, 2, 0.");
       if (!is_point && points[0].distance(points[1]) == 0.)
-        at.refuse("conditions.line-without-length: both ends of the line are "
-                  "the same point",
+        at.refuse("conditions.line-without-length: the line has no length",
                   "Write two different points, or On = BODY: point.");
     }
 
@@ -129,8 +128,7 @@ namespace lamella
         return !r.at.empty();
       });
     if (!points.empty() && !uses_points)
-      at.refuse("conditions.positions-unused: no region in On uses the "
-                "positions",
+      at.refuse("conditions.positions-unused: On needs no positions",
                 "Remove At, or write BODY: point or BODY: line in On.");
     return regions;
   }
@@ -179,8 +177,7 @@ namespace lamella
       "",
       Anything(),
       "Supported region, BODY: point, line, start, end, ends, body or a "
-      "surface (left, right, bottom, top), as in upper: ends; several between "
-      "semicolons.");
+      "surface (left, right, bottom, top), several between semicolons.");
     prm.declare_entry("At",
                       "",
                       Anything(),
@@ -196,8 +193,8 @@ namespace lamella
                       "",
                       patterns::optional(patterns::number()),
                       "On surfaces, instead of u: displacement along the "
-                      "outward normal, with free tangential displacements; 0 "
-                      "is a symmetry condition [length].");
+                      "outward normal, tangentially free; 0: symmetry "
+                      "[length].");
     prm.declare_entry(
       "Rotation",
       "",
@@ -209,8 +206,8 @@ namespace lamella
     prm.declare_entry("About",
                       "",
                       Anything(),
-                      "Center of Rotation in scene coordinates. Empty: the "
-                      "center of the supported region [length].");
+                      "Center of Rotation in scene coordinates [length]. "
+                      "Empty: the center of On.");
   }
 
 
@@ -418,15 +415,14 @@ namespace lamella
         {
           const bool is_body = region.kind == Region::Kind::body;
           if (heats && !is_body)
-            on.refuse("conditions.temperature-of-part: a Temperature needs "
-                      "whole bodies",
+            on.refuse("conditions.temperature-of-part: a Temperature acts on "
+                      "bodies",
                       "Write On = BODY: body, and for a temperature that "
                       "varies an expression, as in 50*z.");
           if (!heats && is_body)
             on.refuse("conditions.load-on-body: a load other than a "
                       "Temperature acts on a point, a line or a surface",
-                      "Name it in On, as in upper: top; for weight use "
-                      "Gravity.");
+                      "Name one in On, or use Gravity for weight.");
           if (needs_surface && region.kind != Region::Kind::surface)
             what.refuse(
               "conditions.needs-surface: Pressure and Couple need a surface",

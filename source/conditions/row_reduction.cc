@@ -35,11 +35,10 @@ namespace lamella
             throw InputError(
               "Support " + support_names[rows[equation.number].support],
               "",
-              "conditions.contradicting-supports: this support contradicts "
-              "others of body '" +
-                body.name() + "' at " +
+              "conditions.contradicting-supports: supports of body '" +
+                body.name() + "' contradict each other at " +
                 to_text(rows[equation.number].position) +
-                ", where they prescribe other displacements of the same points",
+                ", with different displacements of the same points",
               "Remove one of these supports, make their displacements and "
               "Factors equal, or use more elements between them.");
         }

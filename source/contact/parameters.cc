@@ -72,8 +72,7 @@ namespace lamella
       "beam that is nearest to a cylinder across the beam, also as it moves; "
       "auto: node to node if all facing nodes match, line to roller if the "
       "roller is smaller than the elements (doc/theory/contact.md), else "
-      "surface to surface, with edge to surface where an end of a body "
-      "presses.");
+      "surface to surface, with edge to surface at ends that press.");
     prm.declare_entry("Slave side",
                       name_of(SlaveSide::automatic),
                       selection<SlaveSide>(),

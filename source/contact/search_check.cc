@@ -131,8 +131,7 @@ namespace lamella
       "contact.search-distance-too-small: Contact " + contact.name +
       "/Search distance = " + to_text(*contact.search_distance) + ": " +
       std::to_string(count) +
-      " point(s) touch without a contact constraint, since they were further "
-      "than this from '" +
+      " points touch without a contact constraint: they were further from '" +
       interface.second_name + "' at the start, the deepest at " +
       to_text(worst->position) +
       (deepest < 0. ? " (penetration " + to_text(-deepest, 3) + ")" : "") +

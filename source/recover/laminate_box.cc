@@ -45,8 +45,7 @@ namespace lamella
         throw InputError(
           path,
           name_of(StressValues::equilibrium),
-          "recover.equilibrium-with-heat: equilibrium neglects heat, but body "
-          "'" +
+          "recover.equilibrium-with-heat: equilibrium omits heat, but body '" +
             body.name() + "' has a Temperature",
           "Write Stress = recovered, nodal or element.");
     }

@@ -277,8 +277,7 @@ namespace lamella
         to_text(farthest->displacement.value, 3) + " at " +
         to_text(farthest->displacement.place) +
         " without strains: no support or contact prevents this rigid-body "
-        "motion, so its size is arbitrary. Check the positions of contacts and "
-        "supports");
+        "motion. Check the positions of contacts and supports");
   }
 
 

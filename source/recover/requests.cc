@@ -97,9 +97,8 @@ namespace lamella
     prm.declare_entry("References",
                       "",
                       Anything(),
-                      "Reference values to print, quantity: value: source, "
-                      "with '|' between. Quantities are columns of "
-                      "probes.csv.");
+                      "Reference values, quantity: value: source, with '|' "
+                      "between. Quantities are columns of probes.csv.");
   }
 
 
@@ -174,8 +173,7 @@ namespace lamella
     prm.declare_entry("At",
                       "",
                       Anything(),
-                      "BODY: position along its axis, from the start "
-                      "[length].");
+                      "BODY: distance along the axis [length].");
     declare_stress(prm);
     prm.declare_entry("Samples",
                       "8",

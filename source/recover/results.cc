@@ -297,8 +297,7 @@ namespace lamella
   Results::last() const
   {
     if (steps.empty())
-      throw InputError("recover.no-load-step: No load step has been solved "
-                       "yet.");
+      throw InputError("recover.no-load-step: No load step is solved.");
     return steps.back();
   }
 

@@ -23,8 +23,7 @@ namespace lamella
     prm.declare_entry("Bodies",
                       "",
                       Patterns::Anything(),
-                      "Bodies to check, with commas between. Empty: all "
-                      "bodies.");
+                      "Bodies to check, between commas. Empty: all.");
     prm.declare_entry("Excluded boxes",
                       "",
                       Patterns::Anything(),

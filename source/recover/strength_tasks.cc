@@ -140,8 +140,7 @@ namespace lamella
           throw InputError(
             "Strength/Criteria",
             name_of(criterion),
-            "recover.criterion-unused: this criterion applies to none of the "
-            "plies",
+            "recover.criterion-unused: the criterion applies to no ply",
             "Core shear and core crushing need a material with Core strengths "
             "(a core), face wrinkling a ply on a core, others a ply that is no "
             "core. Remove the criterion, or write Core strengths.");

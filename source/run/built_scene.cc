@@ -320,8 +320,7 @@ namespace lamella
         contacts[worst].second_name + "' overlap at the start by " +
         to_text(deepest, 4) + " at " + to_text(place) +
         ", where supports fix both, so that no contact force can separate them",
-      "Write adjust, which subtracts the overlap from the gaps, or move the "
-      "bodies apart.");
+      "Write adjust (subtract overlap from gaps), or move the bodies apart.");
   }
 
 

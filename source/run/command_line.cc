@@ -73,9 +73,8 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       if (!command.overrides.empty() || command.validate ||
           command.print_parameters || command.resume)
         throw InputError(
-          "run.option-not-for-report: the command report accepts --output "
-          "only. Use --set, --validate, --print-parameters and --resume with a "
-          "run.");
+          "run.option-not-for-report: report accepts --output only. Use --set, "
+          "--validate, --print-parameters and --resume with a run.");
       if (!command.version && !command.help && command.scene.empty())
         throw InputError(
           "run.no-folder: no folder is given. Name the folder with the results "
@@ -114,9 +113,8 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       if (!exporting && (calculix || !command.element.empty() ||
                          !command.contact_stiffness.empty()))
         throw InputError(
-          "run.option-of-export: the options --calculix, --element and "
-          "--contact-stiffness are for lamella export. Remove them, or write "
-          "lamella export.");
+          "run.option-of-export: --calculix, --element and --contact-stiffness "
+          "are for lamella export. Remove them, or write lamella export.");
       if (command.task != Task::new_scene && !command.kind.empty())
         throw InputError("run.option-of-new: the option --kind is for lamella "
                          "new only. Remove --kind, or write lamella new.");

@@ -45,8 +45,7 @@ namespace lamella
         "first failure",
         "run.no-growing-load: no load or prescribed displacement of the scene "
         "grows with the load factor",
-        "Add a load (no Temperature), Gravity, or a displacement of a support "
-        "or obstacle.");
+        "Add a load (no Temperature), Gravity, or a prescribed displacement.");
   }
 
 

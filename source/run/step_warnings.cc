@@ -136,7 +136,8 @@ namespace lamella
         "run.substeps-too-few: with twice as many substeps, " +
         std::to_string(solved.substeps) + ", results still change by " +
         to_text(100. * *solved.change, 2) +
-        " %, since contacts slip. Add intermediate Load factors");
+        " %: they depend on the load path under slip. Add Load factors "
+        "between");
     add(warnings_of_defects(sampled.defects));
     if (built.strength() != nullptr)
       if (const std::string found = worst_reserve_warning(
@@ -468,8 +469,7 @@ namespace lamella
             "equations, miss their boundary value at the upper face by " +
             to_text(100. * share, 2) +
             " % of the largest. Use more elements along the axis there, or a "
-            "position further away from supports, edges and concentrated "
-            "loads");
+            "position further from supports, edges and concentrated loads");
       });
     return warnings;
   }

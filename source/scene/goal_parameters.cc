@@ -16,8 +16,8 @@ namespace lamella
       prm.declare_entry("Budget DoFs",
                         "0",
                         patterns::number(),
-                        "With a Tolerance: largest number of DoFs of a model; "
-                        "0: no limit.");
+                        "With a Tolerance: largest number of DoFs; 0: no "
+                        "limit.");
       prm.declare_entry("Budget seconds",
                         "0",
                         patterns::number(),

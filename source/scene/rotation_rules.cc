@@ -123,8 +123,7 @@ namespace lamella
         throw InputError(place + "Discretization",
                          name_of(contact.discretization),
                          "scene.no-line-contact: line to roller needs a beam "
-                         "whose axis is perpendicular to the roller, but body "
-                         "'" +
+                         "perpendicular to the roller, but body '" +
                            body.name + "' is no such beam",
                          "Write Discretization = auto.");
       if (contact.discretization != Discretization::automatic ||

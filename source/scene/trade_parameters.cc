@@ -244,7 +244,7 @@ namespace lamella
         references.push_back(variant.name);
       if (std::find(references.begin(), references.end(), entry.text()) ==
           references.end())
-        entry.refuse("scene.unknown-reference: write finest, solid, given or a "
+        entry.refuse("scene.unknown-reference: use finest, solid, given or a "
                      "variant",
                      "The most similar is '" +
                        nearest_name(entry.text(), references) + "'.");
@@ -276,8 +276,7 @@ namespace lamella
       const double seconds = entry.number();
       if (!(seconds >= 0. && seconds <= longest_time))
         entry.refuse(
-          "scene.invalid-time-limit: write seconds, at most 1e9, or 0 for no "
-          "limit");
+          "scene.invalid-time-limit: write seconds (0: no limit), at most 1e9");
       return seconds;
     }
   } // namespace

@@ -191,8 +191,7 @@ namespace lamella
       "true",
       dealii::Patterns::Bool(),
       "Whether sections of EBBT, TBT and TE-1 contract freely; else Poisson "
-      "locking makes deflections 26 % too small at nu = 0.3. Unused with other "
-      "theories.");
+      "locking makes deflections 26 % too small at nu = 0.3.");
     prm.declare_entry("Shear factor",
                       "1",
                       patterns::positive(),
@@ -259,7 +258,7 @@ namespace lamella
         all.refuse("section.different-orders-of-sv: SV-" +
                      std::to_string(*waves.begin()) + " and SV-" +
                      std::to_string(*waves.rbegin()) +
-                     " use different wave numbers and cannot be joined",
+                     " have different wave numbers",
                    "Write the same N for each SV-N in Theories, or SV.");
       const unsigned int highest = degrees.empty() ? 0 : *degrees.rbegin();
       const unsigned int space   = order.text() == "auto" && highest > 0 ?
@@ -272,9 +271,8 @@ namespace lamella
                      "Write Section order = auto, or " +
                        std::to_string(highest) + " or more.");
       if (only_LE && space > highest)
-        order.refuse("section.section-order-unused: Section order needs SV-N "
-                     "in Theories",
-                     "Write Section order = auto, or remove the entry.");
+        order.refuse("section.section-order-unused: Theories has no SV-N",
+                     "Section order is for SV-N: write auto.");
       for (Theory &theory : theories)
         {
           theory.section_order = space;

@@ -343,7 +343,8 @@ namespace lamella
       throw InputError(
         what + "/Corner layers",
         std::to_string(layers),
-        "shape.no-singular-corner: no corner is re-entrant or joins plies",
+        "shape.no-singular-corner: no corner of the section has singular "
+        "stresses (re-entrant corners, edges where plies differ)",
         "Remove Corner layers.");
     const Triangulation<2> &mesh = section.mesh;
     Sheets                  sheets(mesh);
@@ -364,8 +365,7 @@ namespace lamella
                        std::to_string(layers),
                        "shape.too-many-cells: the corner layers would give " +
                          std::to_string(divider.n_cells()) +
-                         " cells in the section; the largest number is " +
-                         to_text(max_section_cells),
+                         " cells, more than " + to_text(max_section_cells),
                        "Use fewer Corner layers, or a theory of higher order.");
     auto result        = std::make_shared<SectionMesh>();
     result->plies      = section.plies;

@@ -177,8 +177,8 @@ namespace lamella
          "",
          optional(positive()),
          "D",
-         "Half disc: size of the cells there [length]. Default: an eighth of "
-         "the radius."},
+         "Half disc: cell size there [length]. Default: an eighth of the "
+         "radius."},
         {"Sectors",
          "8",
          cells(),
@@ -296,8 +296,7 @@ namespace lamella
          "",
          Anything(),
          "F",
-         "File: mesh of quadrilaterals by Gmsh, relative to the scene's "
-         "folder."},
+         "File: quadrilateral mesh by Gmsh, relative to the scene."},
         {"Parts",
          "",
          Anything(),
@@ -460,7 +459,7 @@ namespace lamella
     const double       cells  = estimated_cells(result);
     if (cells > max_section_cells)
       in.refuse("shape.too-many-cells: the section would have about " +
-                  to_text(cells) + " cells; the largest number is " +
+                  to_text(cells) + " cells, more than " +
                   to_text(max_section_cells),
                 "Use fewer cells, and a theory of higher order instead.");
     return result;

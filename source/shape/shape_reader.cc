@@ -14,8 +14,7 @@ namespace lamella
   {
     const std::vector<double> values = in[entry].numbers();
     if (values.empty())
-      in[entry].refuse_missing("shape.length-missing: write a positive "
-                               "length.");
+      in[entry].refuse_missing("shape.length-missing: give a length > 0.");
     return values;
   }
 

@@ -181,8 +181,7 @@ namespace lamella
         what + "/Cells divided",
         std::to_string(times),
         "shape.too-many-cells: the division would give " + to_text(cells) +
-          " cells in the section; the largest number is " +
-          to_text(max_section_cells),
+          " cells, more than " + to_text(max_section_cells),
         "Reduce Cells divided, or use a theory of higher order.");
     Triangulation<2> fine;
     fine.copy_triangulation(section.mesh);

@@ -553,8 +553,7 @@ namespace lamella
     const double size = state.u.linfty_norm(), change = du.l2_norm();
     if (!std::isfinite(change))
       throw NumericsError(
-        "solve.not-finite: The solution is not finite. Check loads and "
-        "materials.");
+        "solve.not-finite: The solution is not finite. Check the loads.");
     return change <= state.rounding() ? 0. : du.linfty_norm() / size;
   }
 

@@ -269,8 +269,7 @@ namespace lamella
             contact_objects[c]->wraps_around(
               state.u, factor, numbered.local_rows_of(c, state.active)))
           lost = "Contact " + all[c].name +
-                 ", line to roller, is no line contact: the body bends around "
-                 "'" +
+                 ", line to roller, is no line: the body bends around '" +
                  all[c].second_name +
                  "'. Write Discretization = auto or surface to surface.";
       }

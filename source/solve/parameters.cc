@@ -104,8 +104,7 @@ namespace lamella
       selection<OutOfRange>(),
       "Linear results are no approximation where stretching would more than "
       "double the stiffness of a body, or loads exceed the buckling load. "
-      "refuse: the run ends with an error; accept: it is written, with a "
-      "note.");
+      "refuse: the run ends with an error; accept: a note is printed.");
   }
 
 
@@ -135,8 +134,8 @@ namespace lamella
         substeps.tolerance = percent * entry.number(tolerance);
       if (!(substeps.tolerance > 0.))
         entry.refuse(
-          "solve.tolerance-not-positive: the tolerance must be positive, as in "
-          "auto 0.1");
+          "solve.tolerance-not-positive: tolerances are positive, as in auto "
+          "0.1");
       return substeps;
     }
   } // namespace
@@ -151,8 +150,7 @@ namespace lamella
       parameters.load_factors.emplace_back(factor);
     if (parameters.load_factors.empty())
       in["Load factors"].refuse_missing(
-        "solve.load-factors-missing: write a number per load step, as in 0.5, "
-        "1.");
+        "solve.load-factors-missing: write a number per step, as in 0.5, 1.");
     parameters.substeps     = parse_substeps(in["Substeps"]);
     parameters.rotations    = in["Rotations"].choice<Rotations>();
     parameters.stress_axes  = in["Stress axes"].choice<StressAxes>();

@@ -43,9 +43,8 @@ namespace lamella
     {
       if (rotation <= meaningless_rotation)
         return "";
-      return "rotations this large are rarely intended. Check first that "
-             "moduli, densities, lengths and loads are in the scene's Units. "
-             "If they are: ";
+      return "this is rarely intended. Check first that moduli, densities, "
+             "lengths and loads are in the scene's Units. If so: ";
     }
 
 
@@ -112,8 +111,8 @@ namespace lamella
     {
       if (!(contact.imbalance < tolerable))
         throw NumericsError(
-          "solve.contact-forces-differ: The contact forces on two bodies "
-          "differ by " +
+          "solve.contact-forces-differ: Contact forces on both bodies differ "
+          "by " +
           to_text(contact.imbalance, 3) +
           " of their sum, an error in Lamella: please report the scene.");
       else if (contact.min_force < 0. ||
@@ -189,8 +188,7 @@ namespace lamella
           "solve.penetration: " + what + "bodies penetrate by " +
           to_text(kkt.max_penetration, 3) + ", " +
           to_text(100. * kkt.max_penetration / displacement, 2) +
-          " % of the displacements. Increase Penalty, or use Enforcement = "
-          "exact");
+          " % of displacements. Increase Penalty, or use Enforcement = exact");
       // Constraints that are paired anew have no initial gap.
       if (is_large)
         return;
@@ -201,9 +199,8 @@ namespace lamella
           to_text(kkt.unresolved_curvature, 3) +
           " larger than the gaps at the contact points, " +
           to_text(100. * kkt.unresolved_curvature / displacement, 2) +
-          " % of the displacements: the mesh does not resolve the curvature of "
-          "the surfaces. Refine it there, or use Discretization = node to "
-          "surface");
+          " % of the displacements: the mesh does not resolve the curvature. "
+          "Refine it there, or use Discretization = node to surface");
       double smallest = 0.;
       for (const GapConstraint &row : contact.rows)
         smallest = std::min(smallest, row.initial_gap);

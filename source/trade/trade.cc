@@ -111,8 +111,7 @@ namespace lamella
         throw InputError("Rotations",
                          name_of(scene.solve.rotations),
                          "trade.automatic-rotations: a trade compares runs of "
-                         "one kind, but auto may choose linear or large for "
-                         "each",
+                         "one kind, but auto may choose linear or large",
                          "Write Rotations = linear or large.");
       if (is_large && scene.trade.error_bars)
         throw InputError("Trade/Error bars",

@@ -100,9 +100,8 @@ namespace lamella
     const std::string python = python_with("json");
     if (python.empty())
       throw InputError(
-        "trade.no-python: the tables need python3, which was not found. "
-        "Install it and start the trade again; finished variants are not "
-        "repeated.");
+        "trade.no-python: the tables need python3. Install it and start the "
+        "trade again; finished variants are not repeated.");
     const std::string errors = directory + "/trade_errors.txt";
     const ProcessEnd  end =
       run_process(python,

@@ -43,8 +43,7 @@ namespace lamella
           throw InputError(
             "Body " + body.name + "/Stabilization",
             to_text(body.stabilization),
-            "export.stabilization-not-exported: stabilizing springs are not "
-            "exported",
+            "export.stabilization-not-exported: springs are not exported",
             "Constrain the body by a Support and write Stabilization = 0.");
       const std::vector<PrescribedFunctional> rows =
         prescribed_functionals(scene.supports, mesh.bodies());
@@ -55,9 +54,7 @@ namespace lamella
             "Body " + scene.bodies[body].name,
             "",
             "export.unconstrained-motion: only contact prevents the " +
-              motion.words +
-              " of this body, so the stiffness matrix of "
-              "CalculiX would be singular",
+              motion.words + ", so the stiffness of CalculiX would be singular",
             "Constrain this motion by a Support.");
     }
   } // namespace
@@ -80,8 +77,7 @@ namespace lamella
       if (scene.gravity.norm() > 0.)
         throw InputError("Gravity",
                          to_text(scene.gravity),
-                         "export.gravity-not-exported: weights are not "
-                         "exported",
+                         "export.gravity-not-exported: weight is not exported",
                          "Write Gravity = 0, 0, 0.");
     }
 
@@ -94,8 +90,7 @@ namespace lamella
       if (scene.solve.rotations == Rotations::automatic)
         throw InputError("Rotations",
                          name_of(scene.solve.rotations),
-                         "export.automatic-rotations: an export cannot choose "
-                         "between linear and large by itself",
+                         "export.automatic-rotations: auto is for runs only",
                          "Write Rotations = linear or large.");
       if (scene.solve.rotations == Rotations::linear)
         return;
@@ -105,8 +100,7 @@ namespace lamella
             "Load " + load.name + "/" + (load.couple ? "Couple" : "Pressure"),
             load.couple ? to_text(*load.couple) :
                           load.pressure.text() + ", follows",
-            "export.follower-load: loads that rotate with the bodies (follower "
-            "loads) are not exported to CalculiX",
+            "export.follower-load: follower loads are not exported to CalculiX",
             "Use a Force, or remove 'follows' from the Pressure.");
     }
 
@@ -124,9 +118,9 @@ namespace lamella
         throw InputError(
           "Support " + support.name + "/Rotation",
           to_text(*support.rotation),
-          "export.large-rotation: a CalculiX input file multiplies prescribed "
-          "displacements by the load factor, but the displacements of a finite "
-          "rotation are not proportional to the load factor",
+          "export.large-rotation: CalculiX multiplies displacements by the "
+          "load factor, but those of a finite rotation are not proportional to "
+          "it",
           "Use Rotations = linear, or a Load with a Couple.");
       return rigid_rotation(support, mesh.bodies());
     }

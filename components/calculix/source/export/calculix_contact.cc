@@ -141,8 +141,8 @@ namespace lamella
         throw InputError(
           path + "/Overclosure",
           name_of(pair.overclosure),
-          "export.overclosure-adjust: Overclosure = adjust, which subtracts "
-          "the overlap from the gaps, has no counterpart in CalculiX",
+          "export.overclosure-adjust: adjust (gaps without the overlap) has no "
+          "counterpart in CalculiX",
           "Move the bodies apart, or write Overclosure = resolve.");
       if (pair.discretization == Discretization::edge_to_surface)
         throw InputError(

@@ -84,8 +84,7 @@ namespace lamella
         throw InputError(
           path + "/Factors",
           "",
-          "export.load-factors: the exported file has one load factor per step "
-          "for all loads and supports",
+          "export.load-factors: the exported file has one load factor per step",
           "Remove Factors, or write *AMPLITUDE into the exported file.");
     }
 

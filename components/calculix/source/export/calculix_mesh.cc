@@ -215,9 +215,8 @@ namespace lamella
     throw InputError(
       "Body " + scene.bodies[body].name,
       "",
-      "export.single-row: the body is a single row of hexahedra, where C3D20R "
-      "(reduced integration) has hourglass modes: displacements are wrong by "
-      "40 to 70 %",
+      "export.single-row: in a single row of hexahedra C3D20R (reduced "
+      "integration) has hourglass modes: displacements are wrong by 40 to 70 %",
       "Use two cells across or through the thickness (Cells across, Cells per "
       "ply, Axis elements, Cells divided = 1), or --element C3D8I.");
   }
