@@ -169,8 +169,7 @@ namespace lamella
     words >> number >> unit >> more;
     const double factor = unit == "GB" ? 1e9 : unit == "MB" ? 1e6 : 0.;
     if (factor == 0. || !more.empty() || !(entry.number(number) > 0.))
-      entry.refuse("base.invalid-memory: write auto, or a value such as 2 GB "
-                   "or 500 MB");
+      entry.refuse("base.invalid-memory: write auto, or a size such as 2 GB");
     return factor * entry.number(number);
   }
 

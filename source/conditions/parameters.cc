@@ -193,8 +193,7 @@ namespace lamella
                       "",
                       patterns::optional(patterns::number()),
                       "On surfaces, instead of u: displacement along the "
-                      "outward normal, tangentially free; 0: symmetry "
-                      "[length].");
+                      "outward normal; 0: symmetry [length].");
     prm.declare_entry(
       "Rotation",
       "",

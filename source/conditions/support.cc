@@ -319,8 +319,8 @@ namespace lamella
     };
 
     /// A Gram matrix would square the conditioning, and a decomposition of all
-    /// rows at once costs their number squared; S V^T of some rows stands for
-    /// them beside the next ones.
+    /// rows at once costs their number squared; S V^T of some rows represents
+    /// them.
     Folded
     folded(const std::vector<RigidMotion> &rows)
     {

@@ -10,8 +10,7 @@
 //   P_ik = sum a_q phi_i psi_k (I - n n) / A_i,
 // the gap, its gradient and the tangential projector of the slip. As the
 // projections are stationary and the weights constant, the gradient of g_i is
-// the average of the gradients (Puso and Laursen, Comput. Methods Appl. Mech.
-// Eng. 193 (2004) 601-629).
+// the average of the gradients (Puso and Laursen, CMAME 193 (2004) 601-629).
 //
 // Both sides have the same sums of weights: sum_j w_ij = sum_k w_ik = mean n,
 // so contact forces balance (action and reaction).

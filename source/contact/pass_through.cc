@@ -122,8 +122,8 @@ namespace lamella
 
 
     /// Whether @p point is behind @p surface, by more than cells are deep if it
-    /// is to be @p deep_penetrations and by less otherwise; projections @p
-    /// search_radius away at most.
+    /// is to be @p deep_penetrations else by less, at most @p search_radius
+    /// away.
     bool
     faces(const MeshSurface  &surface,
           const SurfacePoint &point,

@@ -15,8 +15,7 @@ namespace lamella
   namespace
   {
     // Each of these functions decomposes its structure, so that a new member
-    // does not compile until it is named. Unused members come from the text,
-    // which is part of the key.
+    // does not compile until it is named. Unused members come from the text.
 
     std::string
     describe(const double number)

@@ -79,8 +79,7 @@ namespace lamella
 
 
     /// The lower triangle by columns, which is the upper one by rows. Exact
-    /// zeros (a cross-ply does not couple extension to shear) are left out:
-    /// they would only cause fill.
+    /// zeros (extension and shear of a cross-ply) are left out against fill.
     cholmod_sparse *
     lower_triangle(const Matrix &matrix, cholmod_common &common)
     {

@@ -162,7 +162,7 @@ namespace lamella
                          "' of body '" + body.name() + "' has no " + missing,
                        "Write " + missing + " in subsection Material " +
                          ply.material +
-                         ", or remove the criterion (Criteria) or the body "
+                         ", or remove the criterion or the body "
                          "(Strength/Bodies).");
   }
 

@@ -54,8 +54,7 @@ namespace lamella
 
 
 
-    /// What is said of goals, each sentence once with all goals that it is true
-    /// of, in the order of the first.
+    /// Sentences on goals, each once with all its goals, in order of the first.
     class Sayings
     {
     public:

@@ -144,8 +144,7 @@ namespace lamella
 
 
 
-    /// All arrays, in the order of for_each_group(), each on a thread of its
-    /// own as far as there are any.
+    /// All arrays, in the order of for_each_group(), each on its own thread.
     std::vector<std::string>
     all_compressed(const VtuGrid &grid, const std::vector<VtuArray> &cells)
     {

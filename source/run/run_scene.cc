@@ -17,8 +17,7 @@ namespace lamella
 {
   namespace
   {
-    /// What to say of the folder @p directory where the user ends the run after
-    /// @p done of @p all load steps.
+    /// Message on @p directory if the user stops after @p done of @p all steps.
     void
     update_interruption_message(const std::string &directory,
                                 const unsigned int done,

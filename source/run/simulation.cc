@@ -58,8 +58,8 @@ namespace lamella
         {
           rules.unsolved.push_back(body.name());
           out << "Body " << body.name() << ": " << body.theory()
-              << ", is beyond double precision; once more with all fields of "
-                 "its section"
+              << ", is beyond double precision; repeated with all section "
+                 "functions"
               << std::endl;
         }
     if (rules.unsolved.size() == built->rules().unsolved.size())
@@ -90,8 +90,7 @@ namespace lamella
 
   namespace
   {
-    /// Adds a contact at @p end to @p scene, a part of the one that is there,
-    /// and returns a sentence on it.
+    /// Adds a contact at @p end, part of an existing one; returns a note.
     std::string
     add_end(const EndInContact &end, Scene &scene)
     {

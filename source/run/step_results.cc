@@ -200,8 +200,7 @@ namespace lamella
     double change = 0.;
     for (const NamedQuantity &goal : scene.goals.quantities)
       {
-        // What is dissipated is nothing beside the energy where nothing slips,
-        // and change_of() has it so.
+        // Without slip no energy is dissipated, as change_of() has it.
         const double size =
           goal.column == "dissipated" ? 0. : first.scale_of(goal);
         if (size > 0.)

@@ -16,8 +16,7 @@ namespace lamella
       prm.declare_entry("Budget DoFs",
                         "0",
                         patterns::number(),
-                        "With a Tolerance: largest number of DoFs; 0: no "
-                        "limit.");
+                        "With Tolerance: largest number of DoFs; 0: any.");
       prm.declare_entry("Budget seconds",
                         "0",
                         patterns::number(),

@@ -163,8 +163,7 @@ namespace lamella
       if (entry.value.empty() && has_comment)
         throw InputError(entry.path,
                          "",
-                         "scene.value-in-comment: the value is empty before "
-                         "'#'",
+                         "scene.value-in-comment: no value before '#'",
                          "Write the value before '#', write '\\#' for a '#' "
                          "that is part of the value, or remove the entry.")
           .at(here);

@@ -177,8 +177,7 @@ namespace lamella
          "",
          optional(positive()),
          "D",
-         "Half disc: cell size there [length]. Default: an eighth of the "
-         "radius."},
+         "Half disc: cell size there [length]; default an eighth of Radius."},
         {"Sectors",
          "8",
          cells(),

@@ -51,8 +51,7 @@ namespace lamella
     using Dofs = std::vector<DofIndex>;
 
     /// Calls @p use(rows, columns, values) with block after block of the
-    /// stiffness of all bodies and their springs, this process's share, in the
-    /// numbering of the scene.
+    /// stiffness of all bodies and their springs, numbered as the scene.
     template <typename Use>
     void
     for_each_block(const TangentOperator &tangent_operator,

@@ -111,7 +111,7 @@ namespace lamella
     {
       if (!(contact.imbalance < tolerable))
         throw NumericsError(
-          "solve.contact-forces-differ: Contact forces on both bodies differ "
+          "solve.contact-forces-differ: Contact forces of two bodies differ "
           "by " +
           to_text(contact.imbalance, 3) +
           " of their sum, an error in Lamella: please report the scene.");
@@ -138,8 +138,8 @@ namespace lamella
         throw NumericsError(
           "solve.strain-beyond-law: The mean axial strain reaches " +
           to_text(100. * checks.max_mean_strain, 3) +
-          " %, but the material law, linear in the Green-Lagrange strain, is "
-          "valid only up to " +
+          " %, but the law, linear in the Green-Lagrange strain, is valid only "
+          "to " +
           to_text(100. * large_strain, 2) + " %. Reduce the loads.");
     }
   } // namespace
@@ -158,8 +158,7 @@ namespace lamella
       check_contact_law(contact, checks.max_displacement, state.rounding());
     if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
       throw NumericsError(
-        "solve.not-finite: The solution is not finite. Check loads and "
-        "materials.");
+        "solve.not-finite: The solution is not finite. Check the loads.");
     if (checks.is_large)
       check_small_strain(checks);
     else if (checks.max_rotation > rotation_limit)

@@ -118,9 +118,8 @@ namespace lamella
         throw InputError(
           "Support " + support.name + "/Rotation",
           to_text(*support.rotation),
-          "export.large-rotation: CalculiX multiplies displacements by the "
-          "load factor, but those of a finite rotation are not proportional to "
-          "it",
+          "export.large-rotation: CalculiX scales displacements by the load "
+          "factor, but those of a finite rotation are not proportional to it",
           "Use Rotations = linear, or a Load with a Couple.");
       return rigid_rotation(support, mesh.bodies());
     }
