@@ -54,7 +54,7 @@ namespace lamella
   Entry::positive() const
   {
     if (is_empty())
-      refuse_missing("entry.is-missing: give a positive number, as in 0.5.");
+      refuse_missing("entry.is-missing: write a positive number, as in 0.5.");
     const double value = number();
     if (!(value > 0.))
       refuse("entry.not-positive: the value must be positive");

@@ -161,8 +161,8 @@ namespace lamella
         "Linear solver",
         name_of(requested),
         "body.solver-in-parallel: this solver works on one process only, "
-        "but the program was started on " +
-          std::to_string(n_processes()),
+        "but there are " +
+          std::to_string(n_processes()) + " processes",
         "Choose auto or mumps, or start the program without mpirun.");
     if (requested == SolverKind::cg && !is_nodal())
       throw InputError(

@@ -414,14 +414,14 @@ namespace lamella
         {
           const bool is_body = region.kind == Region::Kind::body;
           if (heats && !is_body)
-            on.refuse("conditions.temperature-of-part: a Temperature acts on "
-                      "bodies",
+            on.refuse("conditions.temperature-of-part: Temperature acts on "
+                      "whole bodies",
                       "Write On = BODY: body, and for a temperature that "
                       "varies an expression, as in 50*z.");
           if (!heats && is_body)
             on.refuse("conditions.load-on-body: a load other than a "
                       "Temperature acts on a point, a line or a surface",
-                      "Name one in On, or use Gravity for weight.");
+                      "Name a surface in On; for weight use Gravity.");
           if (needs_surface && region.kind != Region::Kind::surface)
             what.refuse(
               "conditions.needs-surface: Pressure and Couple need a surface",

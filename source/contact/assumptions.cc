@@ -148,7 +148,7 @@ namespace lamella
             " nodes of First and Second face each other; " +
             std::to_string(contact.nonmatching_nodes) + " nodes of First and " +
             std::to_string(contact.nonmatching_nodes_second) +
-            " of Second face no node of the other side and can penetrate",
+            " of Second face no node of the other side and can penetrate it",
           "Write auto or surface to surface, or give both surfaces the same "
           "nodes (Cells across, Axis elements, Axis nodes).");
       }

@@ -131,10 +131,10 @@ namespace lamella
       "contact.search-distance-too-small: Contact " + contact.name +
       "/Search distance = " + to_text(*contact.search_distance) + ": " +
       std::to_string(count) +
-      " points touch without a contact constraint: they were further from '" +
-      interface.second_name + "' at the start, the deepest at " +
-      to_text(worst->position) +
-      (deepest < 0. ? " (penetration " + to_text(-deepest, 3) + ")" : "") +
+      " points touch without a contact constraint: at the start they were "
+      "further than Search distance from '" +
+      interface.second_name + "', the deepest at " + to_text(worst->position) +
+      (deepest < 0. ? ", penetration " + to_text(-deepest, 3) : "") +
       ". Increase Search distance to at least " + to_text(enough * widest, 2) +
       ", or write auto.");
   }

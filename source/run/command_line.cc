@@ -91,7 +91,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
           command.print_parameters || command.resume || !command.output.empty())
         throw InputError(
           "run.option-not-for-new: the command new, which writes a scene, "
-          "accepts --kind only. Use others with lamella SCENE.prm.");
+          "accepts --kind only. Use other options with lamella SCENE.prm.");
       if (!command.version && !command.help && command.scene.empty())
         throw InputError(
           "run.no-name: no name of a scene is given. Write lamella new NAME, "

@@ -107,10 +107,9 @@ namespace lamella
                             own   = quantity.unit(units);
           if (unit != "abs" && unit != own)
             entry.refuse(
-              "scene.wrong-unit: " + label +
-                (own.empty() ? " has no unit, but the tolerance is in '" :
-                               " is in " + own + ", not in '") +
-                unit + "'",
+              "scene.wrong-unit: the tolerance is in '" + unit +
+                "', but the unit of " + label + " is " +
+                (own.empty() ? "none" : own),
               "Write a tolerance in per cent, as in 1, or a tolerance with " +
                 (own.empty() ? "" : own + " or with ") + "abs, as in 0.5 " +
                 (own.empty() ? "abs" : own) + ".");

@@ -225,7 +225,7 @@ namespace lamella
           throw InputError(
             "Contact " + last.name,
             "",
-            "scene.repeated-contact: its surfaces are those of Contact " +
+            "scene.repeated-contact: this contact repeats Contact " +
               other->name,
             "Remove one of the two contacts.");
     }

@@ -244,7 +244,7 @@ namespace lamella
         references.push_back(variant.name);
       if (std::find(references.begin(), references.end(), entry.text()) ==
           references.end())
-        entry.refuse("scene.unknown-reference: use finest, solid, given, a "
+        entry.refuse("scene.unknown-reference: use finest, solid, given or a "
                      "variant",
                      "The most similar is '" +
                        nearest_name(entry.text(), references) + "'.");

@@ -134,7 +134,7 @@ namespace lamella
         substeps.tolerance = percent * entry.number(tolerance);
       if (!(substeps.tolerance > 0.))
         entry.refuse(
-          "solve.tolerance-not-positive: use a positive one, as in auto 0.1");
+          "solve.tolerance-not-positive: tolerances are > 0, as in auto 0.1");
       return substeps;
     }
   } // namespace

@@ -50,7 +50,7 @@ namespace lamella
   {
     using Dofs = std::vector<DofIndex>;
 
-    /// Calls @p use(rows, columns, values) with block after block of the
+    /// Calls @p use(rows, columns, values) with blocks of this process's
     /// stiffness of all bodies and their springs, numbered as the scene.
     template <typename Use>
     void

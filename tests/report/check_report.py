@@ -299,18 +299,18 @@ def check_refusals(program, output, folder):
         path.unlink()
     before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     for words, fragments in (
-            ([folder / "nowhere"], ["no such folder", "nowhere"]),
-            ([output / "scene.prm"], ["not a folder"]),
-            ([folder / "empty"], ["no results of a run", "summary.json"]),
+            ([folder / "nowhere"], ["[report.no-folder]", "nowhere"]),
+            ([output / "scene.prm"], ["[report.not-a-folder]"]),
+            ([folder / "empty"], ["[report.no-results]", "summary.json"]),
             ([damaged], ["summary.json", "cut off or changed"]),
             ([cut_off], ["goals.csv", "cells"]),
             ([half], ["scene.prm:", "not what a run writes"]),
             ([strange], ["summary.json", "not what a run writes"]),
-            ([], ["no folder is given"]),
-            ([output, output], ["one folder at a time"]),
+            ([], ["[run.no-folder]"]),
+            ([output, output], ["[run.two-scenes]"]),
             ([output, "--set", "Theory=LE-1"], ["--set", "[run.option-not-for-report]"]),
-            ([output, "--output", folder / "summary.json"], ["ending .html"]),
-            ([output, "--output", folder / "empty"], ["that is a folder"]),
+            ([output, "--output", folder / "summary.json"], ["[report.target-not-html]"]),
+            ([output, "--output", folder / "empty"], ["[report.target-is-folder]"]),
             ([output, "--output", "/dev/null/report.html"], ["cannot be written"])):
         done = make(program, *words)
         expect(done.returncode == 1 and done.stderr.startswith("lamella: ") and

@@ -422,9 +422,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_do_not_pair)
   const Bodies bodies = two_beams();
   check_refused(between("botom", "top"),
                 bodies,
-                {"Contact middle",
-                 "no surface 'botom'",
-                 "'bottom'"});
+                {"Contact middle", "no surface 'botom'", "'bottom'"});
   check_refused(between("bottom", "roof"),
                 bodies,
                 {"Contact middle", "'lower'", "no surface 'roof'"});

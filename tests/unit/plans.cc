@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      0,
      true,
      "",
-     "all along"},
+     "along the whole axis"},
     {[](PlanInput &f) {
        f.size.nodes = 15;
        f.held       = 31.;
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      0,
      true,
      "",
-     "hold 30 of 600 fields"},
+     "30 of 600 section functions"},
     {[](PlanInput &f) {
        f.held   = 30.;
        f.wanted = 300;
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(facts_make_a_plan)
      0,
      true,
      "",
-     "carry 301 of 600"},
+     "301 of 600 section functions"},
     // What is not known does not speak, and Theories are taken at their word.
     {[](PlanInput &f) {
        f.held   = {};

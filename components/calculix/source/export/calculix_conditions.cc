@@ -43,7 +43,7 @@ namespace lamella
           throw InputError(
             "Body " + body.name + "/Stabilization",
             to_text(body.stabilization),
-            "export.stabilization-not-exported: springs are not exported",
+            "export.stabilization-not-exported: Stabilization is not exported",
             "Constrain the body by a Support and write Stabilization = 0.");
       const std::vector<PrescribedFunctional> rows =
         prescribed_functionals(scene.supports, mesh.bodies());
