@@ -584,14 +584,14 @@ BOOST_AUTO_TEST_CASE(surfaces_that_look_away)
         [&] {
           make_interface(pair_of("bottom", "top", discretization), inside);
         },
-        {"lies 0.6 behind", "lie in each other"});
+        {"lies 0.6 behind", "[contact.surface-behind]"});
     }
   check_says(
     [&] {
       make_interface(
         pair_of("left", "right", Discretization::surface_to_surface), bodies);
     },
-    {"Contact middle", "nothing of First and Second faces each other"});
+    {"Contact middle", "[contact.no-pairs]"});
   ContactPair near = pair_of("bottom", "top", Discretization::node_to_surface);
   near.search_distance = 0.009;
   check_says([&] { make_interface(near, bodies); },
@@ -612,7 +612,10 @@ BOOST_AUTO_TEST_CASE(conflicts)
         make_interface(pair_of("bottom", "top", discretization), bodies),
         make_interface(all, bodies)};
       check_says([&] { check_conflicts(two, bodies); },
-                 {"Contact all", "same points as Contact middle", "'upper'"});
+                 {"Contact all",
+                  "[contact.shared-points]",
+                  "Contact middle",
+                  "'upper'"});
       std::swap(all.first, all.second);
       const std::vector<ContactInterface> turned{two[0],
                                                  make_interface(all, bodies)};

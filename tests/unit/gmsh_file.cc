@@ -311,7 +311,7 @@ BOOST_AUTO_TEST_CASE(faults_with_their_lines)
   BOOST_TEST(finds(changed(v2, "50 1 1", "0 1 1"), 15, "'0' is not a node's"));
   BOOST_TEST(finds(changed(v2, "20 50 40", "20 51 40"),
                    22,
-                   "node 51, which $Nodes has not"));
+                   "node 51, which is not in $Nodes"));
   BOOST_TEST(finds(changed(v2, "20 50 40", "20 20 40"), 22, "node 20 twice"));
   BOOST_TEST(
     finds(changed(v2, "20 50 40", "20 50"), 22, "8 words instead of 9"));
@@ -341,8 +341,9 @@ BOOST_AUTO_TEST_CASE(faults_with_their_lines)
     finds(changed(v4, "2 8 3 2", "1 7 3 2"), 36, "no elements of type"));
   BOOST_TEST(finds(changed(v4, "2 8 3 2", "2 9 3 2"), 36, "no surface 9"));
   BOOST_TEST(finds(changed(v4, "2 4 1 4", "2 5 1 4"), 32, "the blocks have 4"));
-  BOOST_TEST(
-    finds(changed(v4, "$Nodes", "$PartitionedEntities\n0\n$Nodes"), 14, "cut"));
+  BOOST_TEST(finds(changed(v4, "$Nodes", "$PartitionedEntities\n0\n$Nodes"),
+                   14,
+                   "partitions"));
 }
 
 

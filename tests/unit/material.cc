@@ -450,8 +450,9 @@ BOOST_AUTO_TEST_CASE(moduli_in_other_units)
   BOOST_TEST(moduli_warning("a", megapascals, mm) == "");
   BOOST_TEST(moduli_warning("a", pascals, m) == "");
   BOOST_TEST(moduli_warning("a", megapascals, none) == "");
-  BOOST_TEST(moduli_warning("a", megapascals, m)
-               .find("material a: E1 = 70000 Pa, E2 = 70000 Pa") == 0);
+  BOOST_TEST(
+    moduli_warning("a", megapascals, m).find("E1 = 70000 Pa, E2 = 70000 Pa") !=
+    std::string::npos);
   BOOST_TEST(moduli_warning("a", pascals, mm) != "");
   for (const std::string &name : library_materials())
     if (name != "hertz-200")
@@ -507,7 +508,9 @@ BOOST_AUTO_TEST_CASE(strength_entries)
     [&] {
       read({{"Strengths", "1, -2, 3, 4, 5, 6, 7, 8, 9"}});
     },
-    {"Material a/Strengths", "Xc = -2 must be positive", "size"});
+    {"Material a/Strengths",
+     "Xc = -2 must be positive",
+     "[material.strength-not-positive]"});
   check_refused(
     [&] {
       read({{"Strengths", "1, 2, 3, 4, 5, 6, 7, 8"}});

@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(lines_that_are_not_understood)
                 {"a.prm:4: 'end' is not understood"});
   for (const std::string nothing :
        {"", "\n\n", "# set A = 1\n", "subsection S\nend\n"})
-    check_refused([&] { scene(nothing); }, {"a.prm: ", "empty"});
+    check_refused([&] { scene(nothing); }, {"a.prm: ", "[scene.no-entries]"});
 }
 
 
@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE(messages_have_one_place)
   check_refused([&] { read_scene(scene(head + "set Loads = 2nd\n")); },
                 {"a.prm:4: Loads = 2nd", "'2nd' is not a valid name"});
   check_refused([&] { read_scene(scene(head + "set Loads = a, b, a\n")); },
-                {"a.prm:4: Loads = a, b, a", "'a' stands there twice"});
+                {"a.prm:4: Loads = a, b, a", "[scene.repeated-name]"});
   check_refused([&] { read_scene(scene(head, {"Materials=m, m"})); },
                 {"--set: Materials = m, m", "twice"});
 }
@@ -391,7 +391,7 @@ BOOST_AUTO_TEST_CASE(numbers)
                    ": '" + trimmed(bad) + "' is not a number"});
   for (const std::string bad : {"1e-31", "-1e31", "1e-400"})
     check_refused([&] { Entry("A", bad).number(); },
-                  {"A = " + bad + ": '" + bad + "' is beyond what can be"});
+                  {"A = " + bad + ": '" + bad + "' is out of range"});
 
   BOOST_TEST(Entry("A", "1, 2,3e1").numbers() ==
                (std::vector<double>{1., 2., 30.}),
