@@ -14,8 +14,8 @@
 
 namespace lamella
 {
-  /// Tolerances and limits of ContactSolver. Quantities without a unit are
-  /// relative to ContactSolver::displacement_scale().
+  /// Tolerances and limits of ContactSolver. Lengths are relative to the
+  /// largest displacement (ContactSolver::displacement_scale()).
   struct SolverParameters
   {
     /// Maximum number of contact iterations; exceeding it is a failure.
@@ -33,14 +33,15 @@ namespace lamella
     /// tolerance that is accepted if a further round hardly improves the error.
     double law_tolerance      = arithmetic::rounding_of_results,
            weak_law_tolerance = arithmetic::rounding_of_solutions;
-    /// A round is slow if more than this fraction of the violation remains.
+    /// A round is slow if it leaves more than this fraction of the error of the
+    /// contact law; `weak_law_tolerance` then applies.
     double slow = 0.1;
     /// Maximum number of rounds of ContactSolver::correct_active_set().
     unsigned int max_set_corrections = 20;
 
-    /// Release of stabilizing springs ends if the relative change of the spring
-    /// offsets, or the spring force over the largest load or contact force, is
-    /// below these tolerances. Below: maximum number of rounds.
+    /// release_springs() ends if the relative change of the spring offsets, or
+    /// the spring force over the largest load or contact force, is below these
+    /// tolerances. It fails after `max_releases` rounds.
     double spring_offset_tolerance = arithmetic::rounding_of_results,
            spring_force_tolerance  = arithmetic::rounding_of_sums;
     unsigned int max_releases      = 60;
@@ -49,16 +50,18 @@ namespace lamella
   /// Solver of one load step: first the linear solution, then contact, then the
   /// release of stabilizing springs. A ContactStrategy finds the active set;
   /// the result is refined against the residual evaluated from strains and the
-  /// contact law. Equations at load factor t, with the gap rows B:
+  /// contact law. Equations at load factor t, with internal forces f_int, loads
+  /// f, gaps g with rows B, contact forces lambda and compliance a of the
+  /// contact law:
   ///   f_int(u) + f_springs(u) = t f + B^T lambda   (in the free DoFs)
   ///   g(u) + a lambda >= 0,  lambda >= 0,  and in each constraint one is zero.
   /// f_int is linear in u; the active set is the only nonlinearity.
   ///
-  /// Iterative refinement: both residuals are evaluated at the state, f_int
-  /// from strains (Structure::residual()), and corrected with the factorization
-  /// of the strategy. The residuals determine the accuracy, the matrix only the
-  /// rate of convergence. Keeps references to the structure and the gap
-  /// constraints. Collective, with equal arguments.
+  /// Iterative refinement: the residuals of both equations are evaluated at the
+  /// state, f_int from strains (Structure::residual()), and corrected with the
+  /// factorization of the strategy. The residuals determine the accuracy, the
+  /// matrix only the rate of convergence. Keeps references to the structure and
+  /// the gap constraints. Collective, with equal arguments.
   class ContactSolver
   {
   public:
@@ -120,7 +123,7 @@ namespace lamella
     State
     release_springs(State state, const LoadFactor &factor);
 
-    /// Returns the gap of each constraint at @p factor (Eq. 16) [length].
+    /// Returns the gap of each constraint at load factor @p factor [length].
     std::vector<double>
     gaps(const BlockVector &u, const LoadFactor &factor) const;
 
@@ -136,12 +139,12 @@ namespace lamella
       strategy->solve(closed, r_u, r_lambda, du, dlambda);
     }
 
-    /// Returns the closed gaps of @p state with all slips constrained, for a
-    /// symmetric matrix: slipping points stick for small slip reversals.
+    /// Returns the active gaps of @p state, with all their slips constrained as
+    /// if sticking. The resulting linear system is symmetric.
     ActiveConstraints
     sticking_equations(const State &state) const;
 
-    /// Returns the data of the strategy that a restarted run needs.
+    /// Returns the data of the contact strategy that a restarted run needs.
     StrategyHistory
     memory() const
     {
@@ -184,7 +187,8 @@ namespace lamella
       /// Sticking constraints with a shear force beyond mu lambda_n, and
       /// slipping ones whose slip is along their shear force.
       std::vector<unsigned int> friction_violations;
-      /// Largest |g + a lambda| of other active ones, and |v| of sticking ones.
+      /// Largest error of the remaining active constraints: |g + a lambda|, or
+      /// the slip |v| of sticking constraints [length].
       double gap = 0.;
 
       bool
@@ -195,7 +199,8 @@ namespace lamella
       }
     };
 
-    /// Returns the violations in @p state; gaps above -@p closed are zero.
+    /// Returns the violations in @p state. Gaps above -@p closed [length] count
+    /// as zero.
     ContactViolations
     violations(const State      &state,
                const LoadFactor &factor,
@@ -211,7 +216,7 @@ namespace lamella
                             const double       small,
                             ContactViolations &found) const;
 
-    /// Returns the residual of the contact law for each number in @p closed.
+    /// Returns -(g + a lambda) of each gap in @p closed, and -v of each slip v.
     Vector
     law_residual(const State             &state,
                  const LoadFactor        &factor,
@@ -229,8 +234,8 @@ namespace lamella
                           const bool        was_slow) const;
 
     /// Returns the first contact problem, about the state @p free without
-    /// contact forces. Estimates are the @p previous forces of constraints that
-    /// penetrate.
+    /// contact forces. Force estimates are those of the @p previous load step
+    /// for constraints that penetrate in @p free, else zero.
     ContactProblem
     first_problem(const State      &free,
                   const LoadFactor &factor,
@@ -239,10 +244,10 @@ namespace lamella
     ContactProblem
     problem_at(const State &state, const LoadFactor &factor) const;
 
-    /// Replaces @p state by a state with the forces of @p settled and returns
-    /// true if it satisfies the contact law. For dependent constraints,
-    /// refinement may shift forces by rounding. Returns false, without effect,
-    /// if the strategy is not accurate enough.
+    /// Replaces @p state by one with the contact forces of @p settled, as found
+    /// by the strategy before refinement, and returns true if these satisfy the
+    /// contact law. (Refinement may shift forces between dependent
+    /// constraints.) Else returns false, without effect.
     bool
     multipliers_are_reliable(State            &state,
                              const State      &settled,
@@ -263,22 +268,25 @@ namespace lamella
     double
     correct(State &state, const LoadFactor &factor);
 
-    /// Calls correct() @p at_least times and until is_refined(); returns all.
+    /// Calls correct() @p at_least times and until is_refined(); returns the
+    /// relative norm of each correction.
     std::vector<double>
     refine(State &state, const LoadFactor &factor, const unsigned int at_least);
 
-    /// Returns true if another correction would be rounding: the last of
-    /// @p corrections is small, above half of the previous one, or at the
-    /// limit.
+    /// Returns true if refinement should end: the last of @p corrections is
+    /// below refinement_tolerance or above half of the previous one, or
+    /// max_refinements is reached (beyond @p at_least corrections).
     bool
     is_refined(const std::vector<double> &corrections,
                const unsigned int         at_least) const;
 
-    /// Returns the largest displacement of bodies, or obstacles (normal).
+    /// Returns the largest displacement component of bodies, or normal
+    /// displacement of obstacles [length].
     double
     displacement_scale(const State &state, const LoadFactor &factor) const;
 
-    /// Returns @p share times displacement_scale(), at least State::rounding().
+    /// Returns the tolerance @p share times displacement_scale(), at least
+    /// State::rounding() [length].
     double
     length_of(const double      share,
               const State      &state,
@@ -288,19 +296,22 @@ namespace lamella
     std::string
     describe_overlap() const;
 
-    /// Adds @p round to @p iterations and reports it; calls check_iterations().
+    /// Counts @p round in @p iterations, reports it, and calls
+    /// check_iterations().
     void
     watch(const Round &round, unsigned int &iterations) const;
 
-    /// Throws NumericsError at max_iterations, naming three of @p changing.
+    /// Throws NumericsError if @p iterations exceeds max_iterations. The
+    /// message names three of the constraints @p changing.
     void
     check_iterations(const unsigned int               iterations,
                      const std::vector<unsigned int> &changing) const;
 
-    /// Throws the NumericsError of release_springs() for the spring with the
-    /// largest force. The motion is unconstrained if the ratio @p rate of
-    /// successive changes is close to 1. Otherwise the springs are too stiff,
-    /// and the message gives the Stabilization for a rate of 0.1.
+    /// Throws the NumericsError of release_springs() for the rigid motion
+    /// @p motion of @p body. @p rate is the ratio of successive spring forces.
+    /// If close to 1, nothing else constrains the motion. Otherwise the springs
+    /// are too stiff, and the message gives the Stabilization for a ratio of
+    /// 0.1.
     [[noreturn]] void
     throw_unconstrained_motion(const std::string &body,
                                const std::string &motion,

@@ -20,44 +20,50 @@ namespace lamella
   struct NewtonParameters
   {
     unsigned int max_iterations = 30;
-    /// Tolerance of equilibrium: unbalanced over internal forces or loads.
+    /// Equilibrium is reached if the norm of the unbalanced forces, over that
+    /// of the internal forces or of the loads, is at most this value.
     double force_tolerance = arithmetic::rounding_of_solutions;
-    /// Criteria for slender bodies, whose forces have a rounding error of about
-    /// (L / h)^3 1e-16 (length L, thickness h). Below the relative residual
-    /// `stagnation_level`, iterations end if two of them leave more than
-    /// `stall_ratio` of the residual; below `near_equilibrium`, if a correction
-    /// is at most `negligible_correction` times the scene size.
+    /// Alternative criteria for slender bodies of length L and thickness h,
+    /// whose forces have a rounding error of about (L / h)^3 1e-16. If the
+    /// relative residual is below `stagnation_level`, iterations end when each
+    /// of two iterations leaves more than `stall_ratio` of it. If below
+    /// `near_equilibrium`, they end when a correction is below
+    /// `negligible_correction` times the diagonal of the scene.
     double stagnation_level = arithmetic::same_value, stall_ratio = 0.5,
            near_equilibrium      = 1e-3,
            negligible_correction = arithmetic::same_position;
-    /// Growth of the residual over that at the beginning of the step that
-    /// counts as divergence. Forces below `nothing` times it are rounding.
+    /// The step diverges if the residual exceeds `divergence_ratio` times that
+    /// at its beginning. A residual below `nothing` times it counts as zero.
     double divergence_ratio = 1e12, nothing = arithmetic::rounding_of_sums;
-    /// Tolerance of the contact law: the larger of `law` times the largest
-    /// displacement and `touching` times the size of the scene. If forces are
-    /// inaccurate, `stagnation_level` times the displacement.
+    /// Gaps satisfy the contact law if their error is at most `law` times the
+    /// largest displacement or `touching` times the diagonal of the scene. If
+    /// the error stagnates, `stagnation_level` times the displacement suffices.
     double law = arithmetic::negligible, touching = arithmetic::rounding;
-    /// Relative step of differences in Newton::rotation_of_constraints();
-    /// relative tolerance and limit of its iterations.
+    /// Newton::correct_row_rotation(): difference step over the scene diagonal;
+    /// relative tolerance and maximum number of GMRES iterations.
     double       difference = arithmetic::same_value, rotation_tolerance = 1e-3;
     unsigned int max_rotation_corrections = 20;
-    /// Largest ratio of corrections without and with stabilizing springs.
+    /// If removal of the stabilizing springs enlarges a correction by more than
+    /// this factor, the correction with springs is used.
     double max_spring_influence = 10.;
-    /// Converged correction over the scene size if springs determine it.
+    /// With springs, stagnation counts as convergence only if the correction is
+    /// below this fraction of the diagonal of the scene.
     double converged_change = 1e-7;
-    /// A motion against springs is unstable if its stiffness is below minus
-    /// this factor times the contact force over the size of the scene.
+    /// A motion that only springs restrain is unstable if its stiffness without
+    /// springs is below minus this factor times the contact force over the
+    /// diagonal of the scene.
     double instability_share = 0.2;
-    /// Maximum number of new pairings in a load step.
+    /// Maximum number of times that surfaces are paired anew in a load step.
     unsigned int max_pairings = 3;
-    /// If the last correction is below this fraction of the step's increment,
-    /// the tangent at the solution is not checked again.
+    /// If the last correction is at most this fraction of the displacement
+    /// increment of the step, check_stability() omits a new factorization.
     double converged_step = 0.01;
-    /// Largest rotation in an iteration [rad]; larger ones are shortened.
+    /// Largest rotation in an iteration [rad]; a larger increment is scaled.
     double spin = 1.;
     /// Maximum number of bisections of a load step.
     unsigned int max_bisections = 6;
-    /// Largest rotation of a support in one step [rad], below a revolution.
+    /// Largest prescribed support rotation in a step [rad]; larger ones are
+    /// divided into steps.
     double rotation = 2.;
   };
 
@@ -69,17 +75,19 @@ namespace lamella
     LoadFactor factor;
     /// Number of bisections of the load step.
     unsigned int cuts = 0;
-    /// Unbalanced over internal forces or loads; law error [length].
+    /// Norm of the unbalanced forces over that of internal forces or loads;
+    /// largest error of the contact law [length].
     double residual = 0., law_error = 0.;
-    /// Last correction if all forces are rounding (support motion), else 0.
+    /// Largest displacement of the last correction [length] if all forces are
+    /// within rounding, as for a rigid support motion; else 0.
     double rounding = 0.;
   };
 
   /// Newton's method for structures with nonlinear internal forces and contact,
   ///   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
-  /// from one load factor t to the next, with the contact law of the current
-  /// gaps g(u, t) >= 0, their gradient B, the free DoFs v and prescribed
-  /// displacements u_p.
+  /// from one load factor t to the next, with internal forces f_int, loads f,
+  /// contact forces lambda, gaps g(u, t) >= 0 and their gradient B, free DoFs v
+  /// with their expansion G, and prescribed displacements u_p.
   ///
   /// Each iteration linearizes forces (tangent K) and gaps (B), and solves the
   /// resulting contact problem for the total contact forces as for linear
@@ -120,10 +128,10 @@ namespace lamella
 
     /// Callback for a line of text per iteration; no output by default.
     Progress progress;
-    /// Callbacks of each factorization.
+    /// Callbacks during the factorization of each body.
     TangentOperator::BodyMonitor monitor;
 
-    /// Returns the unloaded state that begins a path to @p factor.
+    /// Returns the unloaded state, the start of a load path to @p factor.
     Equilibrium
     unloaded(const LoadFactor &factor = 1.) const;
 
@@ -148,7 +156,7 @@ namespace lamella
     }
 
   private:
-    /// Start of a step: support motion, unbalanced and reference forces.
+    /// Start of a step: support motion, unbalanced forces and their norm.
     struct StepStart
     {
       BlockVector moved, r;
@@ -228,15 +236,17 @@ namespace lamella
                     const State       &state,
                     const LoadFactor  &to) const;
 
-    /// Throws NumericsError if @p state at load factor @p to is stable only due
-    /// to its stabilizing springs, and IllConditioned if it is unstable even
-    /// with springs. Returns false if it was not checked: without contact
-    /// force, and with friction, which has its own stability criterion.
+    /// Checks that @p state at load factor @p to is also stable without its
+    /// stabilizing springs. Throws NumericsError if it is not, and
+    /// IllConditioned if it is unstable even with springs. Returns false if the
+    /// check does not apply: if there is no contact force, or with friction
+    /// (CoulombSolution::stability).
     ///
-    /// With the spring rows R, scaled such that R^T R is their contribution to
-    /// K, and the compliance C of K with the active constraints fixed, the
-    /// motions that only springs restrain are V = C R^T. With the derivative H
-    /// of the contact forces (rotation_of_constraints()), their energy
+    /// R are the rows of the springs, scaled such that the tangent K contains
+    /// R^T R. C is the inverse of K with all active gaps kept closed. The
+    /// motions that only springs restrain are V = C R^T. Their energy without
+    /// springs, with the derivative H of the contact forces
+    /// (rotation_of_constraints()),
     ///   V^T (K - R^T R - H) V = G - G G - V^T H V,   G = R C R^T,
     /// must not be negative compared with the work of the contact forces over
     /// such a motion. Neutral motions (a sliding block) are accepted.
@@ -252,9 +262,10 @@ namespace lamella
                   State                &state) const;
 
     /// Returns the correction @p du of the displacements @p u, improved by the
-    /// rotation of the constraints and without spring forces. With H = sum
-    /// lambda Hess g for the forces of @p state, which are updated, and the
-    /// spring stiffness S in K, multiplied by @p regularization_factor, solves
+    /// rotation of contact normals and without forces of stabilizing springs.
+    /// Updates the contact forces lambda of @p state. With the derivative H =
+    /// sum lambda d2g/du2 of the contact forces, unbalanced forces r, and the
+    /// spring stiffness S times @p regularization_factor contained in K, solves
     ///   K du - B^T dlambda = r + (H + S) du
     /// for active constraints by GMRES; returns @p du if it does not converge.
     BlockVector
@@ -265,26 +276,28 @@ namespace lamella
                          const LoadFactor  &to,
                          State             &state) const;
 
-    /// Adds the spring forces @p regularization_factor S w to @p f.
+    /// Adds @p regularization_factor times the forces of the stabilizing
+    /// springs at the displacements @p w to @p f.
     void
     add_spring_forces(const double       regularization_factor,
                       const BlockVector &w,
                       BlockVector       &f) const;
 
-    /// Returns H @p w at @p u, the change of the contact forces with the
-    /// rotation of the constraints, by central differences; zero if any has no
-    /// projection.
+    /// Returns the change of B(u)^T lambda, with constant contact forces lambda
+    /// of @p state, due to the increment @p w of the displacements @p u. Uses
+    /// central differences of B; zero if a contact point has no projection.
     BlockVector
     rotation_of_constraints(const State       &state,
                             const BlockVector &u,
                             const BlockVector &w,
                             const LoadFactor  &to) const;
 
-    /// Returns the largest displacement due to @p u; for bodies with rotation
-    /// DoFs by Body::dof_scales(), since warping amplitudes are not lengths.
+    /// Returns the largest displacement component of @p u [length]. DoFs that
+    /// are no lengths (rotations, warping) are scaled by Body::dof_scales().
     double
     length_of(const BlockVector &u) const;
-    /// Scales down the increment @p change of bodies that would rotate too far.
+    /// Scales @p change in each body to a rotation of at most
+    /// NewtonParameters::spin.
     void
     shorten(BlockVector &change) const;
 
@@ -292,14 +305,14 @@ namespace lamella
     BlockVector
     unbalanced(const State &state, const LoadFactor &factor) const;
 
-    /// Returns the unbalanced forces @p r, condensed by @p here.
+    /// Returns the unbalanced forces @p r in the free DoFs
+    /// (TangentOperator::condense()).
     static BlockVector
     condensed(const TangentOperator &here, BlockVector r);
 
-    /// Computes, stores in @p at and reports the residuals of forces and gaps.
-    /// The condensed forces @p r at load factor @p factor are divided by loads
-    /// or internal forces; 0 if they are rounding. @p began is the residual at
-    /// the start of the step. Returns false if they diverge.
+    /// Stores in @p at, and reports, the relative norm of the unbalanced forces
+    /// @p r and the error of the contact law at load factor @p factor. @p began
+    /// is the norm at the start of the step. Returns false on divergence.
     bool
     measure(const TangentOperator &here,
             const BlockVector     &r,
@@ -307,7 +320,7 @@ namespace lamella
             double                &began,
             Equilibrium           &at) const;
 
-    /// Residuals of the last three iterations.
+    /// Residuals (forces, or errors of gaps) of the last three iterations.
     struct ResidualHistory
     {
       double now     = std::numeric_limits<double>::max(),
@@ -315,7 +328,8 @@ namespace lamella
              earlier = std::numeric_limits<double>::max();
       void
       add(const double left);
-      /// Returns true if two iterations left over @p share of the residual.
+      /// Returns true if each of the last two iterations left more than the
+      /// fraction @p share of the residual.
       bool
       stagnates(const double share) const;
     };
@@ -326,7 +340,8 @@ namespace lamella
     is_equilibrium(const ResidualHistory &unbalanced,
                    const double           change) const;
 
-    /// Returns true if the forces @p r are within the rounding of @p u.
+    /// Returns true if the forces @p r are rounding errors of the internal
+    /// forces at the displacements @p u.
     bool
     is_rounding(const TangentOperator &here,
                 const BlockVector     &r,
@@ -336,11 +351,13 @@ namespace lamella
     [[noreturn]] void
     throw_not_converged(const LoadFactor &reached, const LoadFactor &to) const;
 
-    /// Returns true if the displacement @p way is negligible.
+    /// Returns true if the displacements @p way are at most
+    /// `negligible_correction` times the scene diagonal.
     bool
     is_negligible(const BlockVector &way) const;
 
-    /// Returns true if the law errors @p missed are small for this @p size.
+    /// Returns true if the last errors @p missed of the contact law are within
+    /// tolerance for the largest displacement @p size (NewtonParameters::law).
     bool
     satisfies_contact_law(const ResidualHistory &missed,
                           const double           size) const;

@@ -17,14 +17,15 @@
 
 namespace lamella
 {
-  /// A term of the penalty stiffness K^p, weight times b_of^T b_on with the
-  /// rows of two gaps or slips: the penalty of a single gap or slip (of = on),
-  /// or the coupling of a gap and a slip by friction.
+  /// A rank-one term w b_of^T b_on of the penalty stiffness. w is `weight`, and
+  /// b_of and b_on are the derivatives of two gaps or slips with respect to the
+  /// DoFs. The penalty on one gap or slip has of = on. With friction, terms
+  /// couple the slip `of` to the gap `on`.
   struct PenaltyTerm
   {
-    /// Numbers of gaps or slips (GapConstraints).
+    /// Numbers of the two gaps or slips (GapConstraints::constraint()).
     unsigned int of, on;
-    /// Weight [force / length].
+    /// Weight w [force / length].
     double weight;
 
     bool
@@ -36,9 +37,9 @@ namespace lamella
 
   /// Matrix of the Newton step of the paper (Eqs. 22 and 23) for a whole scene,
   ///   K + K^p,   K^p = B_A^T diag(1/d) B_A,
-  /// condensed by the supports, with the stiffness K of a TangentOperator and
-  /// the rows B_A of the active constraints, each with its compliance d [length
-  /// / force]. With friction it is not symmetric (FrictionNewton).
+  /// in the free DoFs, with the stiffness K of a TangentOperator and the rows
+  /// B_A of the active constraints, each with its compliance d [length /
+  /// force]. With friction it is not symmetric (FrictionNewton).
   ///
   /// K and K^p are assembled through the supports' AffineConstraints into a
   /// Trilinos matrix. Its pattern includes all constraints that were ever
@@ -71,10 +72,12 @@ namespace lamella
     BlockVector
     solve(BlockVector f) const;
 
-    /// Returns the constraints in the pattern, which affect MUMPS's order.
+    /// Returns the contact constraints whose entries the sparsity pattern
+    /// contains. A restarted run needs them for the same elimination order in
+    /// MUMPS.
     std::vector<unsigned int>
     known_rows() const;
-    /// Includes the constraints @p known_rows in the next pattern.
+    /// Includes the constraints @p known_rows in the next sparsity pattern.
     void
     restore(const std::vector<unsigned int> &known_rows);
 
@@ -86,10 +89,12 @@ namespace lamella
     warnings() const;
 
   private:
-    /// Returns the constraints u = G v of all bodies, numbered body after body.
+    /// Returns the support constraints of all bodies, which eliminate
+    /// prescribed DoFs, with DoFs numbered body after body.
     Constraints
     constraints_of_all() const;
-    /// Assembles K of all bodies with their springs, condensed by the supports.
+    /// Assembles the stiffness of all bodies with their springs in the free
+    /// DoFs.
     void
     assemble_stiffness(const TangentOperator &tangent_operator);
     /// Sets diagonal entries of eliminated DoFs to the largest diagonal entry.
@@ -99,21 +104,22 @@ namespace lamella
     /// New constraints invalidate the factor and its symbolic analysis.
     void
     extend_pattern(const std::vector<PenaltyTerm> &terms);
-    /// Adds @p term to K^p (Eq. 23 with the constraint row b for n).
+    /// Adds the entries of @p term to `system`.
     void
     add_penalty(const PenaltyTerm &term);
     /// Returns this process's entries for MUMPS, the upper half if symmetric.
     MatrixEntries
     entries() const;
-    /// Updates the hardest penalty of @p terms relative to the stiffness k = 1
-    /// / sum(b_i^2 / K_ii) behind the constraint with row b.
+    /// Updates the largest ratio of a penalty in @p terms to the stiffness of
+    /// the bodies behind its constraint, k = 1 / sum(b_i^2 / K_ii), with the
+    /// entries b_i of the constraint row.
     void
     update_penalty_ratio(const std::vector<PenaltyTerm> &terms);
 
     const Structure     &structure;
     const GapConstraints rows;
     const Symmetry       symmetry;
-    /// Constraints u = G v of all bodies.
+    /// Support constraints of all bodies.
     Constraints constraints;
     /// DoFs of this process, a contiguous part of those of all bodies.
     dealii::IndexSet owned;
@@ -123,13 +129,14 @@ namespace lamella
     Vector diagonal;
     /// Factor of `system`; null until analyzed.
     std::unique_ptr<RepeatedFactorization> factor;
-    /// Constraints in the pattern of `system`.
+    /// Contact constraints in the pattern of `system`.
     std::set<unsigned int> known;
     /// Terms of the last factorization.
     std::vector<PenaltyTerm> factorized_for;
     bool                     is_factorized = false;
 
-    /// Largest ratio eps / k up to now, and its penalty eps [force / length].
+    /// Largest ratio of penalty to stiffness up to now, and this penalty [force
+    /// / length].
     double largest_penalty_ratio = 0., penalty_of_largest_ratio = 0.;
   };
 } // namespace lamella
