@@ -10,11 +10,11 @@
 
 namespace lamella
 {
-  /// Unilateral contact with Coulomb friction on a dense compliance W. With
-  /// known forces lambda_0 = `about`, the gap v_n and the slip v_t of each
-  /// point in the load step are
+  /// Unilateral contact with Coulomb friction, reduced to the contact points by
+  /// their dense compliance W. The gap v_n and the slip increment v_t of each
+  /// point depend on the contact forces lambda as
   ///   v = q + W (lambda - lambda_0),
-  /// and the forces lambda satisfy
+  /// with v = q at the forces lambda_0 = `about`. The forces satisfy
   ///   v_n >= 0,   lambda_n >= 0,   v_n lambda_n = 0,
   ///   |lambda_t| <= mu lambda_n,
   ///   v_t = 0 where |lambda_t| < mu lambda_n,
@@ -43,21 +43,23 @@ namespace lamella
   {
     PointVectors            force;
     std::vector<PointState> states;
-    /// Largest component of lambda - P(lambda - v), with the projection P onto
-    /// the friction cone |lambda_t| <= mu lambda_n, over forces above one
-    /// (scaled).
+    /// Relative error: largest component of lambda - P(lambda - v), with the
+    /// projection P onto the friction cone |lambda_t| <= mu lambda_n, over the
+    /// largest scaled force if that exceeds 1.
     double error = 0.;
-    /// Sign of det(R W C), with the rows R of the gaps and sticking constraints
-    /// and the columns C of their forces: -1 for an unstable solution; 1 if no
-    /// point is closed. W is regularized, which excludes its near-nullspace
-    /// (more contact points than surface DoFs).
+    /// Sign of the determinant of the matrix that maps the contact forces to
+    /// the gaps and sticking slips of closed points: -1 for an unstable
+    /// solution; 1 if no point is closed. W is regularized in case there are
+    /// more contact points than surface DoFs.
     int stability = 1;
-    /// Method that ended the first round, and number of linear systems.
+    /// Name of the method that ended the first round, for reports, and total
+    /// number of linear systems solved.
     std::string  by;
     unsigned int iterations = 0;
   };
 
-  /// Tolerances and limits of solve_coulomb().
+  /// Tolerances and limits of solve_coulomb(), whose methods are numbered
+  /// there.
   struct CoulombRules
   {
     /// Tolerance of CoulombSolution::error.
@@ -67,25 +69,28 @@ namespace lamella
     double compliance = 1e-10;
     /// Regularization of W for the stability test, relative to the diagonal.
     double stability_regularization = 1e-4;
-    /// Limits of proximal iterations: rounds, steps without progress, error.
+    /// Proximal iterations end after `max_rounds`, after `idle` rounds without
+    /// a smaller error, or if the error of a round exceeds `failed`.
     unsigned int max_rounds = 30, idle = 2;
     double       failed = 1e-6;
-    /// Maximum number of Newton iterations: at first, after Gauss-Seidel
-    /// sweeps, and after the minimum on the cones.
+    /// Maximum number of Newton iterations from the initial forces, after
+    /// Gauss-Seidel sweeps, and after method 2.
     unsigned int first_iterations = 3, iterations = 40, last_iterations = 12;
-    /// Maximum number of iterations after the tolerance is met, as long as each
-    /// reduces the error at least tenfold and it exceeds `digits`.
+    /// Maximum number of Newton iterations after the tolerance is met. They go
+    /// on while each reduces the error tenfold and it exceeds `digits`.
     unsigned int extra_iterations = 3;
     double       digits           = 1e-15;
-    /// First Newton iteration with step length control; numbers of Gauss-Seidel
-    /// sweeps and of rounds of the minimum on the cones.
+    /// Number of the first Newton iteration with a line search; numbers of
+    /// Gauss-Seidel sweeps and of rounds of method 2.
     unsigned int damped_from = 4;
     unsigned int sweeps      = 20;
     unsigned int cone_rounds = 6;
-    /// Lower bound of the friction coefficients of the cones in method 2.
+    /// Method 2 uses at least this friction coefficient in cone_minimum().
     double min_friction = 1e-4;
-    /// Decreasing regularization (method 3): initial fractions of the diagonal,
-    /// factors of decrease and increase, tolerance, maximum rounds and sweeps.
+    /// Method 3: initial regularizations relative to the diagonal of W in its
+    /// two attempts, and their factors of decrease. If the error exceeds
+    /// `solved`, the regularization is multiplied by `increase_factor`. Limits:
+    /// rounds, and Gauss-Seidel sweeps per round.
     double first_compliance = 0.1, second_compliance = 1.;
     double decrease_factor = 0.1, slow_decrease_factor = 0.3,
            increase_factor = 5., solved = 1e-9;

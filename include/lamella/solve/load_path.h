@@ -18,27 +18,29 @@
 
 namespace lamella
 {
-  /// Result of a load step: the state at its end, with its checks.
+  /// Result of a load step: the state at its end, and checks of this state.
   struct SolvedStep
   {
     /// Load factor t, which multiplies loads and prescribed displacements.
     LoadFactor load_factor;
     State      state;
     Checks     checks;
-    /// Number of substeps; if automatic, with the last change_of() results.
+    /// Number of substeps; if automatic, `change` is the distance change_of()
+    /// from the solution with half as many.
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
     /// Number of bisections in this load step.
     unsigned int cuts = 0;
   };
 
-  /// Returns the distance between @p one and @p other, two solutions at the
-  /// same load factor that start from @p before: the largest relative
-  /// difference of support and contact forces, friction forces alone,
-  /// displacements, and dissipated energy. Each is relative to the largest
-  /// value of its kind, friction to at least a hundredth of the largest force
-  /// or of the strain energy. Reference values include the largest force
-  /// @p before_force and displacement of @p before, for steps that unload.
+  /// Returns the relative difference of @p one and @p other, two solutions at
+  /// the same load factor that start from @p before: the largest of
+  /// - forces of supports and contacts, over the largest of these forces,
+  /// - friction forces, over their largest, at least 1 % of the largest force,
+  /// - displacements, over the largest displacement,
+  /// - dissipated energy, over its value, at least 1 % of the strain energy.
+  /// The largest force @p before_force and displacement of @p before count as
+  /// references, for steps that unload.
   double
   change_of(const SolvedStep &one,
             const SolvedStep &other,
@@ -52,10 +54,10 @@ namespace lamella
   public:
     virtual ~Step() = default;
 
-    /// Solves from the state @p before (empty if none), at the load factor
-    /// @p from, to the load factor @p to. Throws NumericsError if no reliable
-    /// solution is found. Only the @p last substep is checked for large
-    /// deflections.
+    /// Returns the solution at load factor @p to, starting from the state
+    /// @p before at load factor @p from (empty if unloaded). Throws
+    /// NumericsError if no reliable solution is found. Large deflections are
+    /// checked only if this is the @p last substep.
     virtual SolvedStep
     operator()(const State      &before,
                const LoadFactor &from,
@@ -68,7 +70,7 @@ namespace lamella
           const LoadFactor &factor,
           const bool        last = true) = 0;
 
-    /// Continues from the given state at a load factor of another run. This
+    /// Continues from a state of an interrupted run at its load factor. This
     /// default implementation does nothing.
     virtual void
     resume_from(const State &, const LoadFactor &)
@@ -118,8 +120,8 @@ namespace lamella
   };
 
   /// Sequence of the load steps of a scene, each of which starts from the state
-  /// of the previous one. Branches are additional solutions at other load
-  /// factors, within a step or beyond the last; the sequence ignores them.
+  /// of the previous one. branch() returns additional solutions at other load
+  /// factors, which do not affect the load steps.
   class LoadPath
   {
   public:
@@ -128,14 +130,15 @@ namespace lamella
                                                const SolvedStep &other,
                                                const State      &before)>;
 
-    /// Starts unloaded. Each of the load @p factors is reached in @p substeps.
-    /// If @p branches, states are stored, from which branches start.
+    /// Creates the path from the unloaded state through the load @p factors,
+    /// each in @p substeps. If @p branches, states are stored for branch().
     LoadPath(std::shared_ptr<Step>          step,
              const std::vector<LoadFactor> &factors,
              const Substeps                &substeps = {},
              const bool                     branches = false);
 
-    /// Adds @p more as a criterion for the number of automatic substeps.
+    /// Sets an additional distance @p more that automatic substeps must reduce
+    /// below their tolerance.
     void
     watch(ChangeMeasure more)
     {
@@ -175,11 +178,11 @@ namespace lamella
     SolvedStep
     advance();
 
-    /// Returns and stores the state at the load factor @p factor within load
-    /// step @p load_step, or beyond the last step. Starts from the nearest
-    /// stored state, or with friction from the nearest one that precedes it on
-    /// the load path, with as many substeps as a load step. States missing
-    /// after a resume are solved for again.
+    /// Returns and stores the solution at load factor @p factor within load
+    /// step @p load_step, or beyond the last step. Starts from the stored state
+    /// with the nearest load factor; with friction, from the nearest one
+    /// earlier on the load path. States missing after resume() are solved for
+    /// again.
     SolvedStep
     branch(const double factor, const unsigned int load_step);
 
@@ -212,15 +215,18 @@ namespace lamella
       State        state;
     };
 
-    /// Stores @p state for branches, if enabled and the first at its factor.
+    /// Stores @p state for branch(), if enabled and the first at this load
+    /// factor.
     void
     store(const double       factor,
           const unsigned int load_step,
           const State       &state);
-    /// Returns the stored state nearest to @p factor; of two, the later stored.
+    /// Returns the stored state whose load factor is nearest to @p factor; of
+    /// two equally near, the later one.
     StoredState
     nearest(const double factor) const;
-    /// Returns the nearest stored state that step @p load_step has passed.
+    /// Returns the nearest stored state that precedes @p factor in step
+    /// @p load_step.
     StoredState
     nearest_passed(const double factor, const unsigned int load_step);
     /// Returns the state at the end of load step @p load_step.

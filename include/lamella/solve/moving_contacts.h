@@ -14,8 +14,9 @@
 
 namespace lamella
 {
-  /// Transfer of contact forces and friction variables to the constraints of a
-  /// new pairing, by the position of the contact point on the slave body.
+  /// Contact forces and friction variables of a state, stored by the contact
+  /// point's position on the slave body. When surfaces are paired anew, they
+  /// are transferred to the new constraints at the same positions.
   class MultiplierTransfer
   {
   public:
@@ -23,7 +24,8 @@ namespace lamella
     MultiplierTransfer(const std::vector<ContactInterface> &contacts,
                        const State                         &state);
 
-    /// Sets forces and friction of @p state for the rows of @p contacts.
+    /// Sets the contact forces and friction variables of @p state for the
+    /// constraints of @p contacts, at stored positions; elsewhere zero.
     void
     transfer_to(const std::vector<ContactInterface> &contacts,
                 State                               &state) const;
@@ -34,7 +36,7 @@ namespace lamella
     static Key
     key(const unsigned int c, const ContactInterface::Point &point);
 
-    /// Force of a constraint, and its entries in FrictionState.
+    /// Normal force of a constraint, and its entries in FrictionState.
     struct StoredMultiplier
     {
       double               force = 0.;
@@ -47,19 +49,21 @@ namespace lamella
     preserve_dissipation(const std::vector<ContactInterface> &contacts,
                          FrictionState                       &of) const;
 
-    /// Stored constraints: with friction all, else those with a force.
+    /// Stored values: of all constraints with friction, else of those with a
+    /// force.
     std::map<Key, StoredMultiplier> places;
   };
 
-  /// An end of the first or the second body of contact number `contact`.
+  /// An end face of the first or second body of contact number `contact`.
   struct EndInContact
   {
     unsigned int contact;
     bool         of_second;
   };
 
-  /// Exception: body ends penetrate in contacts with the discretization `auto`
-  /// and without constraints at end nodes. More load steps do not help.
+  /// Exception: an edge of a body's end face penetrates the other body since
+  /// the contact has no constraints there. The caller can add an `edge to
+  /// surface` contact; smaller load steps do not help.
   struct MissingEnds : public std::runtime_error
   {
     MissingEnds(const std::string &message, std::vector<EndInContact> ends)
@@ -99,7 +103,7 @@ namespace lamella
       return numbered;
     }
 
-    /// Returns the history of each contact, for restore().
+    /// Returns the data of each contact that restore() needs in another run.
     std::vector<ContactHistory>
     memory() const;
     void
@@ -107,20 +111,21 @@ namespace lamella
             const BlockVector                 &u,
             const LoadFactor                  &factor);
 
-    /// Updates the constraints to @p state at @p factor (Contact::move()). An
-    /// active constraint whose projection leaves the other surface, past an end
-    /// or through it, is deactivated if that end has its own constraints (`edge
-    /// to surface`). Otherwise throws MissingEnds if `auto`, else
+    /// Updates the constraints to @p state at @p factor (Contact::move()). If
+    /// the projection of an active constraint leaves the other surface, the
+    /// constraint is deactivated if an `edge to surface` contact covers that
+    /// end. Otherwise throws MissingEnds for the discretization `auto`, else
     /// NumericsError.
     void
     move(State &state, const LoadFactor &factor);
 
-    /// Begins a load step in @p state at @p factor and clears reason_of_loss().
+    /// Begins a load step: slips are measured from @p state at load factor
+    /// @p factor. Clears reason_of_loss().
     void
     begin_step(State &state, const LoadFactor &factor);
 
-    /// Returns a sentence on why a contact was lost since begin_step(), or
-    /// would be if deactivated constraints have no replacement.
+    /// Returns a sentence, for messages, on why a contact lost its constraints
+    /// since begin_step(); empty if none did.
     const std::string &
     reason_of_loss() const
     {
@@ -131,9 +136,10 @@ namespace lamella
     void
     add_forces(const State &state, BlockVector &f) const;
 
-    /// Adds the contact forces B^T lambda of @p state to @p f, with its active
-    /// constraints at the displacements @p u and load factor @p factor. The
-    /// stored constraints are unchanged. Returns true if all are projected.
+    /// Adds the contact forces B(u)^T lambda to @p f, with the forces lambda of
+    /// @p state and the constraints moved to the displacements @p u at load
+    /// factor @p factor. Stored constraints are unchanged. Returns false if an
+    /// active contact point has no projection.
     bool
     add_forces_at(const State       &state,
                   const BlockVector &u,
@@ -141,19 +147,22 @@ namespace lamella
                   BlockVector       &f) const;
 
     /// Returns the error of the contact law in @p state at @p factor [length]:
-    /// |g + a lambda| of active constraints, -g of others, friction_error().
+    /// the largest |g + a lambda| of active constraints (gap g, force lambda,
+    /// compliance a), penetration -g of others, and friction_error().
     double
     law_error(const State &state, const LoadFactor &factor) const;
 
-    /// Pairs those contacts anew whose surfaces touch without a constraint in
-    /// @p state at @p factor, and transfers the forces. Returns true if there
-    /// were any. Throws NumericsError if no points face each other.
+    /// Pairs contacts anew if their surfaces touch without a constraint in
+    /// @p state at load factor @p factor, and transfers the forces. Returns
+    /// true if any contact was paired. Throws NumericsError if no points face
+    /// each other.
     bool
     find_loads(State &state, const LoadFactor &factor);
 
-    /// Throws NumericsError if a body passed through a roller between the
-    /// states @p before at @p from and @p state at @p to, or if constraints
-    /// were deactivated and no other one of the same bodies has a force.
+    /// Throws NumericsError if a body passed through a roller or another body
+    /// between the displacements @p before at load factor @p from and @p state
+    /// at @p to, or if two bodies whose constraints were deactivated have no
+    /// contact force left.
     void
     check_kept(const BlockVector &before,
                const LoadFactor  &from,
@@ -170,7 +179,8 @@ namespace lamella
     /// Throws MissingEnds or NumericsError: no projection in contact @p c.
     [[noreturn]] void
     release_facing(const unsigned int c);
-    /// Returns true if another contact constrains the ends in contact @p c.
+    /// Returns true if an `edge to surface` contact covers the ends of the
+    /// bodies of contact @p c.
     bool
     ends_have_constraints(const unsigned int c) const;
     /// Returns true if the bodies of contact @p c have a contact force.
@@ -183,7 +193,8 @@ namespace lamella
     const std::vector<ContactInterface> &all;
     const Contacts                      &contact_objects;
     GapConstraints                       numbered;
-    /// Contacts with a deactivated constraint, and reason_of_loss().
+    /// Contacts with constraints deactivated in this step, and
+    /// reason_of_loss().
     std::set<unsigned int> release;
     std::string            lost;
   };

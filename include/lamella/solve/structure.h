@@ -62,14 +62,16 @@ namespace lamella
       return all_bodies;
     }
 
-    /// Returns G, u_p and the forces in the prescribed rows of @p body.
+    /// Returns the elimination of the prescribed DoFs of @p body: expansion G,
+    /// prescribed displacements u_p and reactions.
     const RowReduction &
     reduction(const unsigned int body) const
     {
       return *reductions[body];
     }
 
-    /// Returns the prescribed rows R u = t d, as RowReduction::multipliers().
+    /// Returns the support conditions R u = t d, in the order of their
+    /// reactions in RowReduction::multipliers().
     const std::vector<PrescribedFunctional> &
     prescribed() const
     {
@@ -104,12 +106,13 @@ namespace lamella
     bool
     has_springs() const;
 
-    /// Returns r_k(u) of all springs: offsets without force at @p u.
+    /// Returns the lengths r_k(u) of all springs. As offsets, these make all
+    /// spring forces zero at @p u.
     SpringOffsets
     spring_lengths(const BlockVector &u) const;
 
-    /// Returns the load vector f(t, u) at load factor t = @p factor, not
-    /// condensed: f . v is the work of all loads on v (Eq. 10).
+    /// Returns the load vector f at load factor @p factor and displacements
+    /// @p u, in all DoFs: f . v is the work of all loads on v.
     BlockVector
     load(const LoadFactor &factor, const BlockVector &u) const;
 
@@ -128,7 +131,8 @@ namespace lamella
     bool
     has_unsymmetric_loads() const;
 
-    /// Adds df(t, u)/du @p w of the follower loads to @p f.
+    /// Adds to @p f the change (df/du) w of the follower loads f at load factor
+    /// @p factor due to an increment @p w of the displacements @p u.
     void
     add_derivative_of_loads(const LoadFactor  &factor,
                             const BlockVector &u,
@@ -178,7 +182,8 @@ namespace lamella
       return initial_energies[body];
     }
 
-    /// Returns the division of scene vectors into blocks for the bodies.
+    /// Returns the numbers of DoFs of the bodies, the block sizes of
+    /// BlockVector.
     const dealii::BlockIndices &
     blocks() const
     {
@@ -202,7 +207,8 @@ namespace lamella
     BlockVector
     particular(const LoadFactor &factor) const;
 
-    /// Returns true if supports or theory always constrain @p row to zero.
+    /// Returns true if supports, or the beam theory, keep the functional @p row
+    /// at zero for all displacements.
     bool
     holds(const BodyFunctional &row) const;
 
@@ -210,7 +216,7 @@ namespace lamella
     std::vector<SpringTerm>
     spring_terms(const unsigned int body) const;
 
-    /// Returns the unbalanced forces without contact, not condensed,
+    /// Returns the unbalanced forces in all DoFs, without contact forces,
     ///   r = f(t) + f_0 - integral B^T C (B u) dV
     ///       - sum_k s_k (r_k(u) - r_0k) r_k^T,
     /// with t = @p factor, f_0 = thermal_load() and the spring offsets @p rest
@@ -231,19 +237,20 @@ namespace lamella
     BlockVector
     retract(const BlockVector &u, const BlockVector &change) const;
 
-    /// Computes G^T r in place; entries of eliminated DoFs become zero.
+    /// Condenses the forces @p r in place onto the free DoFs (G^T r).
     void
     condense(BlockVector &r) const;
 
   private:
-    /// Returns u_p of the prescribed rows with load history @p history at load
-    /// factor 1. Throws InputError with @p names if dependent rows have
-    /// different histories.
+    /// Returns the displacements that supports with load history @p history
+    /// prescribe at load factor 1. Throws InputError with support @p names if
+    /// dependent conditions have different histories.
     BlockVector
     prescribed_in(const unsigned int              history,
                   const std::vector<std::string> &names) const;
 
-    /// Adds @p load to its history or the follower loads, and its resultant.
+    /// Adds @p load to the loads of its history or to the follower loads, and
+    /// stores its resultant.
     void
     take(const Load &load);
     void
@@ -262,7 +269,7 @@ namespace lamella
     check_rigid_motions(const std::vector<Stabilization> &stabilizations) const;
 
     Bodies all_bodies;
-    /// Prescribed rows of all supports.
+    /// Support conditions of all supports.
     std::vector<PrescribedFunctional> rows;
     /// Reduction and springs of each body.
     std::vector<std::unique_ptr<RowReduction>> reductions;

@@ -13,16 +13,17 @@ namespace lamella
 {
   /// The tangent stiffness of a structure at one state u,
   ///   K(u) = d f_int / du,
-  /// including springs: as terms for assembly, as a product, and optionally
-  /// with linear solvers for each body. It is immutable. For linear bodies,
-  /// that at u = 0 is always valid. Keeps a reference to the structure.
-  /// Collective.
+  /// with the internal forces f_int, springs included: as terms for assembly,
+  /// as a product K w, and optionally with linear solvers for each body. For
+  /// linear bodies, the tangent at u = 0 is valid at all u. Immutable. Keeps a
+  /// reference to the structure. Collective.
   class TangentOperator
   {
   public:
-    /// Optional callbacks for each body: at the beginning and end of its
-    /// factorization, after assembly, and with the size of its factor before
-    /// memory is allocated. Exceptions of `factor_sized` prevent this.
+    /// Optional callbacks for each body: `begins` before its stiffness is
+    /// assembled, `assembled` after that, `factor_sized` with the size of the
+    /// Cholesky factor before its memory is allocated, `ends` at the end. If
+    /// `factor_sized` throws, nothing is allocated.
     struct BodyMonitor
     {
       std::function<void(const Body &)>                     begins, assembled;
@@ -30,18 +31,20 @@ namespace lamella
       std::function<void(const Body &, const FactorSize &)> factor_sized;
     };
 
-    /// Creates the tangent at @p u without solvers, for the `full` strategy.
+    /// Creates the tangent at the displacements @p u and load factor @p factor
+    /// without linear solvers, for FullStrategy.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
                     const LoadFactor  &factor = LoadFactor());
 
-    /// Creates the tangent at @p u with solvers of the kind @p requested for
-    /// the condensed stiffness of each body. @p correction is the last
-    /// correction of u, if any, for predicted stresses. Follower loads at load
-    /// factor @p factor and additional @p springs of each body contribute to
-    /// the solvers only. Throws IllConditioned if a stiffness is not positive
-    /// definite, InputError as Body::solver_kind() does, and what @p monitor
-    /// throws.
+    /// Creates the tangent at the displacements @p u with linear solvers of the
+    /// kind @p requested for the stiffness of each body in its free DoFs. From
+    /// the last Newton correction @p correction, if any, bodies with finite
+    /// rotations predict the stress of their geometric stiffness. The solvers,
+    /// not terms() and apply(), include follower loads at load factor @p factor
+    /// and additional @p springs of each body. Throws IllConditioned if a
+    /// stiffness is not positive definite, and InputError as
+    /// Body::solver_kind() does.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
                     const SolverKind   requested,
@@ -56,9 +59,9 @@ namespace lamella
       return structure;
     }
 
-    /// Returns the prescribed rows of all supports for increments of the state:
-    /// those of the structure, except for bodies with finite rotations.
-    /// reduction() returns the expansion G of @p body in the same way.
+    /// Returns the linear constraints that all supports impose on an increment
+    /// of the displacements; at finite rotations they depend on the state.
+    /// reduction() eliminates those of @p body.
     const std::vector<PrescribedFunctional> &
     prescribed() const
     {
@@ -72,23 +75,25 @@ namespace lamella
                *moved_reductions[body];
     }
 
-    /// Computes G^T r in place, zero in the eliminated DoFs.
+    /// Condenses the forces @p r in place onto the free DoFs; entries of DoFs
+    /// that supports eliminate become zero.
     void
     condense(BlockVector &r) const;
 
     /// Returns the increment of the prescribed displacements from load factor
-    /// @p from, that of the state, to @p to. With finite rotations this is the
-    /// first-order increment: second-order terms would compress an unbent beam.
+    /// @p from of the state to @p to. Finite rotations are linearized:
+    /// second-order terms would compress an unbent beam.
     BlockVector
     support_increment(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Point of a support off its prescribed position; error over tolerance.
+    /// Point of a support, and its distance from its prescribed position,
+    /// divided by the tolerance.
     struct SupportError
     {
       dealii::Point<3> place;
       double           share = 0.;
     };
-    /// Returns the largest support error at @p at that corrections leave.
+    /// Returns the largest support error of the state at load factor @p at.
     SupportError
     largest_support_error(const LoadFactor &at) const;
 
@@ -96,7 +101,7 @@ namespace lamella
     StiffnessTerms
     terms(const unsigned int body) const;
 
-    /// Returns K(u) @p w of bodies and springs, not condensed, from strains.
+    /// Returns K(u) @p w in all DoFs, springs included, computed from strains.
     BlockVector
     apply(const BlockVector &w) const;
 
@@ -117,7 +122,8 @@ namespace lamella
     double
     largest_stiffness(const unsigned int body) const;
 
-    /// Returns the largest estimate (lower bound) of condition numbers, or 0.
+    /// Returns the largest condition number of the bodies' stiffnesses,
+    /// estimated from below; 0 if unknown.
     double
     condition_estimate() const;
 
@@ -137,7 +143,7 @@ namespace lamella
     /// Returns K^-1 @p r.
     BlockVector
     solve_symmetric(BlockVector r) const;
-    /// Returns A @p w with the unsymmetric part A of follower loads.
+    /// Returns A @p w with the unsymmetric tangent A of follower loads.
     BlockVector
     unsymmetric_part(const BlockVector &w) const;
 
@@ -145,7 +151,8 @@ namespace lamella
     const BlockVector                          state;
     const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
-    /// Prescribed rows at the state, and the value of each, if rows rotate.
+    /// With finite rotations: support constraints at the state, and their
+    /// values.
     std::vector<PrescribedFunctional>          moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;
