@@ -25,10 +25,11 @@ namespace lamella
   /// psi_k.
   struct ConstraintGeometry
   {
-    /// Pairs of k and w_rk of one constraint (no unit, scene axes).
+    /// Point numbers k and weights w_rk of one constraint (no unit, scene
+    /// axes).
     using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
 
-    /// Points X_k in cells of the body for which the contact was created.
+    /// Points X_k, by cells of the body for which the contact was created.
     std::vector<Location> places;
     /// Weights of each constraint, by index of X_k; empty for an obstacle.
     std::vector<Weights> weights;

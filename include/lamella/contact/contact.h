@@ -22,10 +22,11 @@ namespace lamella
   /// state (Contact::pairing_is_valid()).
   struct PairingChange
   {
-    /// Points in contact without a constraint for more than 90 % of their area.
+    /// Constraints in contact that a new search finds, and that are missing or
+    /// have at most 90 % of their area.
     unsigned int missing_constraints = 0;
-    /// Relevant constraints whose projection has moved by more than a tenth of
-    /// the point spacing, or whose normal has rotated by more than 0.1 rad.
+    /// Constraints in contact whose projection has moved by more than a tenth
+    /// of the point spacing, or whose normal has rotated by more than 0.1 rad.
     unsigned int drifted = 0;
     /// Active constraints whose point has no projection on the other surface.
     unsigned int lost = 0;
@@ -37,9 +38,7 @@ namespace lamella
     }
   };
 
-  /// Data of a Contact that a restart needs in addition to the State:
-  /// projections may be slightly outside facets, and points are those of the
-  /// last pairing.
+  /// Data of a Contact that a restart needs in addition to the State.
   struct ContactHistory
   {
     /// Displacements and load factor of the last pairing; empty if undeformed.
@@ -67,10 +66,9 @@ namespace lamella
   /// of linear kinematics (make_interface()). For small rotations and small
   /// sliding, pair() is called once and move() never.
   ///
-  /// Constraint numbers change in pair() only, so views of constraints remain
-  /// valid after move(). Contact points are stored by undeformed positions,
-  /// normals are current. Keeps references to the bodies and to the interface
-  /// in a list of the scene, which it modifies.
+  /// Constraint numbers change in pair() only. Contact points are stored by
+  /// undeformed positions, normals are current. Keeps references to the bodies
+  /// and to the interface in a list of the scene, which it modifies.
   class Contact
   {
   public:
@@ -142,9 +140,9 @@ namespace lamella
     /// move(),
     ///   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
     ///   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
-    /// along the tangents_of() its normal n: the mortar integrals of the gap
-    /// with the tangential projection replacing n. Each slip has one functional
-    /// per body.
+    /// along the unit tangents t_a of its normal n, with trace functions psi_k,
+    /// multiplier functions phi_i and their integrals A_i. v_1 and v_2 are
+    /// displacements of the two sides. Each slip has one functional per body.
     std::vector<std::array<std::vector<BodyFunctional>, 2>>
     slip_constraints();
 
@@ -214,49 +212,55 @@ namespace lamella
                    const LoadFactor  &to) const;
 
   private:
-    /// Returns the sides to be paired: @p now at finite rotations, or
-    /// undeformed.
+    /// Returns the surfaces between which facing points are searched: the
+    /// deformed surfaces @p now at finite rotations, else the undeformed ones.
     const ContactSides &
     paired_sides(const ContactSides &now) const;
-    /// Creates missing contact points: those of the pairing, or one per node.
+    /// Sets `points` if empty: integration points of weighted gaps, else one
+    /// point per nodal constraint.
     void
     find_points();
-    /// Creates missing points and integrals, undeformed before any move().
+    /// Sets `points` and `integrals` on the undeformed surfaces if there are
+    /// none yet.
     void
     find_integrals();
     /// Pairs the undeformed bodies.
     void
     pair_undeformed();
-    /// Reduces nodal constraints to one per line in line contact.
+    /// For line contact, keeps one nodal constraint on each contact line.
     void
     reduce_to_lines();
-    /// For small rotations, moves points of lines next to the roller.
+    /// For small rotations, moves the point of each contact line to the
+    /// position nearest to the roller axis.
     void
     update_lines();
-    /// Sets the undeformed position of each constraint, and the position
-    /// opposite its point of largest weight.
+    /// Sets the undeformed position of each constraint, and the master position
+    /// opposite its contact point of largest weight.
     void
     set_constraint_positions();
-    /// Returns the integrals over the points @p on, with slips from @p held.
+    /// Returns the gap integrals (integrate_gaps()) on @p sides over the
+    /// contact points @p on, with slips from the reference points @p held, if
+    /// any.
     std::vector<GapIntegrals>
     integrate(const ContactSides        &sides,
               const MasterPoints         master_points,
               std::vector<GapPoint>     &on,
               SlipReferencePoints *const held = nullptr) const;
-    /// Adds @p forces on the trace nodes of both sides @p at to @p f.
+    /// Adds @p forces, which act on trace nodes of the two surfaces of @p at,
+    /// to the load vector @p f.
     void
     add_forces_of_nodes(
       const ContactSides                                                &at,
       const std::array<std::map<unsigned int, dealii::Tensor<1, 3>>, 2> &forces,
       BlockVector &f) const;
-    /// Returns how opposite points are determined on the undeformed bodies.
+    /// Returns the choice of opposite points on the undeformed bodies.
     MasterPoints
     master_points_at_rest() const
     {
       return undeformed.is_edge_contact() ? MasterPoints::projected :
                                             MasterPoints::paired;
     }
-    /// Returns how opposite points are determined in a state.
+    /// Returns the choice of opposite points on deformed bodies.
     MasterPoints
     master_points() const
     {
@@ -267,12 +271,14 @@ namespace lamella
     /// Returns the multiplier functions; null for single-point constraints.
     const SlaveSurface *
     functions() const;
-    /// Updates constraints and points from the integrals at a state.
+    /// Updates the constraints of the interface from `integrals` on @p sides,
+    /// the surfaces at the displacements @p u and load factor @p factor.
     void
     write(const ContactSides &sides,
           const BlockVector  &u,
           const LoadFactor   &factor);
-    /// Sets the constant, rate and point normal of constraint @p k.
+    /// Sets initial_gap, gap_rate and the normal of constraint @p k such that
+    /// gap() is exact at the displacements @p u and load factor @p factor.
     void
     set_tangent_plane(const unsigned int k,
                       const BlockVector &u,
@@ -280,7 +286,8 @@ namespace lamella
     /// Sets the slip functionals from the integrals on @p sides.
     void
     assemble_slips(const ContactSides &sides);
-    /// Sets the constants of slips that vanish at the beginning of the step.
+    /// Sets SlipConstraint::initial such that slips equal the slip increments
+    /// of the step.
     void
     offset_slips(const BlockVector &u, const LoadFactor &factor);
     /// Returns the index of the first point of each constraint.
@@ -296,25 +303,27 @@ namespace lamella
     std::vector<std::array<std::vector<BodyFunctional>, 2>>
     slip_constraints(const ContactSides          &sides,
                      const std::vector<Tangents> &tangents) const;
-    /// Returns the functionals on one body of all slips along tangent @p a.
+    /// Returns, for all constraints, the slip along tangent @p a as a
+    /// functional of one body's DoFs.
     std::vector<BodyFunctional>
     slip_constraints_on(const ContactSides          &sides,
                         const bool                   second,
                         const std::vector<Tangents> &tangents,
                         const unsigned int           a) const;
-    /// Stores the reference points of the slips at the beginning of the step.
+    /// Stores the reference points from which slips of the step are measured.
     void
     hold();
     /// Returns for each constraint the undeformed distance [length] between its
-    /// projections in @p now and in `points`.
+    /// master points in @p now and in `points`.
     std::vector<double>
     projection_drift(const std::vector<GapPoint> &now) const;
-    /// Returns the number of constraints on @p sides with gaps below
-    /// @p touching that are missing here or have only part of their area.
+    /// Returns the number of constraints that a new search on @p sides finds
+    /// with gaps below @p touching, and that this contact lacks or has for less
+    /// than 90 % of their area.
     unsigned int
     count_missing_constraints(const ContactSides &sides,
                               const double        touching) const;
-    /// Returns the constraint weights of one side, by trace node numbers.
+    /// Returns the weights of the constraints at the trace nodes of one side.
     ConstraintGeometry
     geometry(const bool second) const;
 
@@ -329,12 +338,13 @@ namespace lamella
     std::unique_ptr<CylinderContactLines> lines;
     /// Points where gaps are measured; empty before any motion.
     std::vector<GapPoint> points;
-    /// State of the last pair(), as in ContactHistory.
+    /// Displacements and load factor of the last pair().
     BlockVector pairing_u;
     LoadFactor  pairing_factor;
     /// Integrals at the last move(); empty before motion or use of slips.
     std::vector<GapIntegrals> integrals;
-    /// State at the beginning of the step, with slip references; else empty.
+    /// Displacements, load factor and slip reference points at the beginning of
+    /// the step; empty without friction.
     BlockVector         step_begin_u;
     LoadFactor          step_begin_factor;
     SlipReferencePoints held;

@@ -60,8 +60,8 @@ namespace lamella
       {Overclosure::refuse, "error"}};
   };
 
-  /// Slave (nonmortar) side, with the nodes of `node to surface`, the
-  /// multiplier functions of `surface to surface`or `edge to surface` ends.
+  /// Slave (nonmortar) side of a contact: its nodes, or the multiplier
+  /// functions on it, have the constraints.
   enum class SlaveSide
   {
     undefined,
@@ -99,10 +99,11 @@ namespace lamella
     SlaveSide      slave_side     = SlaveSide::automatic;
     /// Penalty parameter. For multiplier methods it affects convergence only.
     Penalty penalty;
-    /// Largest tangential offset of a node pair over the root of its tributary
-    /// area, for `node to node` (pair_node_to_node()).
+    /// `node to node`: nodes form a pair if their tangential offset is at most
+    /// this fraction of the root of their tributary area.
     double tolerance = 1e-6;
-    /// Largest distance of paired points [length]; empty: automatic.
+    /// Facing points farther apart get no constraint [length]. Empty:
+    /// automatic.
     std::optional<double> search_distance;
     /// Coulomb friction coefficient mu; 0 for frictionless contact.
     double friction = 0.;
@@ -110,11 +111,12 @@ namespace lamella
     /// becomes `surface to surface` once contact extends beyond a line, and an
     /// `edge to surface` contact is added at body ends.
     bool is_automatic = false;
-    /// Number of the contact that this contact complements at body ends.
+    /// For an added `edge to surface` contact: number of the contact to which
+    /// it was added.
     std::optional<unsigned int> part_of;
   };
 
-  /// Returns true if the contact pairs, or `auto` may pair, matching nodes.
+  /// Returns true if the discretization is, or may become, `node to node`.
   inline bool
   may_pair_nodes(const ContactPair &contact)
   {

@@ -11,8 +11,8 @@
 
 namespace lamella
 {
-  /// Returns the scene axis most normal to the contact: that of the largest
-  /// component of the area-weighted normals, sum A n over @p points.
+  /// Returns the scene axis (0, 1, 2) along which the contact mainly acts: that
+  /// of the largest component of the area-weighted normal over @p points.
   unsigned int
   facing_axis(const std::vector<ContactInterface::Point> &points);
 
@@ -50,12 +50,13 @@ namespace lamella
     ContactPatch(const ContactTraction             &traction,
                  const std::optional<ContactStrip> &strip = {});
 
-    /// Returns the largest extent of the loaded area along @p axis [length]:
-    /// the sum of a line's runs in the strip. 0 along facing_axis().
+    /// Returns the largest extent of the loaded area along scene axis @p axis
+    /// [length]; 0 along facing_axis().
     double
     width(const unsigned int axis) const;
 
-    /// Returns the smaller width along the two axes normal to the facing axis.
+    /// Returns the smaller of the widths along the two axes normal to
+    /// facing_axis().
     double
     width() const;
 
@@ -83,8 +84,8 @@ namespace lamella
       }
     };
 
-    /// Points of a line by ascending coordinate, one per node: force, tributary
-    /// area, fraction in the strip; and the loaded runs.
+    /// Points of a line: ascending coordinates s, contact forces, tributary
+    /// areas, and fractions in the strip; and the loaded intervals.
     struct Line
     {
       std::vector<double>   s, force, area, share;
@@ -94,15 +95,16 @@ namespace lamella
     /// Returns the lines along @p axis.
     std::vector<Line>
     lines_along(const unsigned int axis) const;
-    /// Returns the loaded runs of @p line, extended to their edges.
+    /// Returns the loaded intervals of @p line, extended to the pressure's
+    /// edge().
     static std::vector<Interval>
     loaded_intervals(const Line &line);
     /// Returns the loaded area of @p line in the strip.
     static double
     loaded_area(const Line &line);
-    /// Returns the coordinate of the pressure's edge beyond the last of the
-    /// ascending coordinates @p s of loaded points with the forces @p force and
-    /// areas @p area; @p next is the coordinate of the first open point.
+    /// Returns the coordinate at which the pressure vanishes beyond the last of
+    /// the loaded points with ascending coordinates @p s, forces @p force and
+    /// areas @p area. @p next is the coordinate of the first open point.
     static double
     edge(const std::vector<double> &s,
          const std::vector<double> &force,
@@ -114,7 +116,8 @@ namespace lamella
     /// Returns the extent along @p axis of points that do not form lines.
     double
     extent(const unsigned int axis) const;
-    /// Returns the interval of the strip along @p axis, or an unbounded one.
+    /// Returns the interval of the strip along scene axis @p axis; unbounded if
+    /// the strip does not limit it.
     Interval
     limits(const unsigned int axis) const;
 

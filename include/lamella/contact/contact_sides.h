@@ -49,7 +49,7 @@ namespace lamella
       pair.slave_side     = slave_side;
     }
 
-    /// Returns true for edge contact, with gaps along the master normals.
+    /// Returns true for edge contact, whose gaps are along master normals.
     bool
     is_edge_contact() const
     {
@@ -73,9 +73,9 @@ namespace lamella
       return standing;
     }
 
-    /// Returns Body::surface_points() of a side with current positions and
-    /// normals; locations and tributary areas are undeformed. Empty for an
-    /// obstacle. For edge contact, only points at body ends are returned.
+    /// Returns the surface nodes of a side with current positions and normals,
+    /// and undeformed tributary areas; for edge contact, only those at body
+    /// ends. Empty for an obstacle.
     std::vector<SurfacePoint>
     points(const bool second) const;
 
@@ -83,13 +83,14 @@ namespace lamella
     std::vector<SurfacePoint>
     end_points(const bool second) const;
 
-    /// Returns the location of each trace node of surface() in its body, and
-    /// its displacement rows (at the state if rows depend on rotations).
+    /// Return, for each trace node of surface(), its location in the body, and
+    /// its three displacement components as functionals of the DoFs (of their
+    /// increments, at finite rotations).
     const std::vector<Location> &
     trace_locations(const bool second) const;
     const std::vector<std::vector<LinearFunctional>> &
     trace_rows(const bool second) const;
-    /// Returns the displacement rows of the trace nodes @p numbers only.
+    /// Returns trace_rows() of the trace nodes @p numbers only.
     std::vector<std::vector<LinearFunctional>>
     trace_rows(const bool                       second,
                const std::vector<unsigned int> &numbers) const;

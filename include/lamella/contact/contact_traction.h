@@ -80,13 +80,14 @@ namespace lamella
             const dealii::Tensor<1, 3> &n,
             const double                search_radius) const;
 
-    /// Force on the second side, and its moment about the scene origin.
+    /// Contact force on the second side, and its moment about the scene origin.
     struct Resultant
     {
       dealii::Tensor<1, 3> force, moment;
     };
 
-    /// Returns the resultant over the contact or a strip; strips add up.
+    /// Returns the resultant of the traction over the contact, or over
+    /// @p strip.
     Resultant
     resultant(const std::optional<ContactStrip> &strip = {}) const;
 
@@ -99,7 +100,7 @@ namespace lamella
     double
     dissipated(const std::optional<ContactStrip> &strip = {}) const;
 
-    /// Returns the largest lambda_i / A_i.
+    /// Returns the largest pressure lambda_i / A_i of a contact point.
     double
     largest_pressure() const;
 
@@ -117,9 +118,9 @@ namespace lamella
     }
 
   private:
-    /// Returns for each contact point its fraction s = int_strip phi_i dA / A_i
-    /// in @p strip, and the offset int_strip x phi_i dA / A_i - s int x phi_i
-    /// dA / A_i of the centroid times s.
+    /// Returns for each contact point the fraction of its function phi_i that
+    /// lies in @p strip (shares()), and that fraction times the vector from the
+    /// centroid of phi_i to the centroid of its part in the strip.
     std::vector<SlaveSurface::Integrals>
     inside(const ContactStrip &strip) const;
     /// Returns true if contact point @p k is on no facet.

@@ -14,7 +14,7 @@ namespace lamella
   {
     /// True if the node is on the second body.
     bool second = false;
-    /// Penetration [length], and depth of the penetrated cell.
+    /// Penetration, and depth of the penetrated cell [length].
     double depth = 0., cell = 0.;
     /// Closest-point projection of the node.
     MeshSurface::FacetPoint at = {};
@@ -24,7 +24,8 @@ namespace lamella
   /// other surface in the configuration @p now. If @p of_ends, only nodes at
   /// body ends are considered: a face that slides over an end has no constraint
   /// at the end's nodes unless these are contact points. Projections are at
-  /// most @p search_radius away [length], on the sides as @p paired.
+  /// most @p search_radius away [length]. @p paired are the surfaces on which
+  /// points were paired.
   std::optional<EndPenetration>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,

@@ -28,8 +28,8 @@ namespace lamella
       {Enforcement::exact, "exact"}};
   };
 
-  /// Unit of a penalty parameter. If too small, bodies penetrate; if too large,
-  /// rounding errors grow (Eq. 24; doc/theory/penalty.md).
+  /// Unit of a penalty parameter. A small penalty permits penetration; a large
+  /// one increases rounding errors (doc/theory/penalty.md).
   enum class PenaltyKind
   {
     undefined,
@@ -46,12 +46,13 @@ namespace lamella
       {{PenaltyKind::per_area, "area"}, {PenaltyKind::per_node, "node"}};
   };
 
-  /// The penalty parameter epsilon_N of Eq. 20, as given in a scene.
+  /// Penalty parameter of a contact, as given in a scene file.
   struct Penalty
   {
-    /// Must be set: row_penalty() asserts it.
+    /// Unit of `value`. Must be set: row_penalty() asserts that.
     PenaltyKind kind = PenaltyKind::undefined;
-    /// Positive penalty in the unit of its kind; the multiple if `automatic`.
+    /// Positive penalty in the unit `kind`; if `automatic`, the multiple of the
+    /// local stiffness.
     double value = 0.;
   };
 
@@ -59,8 +60,9 @@ namespace lamella
   /// contact constraint: a bar of cross section A and length h.
   struct LocalStiffness
   {
-    /// E_n = n.n : C : n.n of the ply [force/length^2]; tributary area A
-    /// [length^2]; depth h of the cell along the normal [length].
+    /// Elastic modulus E_n of the ply along the normal [force / length^2];
+    /// tributary area A [length^2]; depth h of the cell along the normal
+    /// [length].
     double normal_modulus = 0., area = 0., depth = 0.;
   };
 
@@ -69,16 +71,16 @@ namespace lamella
   ///   automatic   value * min over both sides of E_n A / h
   ///   per_node    value
   ///   per_area    value * A, A that of @p first (both sides have the same)
-  /// `automatic` is defined also for unsupported bodies, and exceeds the
-  /// stiffness of the bodies behind the constraint. h must not be zero.
+  /// with the normal modulus E_n, tributary area A and cell depth h > 0 of
+  /// LocalStiffness. `automatic` also suits unsupported bodies.
   double
   row_penalty(const Penalty        &penalty,
               const LocalStiffness &first,
               const LocalStiffness &second);
 
-  /// Returns the contact force lambda = epsilon max(0, -g) for the gap @p g and
-  /// the penalty @p epsilon (magnitude of Eq. 25). It acts along the normal n
-  /// on the second body, and along -n on the first.
+  /// Returns the contact force epsilon max(0, -g) for the gap @p g and the
+  /// penalty @p epsilon. It acts along the normal n on the second body, and
+  /// along -n on the first.
   double
   contact_force(const double epsilon, const double g);
 } // namespace lamella

@@ -27,12 +27,12 @@ namespace lamella
 {
   class ContactSides;
 
-  /// Relative displacement of two facing points along a direction, or a
-  /// weighted average of it, as a functional of the DoFs of both bodies.
+  /// Relative displacement of two facing points along a normal or tangent, or
+  /// its weighted average: a linear functional of the DoFs of both bodies.
   struct ContactConstraint
   {
-    /// Functionals of the deformable bodies: first -sum w . u_1, then +sum v .
-    /// u_2, with weights w and v along the direction.
+    /// Functional of the first body, -sum w_j . u_1(X_j), then, unless it is an
+    /// obstacle, of the second, sum v_k . u_2(X_k), with weights w and v.
     std::vector<BodyFunctional> parts;
     /// Number of the load history that multiplies the motion of an obstacle.
     unsigned int history = 0;
@@ -80,15 +80,13 @@ namespace lamella
 
   /// Linearized gap function of two facing points (Eq. 16),
   ///   g(u, t) = n . (u_2(X_2) - u_1(X_1)) + g_init + t g_rate,
-  /// or a weighted average of it: a row b of the matrix B on the DoFs of both
-  /// bodies, the initial gap, and the motion of an obstacle at load factor t.
-  /// Each gap constraint satisfies the Hertz-Signorini-Moreau conditions (Eq.
-  /// 18),
+  /// or its weighted average, at load factor t. The first term is a row b of
+  /// the constraint matrix B times the DoFs of both bodies. Gap g and contact
+  /// force lambda satisfy the Hertz-Signorini-Moreau conditions (Eq. 18),
   ///   g >= 0,  lambda >= 0,  g lambda = 0,
-  /// which `penalty` regularizes (enforcement.h). The contact force lambda
-  /// [force] is positive in compression: divided by the tributary area it is
-  /// -p_N of the paper. It loads the bodies with lambda b^T, which is lambda n
-  /// on the second side and -lambda n on the first.
+  /// which `penalty` regularizes (enforcement.h). lambda [force] is positive in
+  /// compression and loads the bodies with lambda b^T: lambda n on the second
+  /// side, -lambda n on the first.
   struct GapConstraint : ContactConstraint
   {
     /// g_init: (X_2 - X_1) . n of the undeformed bodies (Eq. 17 with the
@@ -97,10 +95,11 @@ namespace lamella
     /// g_rate: gap due to the motion of an obstacle at load factor 1 [length].
     double      gap_rate    = 0.;
     Enforcement enforcement = Enforcement::penalty;
-    /// Penalty parameter epsilon_N [force / length] of row_penalty(), not zero.
+    /// Penalty parameter [force / length], not zero (row_penalty()).
     double penalty = 0.;
 
-    /// Friction coefficient mu; if positive, the slips along two tangents.
+    /// Friction coefficient; if positive, `slips` has the slips along two
+    /// tangents.
     double                      friction = 0.;
     std::vector<SlipConstraint> slips    = {};
 
@@ -133,7 +132,7 @@ namespace lamella
       /// Tributary area A [length^2]: the smaller of both nodes' areas, that of
       /// the slave node, or A_i = int phi_i dA over the facing area.
       double area = 0.;
-      /// Angle between n_1 and -n_2 [rad], for weighted gaps at the node.
+      /// Angle between the normals n_1 and -n_2 of the two surfaces [rad].
       double angle = 0.;
       /// Point spacing [length], the root of the full tributary area.
       double spacing = 0.;
@@ -155,15 +154,15 @@ namespace lamella
     bool points_on_second = false;
     /// Name of the slave surface.
     std::string slave_surface;
-    /// Number of nodes of either side that face no part of the other surface
-    /// (`node to node`: no node) and may pass through the other body.
+    /// Number of nodes of each surface without a contact constraint, since they
+    /// face no part of the other surface (`node to node`: no node of it).
     unsigned int unpaired = 0, unpaired_second = 0;
     /// Number of unpaired nodes of `node to node` that face the other surface.
     unsigned int nonmatching_nodes = 0, nonmatching_nodes_second = 0;
     /// Gap constraints, one per node pair or facing slave node.
     std::vector<GapConstraint> rows;
     std::vector<Point>         points;
-    /// Points and weights on the first side (along -n) and second (along n).
+    /// Points and weights of the constraints on the first and second side.
     ConstraintGeometry first, second;
     /// Slave surface with the functions phi_i of the constraints, never null.
     std::shared_ptr<const SlaveSurface> surface = {};
@@ -173,16 +172,18 @@ namespace lamella
     std::vector<std::string> notes;
   };
 
-  /// Returns the undeformed slave node of @p point, if known, or its X_1.
+  /// Returns the undeformed position of the slave node of the contact point
+  /// @p point, if known, else its position on the first surface.
   inline const dealii::Point<3> &
   place_of(const ContactInterface::Point &point)
   {
     return point.node.places.empty() ? point.first : point.node.position;
   }
 
-  /// Gap constraints of several contacts in sequence, numbered from 0 contact
-  /// by contact: the rows of the matrix B and the entries of the vector of
-  /// contact forces. A view: constraints must outlive it in place.
+  /// View of the gap constraints of several contacts, numbered consecutively
+  /// from 0, contact by contact. These numbers are also the rows of the
+  /// constraint matrix B and of contact force vectors. The constraints must
+  /// outlive the view at constant addresses.
   class GapConstraints
   {
   public:
@@ -190,7 +191,8 @@ namespace lamella
     GapConstraints() = default;
     /// Views the gap constraints of @p contacts, which must not be renumbered.
     GapConstraints(const std::vector<ContactInterface> &contacts);
-    /// Views constraints without a contact; they count as contact 0.
+    /// Views constraints that belong to no ContactInterface; they count as
+    /// contact 0.
     GapConstraints(const std::vector<GapConstraint> &rows);
     /// Deleted for temporaries, which would not outlive the view.
     GapConstraints(std::vector<ContactInterface> &&contacts) = delete;
@@ -216,7 +218,8 @@ namespace lamella
       return *rows[row];
     }
 
-    /// Returns the number, at least size(), of a slip of constraint @p row.
+    /// Returns the number, following those of the gaps, of the slip of
+    /// constraint @p row along its tangent @p tangent (0 or 1).
     unsigned int
     slip(const unsigned int row, const unsigned int tangent) const
     {
@@ -230,7 +233,8 @@ namespace lamella
       return 3 * size();
     }
 
-    /// Returns the gap constraint of the gap or slip number @p number.
+    /// Returns the number of the constraint to which gap or slip @p number
+    /// belongs.
     unsigned int
     row_of(const unsigned int number) const
     {
@@ -279,7 +283,8 @@ namespace lamella
               firsts[contact + 1] - firsts[contact]};
     }
 
-    /// Returns the constraints of @p contact among @p some, by local numbers.
+    /// Returns the constraints among @p some that belong to contact @p contact,
+    /// numbered within that contact.
     std::vector<unsigned int>
     local_rows_of(const unsigned int               contact,
                   const std::vector<unsigned int> &some) const;
@@ -327,7 +332,9 @@ namespace lamella
                         const Bodies      &bodies,
                         const double       search_radius);
 
-  /// Creates the interface on @p sides; checks overlap if undeformed.
+  /// Creates the interface between the surfaces @p sides within
+  /// @p search_radius. Throws InputError for excessive overlap if these are
+  /// undeformed.
   ContactInterface
   make_interface_within(const ContactSides &sides, const double search_radius);
 } // namespace lamella

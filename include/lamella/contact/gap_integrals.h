@@ -38,7 +38,8 @@ namespace lamella
     boost::container::flat_map<unsigned int, OfNode> slave, master;
   };
 
-  /// Choice of the point opposite a slave point.
+  /// Choice of the master point opposite a slave point, where the gap is
+  /// measured.
   enum class MasterPoints
   {
     paired,   ///< the paired place; n is the averaged normal
@@ -58,9 +59,8 @@ namespace lamella
   /// MasterPoints::paired uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 -
   /// x_1); this gradient is exact if x_2 - x_1 is along n.
   ///
-  /// If the reference points @p held of the beginning of the step are given,
-  /// slips are computed, and reference points are added for points that face
-  /// the other surface for the first time.
+  /// If @p held, the reference points of the beginning of the step, are given,
+  /// computes slips, and adds reference points for newly facing points.
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides    &sides,
                  const bool             on_second,

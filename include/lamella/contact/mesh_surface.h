@@ -58,7 +58,8 @@ namespace lamella
 
       SurfaceFacet side;
       FacetMap     map;
-      /// 1D bases of the grid and trace nodes; static lifetime.
+      /// 1D Lagrange bases in s and t on the nodes of the grid (normals) and of
+      /// the trace (displacements); static lifetime.
       const GaussLobattoBasis *grid_s = nullptr, *grid_t = nullptr,
                               *trace_s = nullptr, *trace_t = nullptr;
       /// Bounding ball of the facet [length], for the coarse test of
@@ -74,9 +75,9 @@ namespace lamella
       /// True if there is an adjacent facet, or the end of the body, beyond the
       /// sides s = 0, s = 1, t = 0 and t = 1.
       std::array<bool, 4> has_neighbor{}, at_body_end{};
-      /// True for a plane parallelogram all of whose nodes have its normal. E_n
-      /// = n.n : C : n.n of the ply at the center [force/length^2], and the
-      /// depth of the cell behind the facet [length].
+      /// `is_flat`: plane parallelogram all of whose nodes have its normal.
+      /// Elastic modulus of the ply along the normal at the center
+      /// [force/length^2]; depth of the cell behind the facet [length].
       bool   is_flat        = false;
       double normal_modulus = 0., depth = 0.;
     };
@@ -94,7 +95,7 @@ namespace lamella
       return all_facets;
     }
 
-    /// Returns the outward unit normal at @p place, along +-X_,s x X_,t.
+    /// Returns the outward unit normal of @p facet at @p place (from its map).
     dealii::Tensor<1, 3>
     outward_normal(const Facet &facet, const Place &place) const;
 
@@ -111,7 +112,7 @@ namespace lamella
       dealii::Tensor<1, 3> normal;
     };
 
-    /// Returns the grid nodes: each weighted gap belongs to one of them.
+    /// Returns the grid nodes of all facets, to which weighted gaps belong.
     const std::vector<GridNode> &
     grid_nodes() const
     {
@@ -124,8 +125,8 @@ namespace lamella
 
     using HangingNode = SurfaceTopology::HangingNode;
 
-    /// Returns the hanging nodes by numbers of grid_nodes(). End nodes that
-    /// hang come later.
+    /// Returns the hanging nodes, as indices in grid_nodes(). Nodes between
+    /// which a node hangs come later if they hang themselves.
     const std::vector<HangingNode> &
     hanging_nodes() const
     {
@@ -158,8 +159,9 @@ namespace lamella
       dealii::Point<2> st;
     };
 
-    /// Returns the point of the surface at @p location, on the facet whose
-    /// normal is closest to @p normal. Empty if the location is on no facet.
+    /// Returns the surface point at the location @p location in the body; at an
+    /// edge, on the facet whose normal is closest to @p normal. Empty if the
+    /// location is on no facet.
     std::optional<FacetPoint>
     place_of(const Location             &location,
              const dealii::Tensor<1, 3> &normal) const;
@@ -213,22 +215,24 @@ namespace lamella
     /// than 45 degrees, and finds the hanging nodes.
     void
     split_at_edges(const SurfaceTopology &topology);
-    /// Returns the grid node among @p numbers, the grid nodes at one node of
-    /// the body, whose normal is close to @p normal.
+    /// Returns the one of @p numbers, the grid nodes at one node of the body,
+    /// whose normal is within 45 degrees of @p normal.
     std::optional<unsigned int>
     on_side(const std::vector<unsigned int> &numbers,
             const dealii::Tensor<1, 3>      &normal) const;
-    /// Sets the hanging nodes. @p sides are grid nodes at nodes of the body.
+    /// Sets the hanging nodes. @p sides are the grid nodes at each node of the
+    /// body.
     void
     find_hanging_nodes(const SurfaceTopology                        &topology,
                        const std::vector<std::vector<unsigned int>> &sides);
     /// Sets the normals n_i (end nodes' mean at hanging nodes) and is_flat.
     void
     average_normals();
-    /// Creates the boxes of the facets in axes aligned with the first facet.
+    /// Creates the bounding boxes of the facets in axes aligned with the first
+    /// facet.
     void
     make_search();
-    /// Returns @p x in the axes of the boxes.
+    /// Returns the coordinates of @p x in the axes of the bounding boxes.
     dealii::Point<3>
     to_frame(const dealii::Point<3> &x) const;
 
@@ -246,8 +250,8 @@ namespace lamella
     BoxSearch            boxes;
   };
 
-  /// Some of the facets of a surface as a master surface. Both arguments must
-  /// outlive this object; normal_near() uses the whole surface.
+  /// Master surface that consists of some facets of a MeshSurface. Keeps
+  /// references to both constructor arguments.
   class SurfacePart : public MasterSurface
   {
   public:

@@ -45,11 +45,13 @@ namespace lamella
       return grid;
     }
 
-    /// Adds the integrals over the whole @p cell, facing or not.
+    /// Adds the integrals of the four hat functions over the whole @p cell,
+    /// whether or not it faces the other side.
     void
     add_full_areas(const Cell &cell);
 
-    /// Adds the point @p st of @p cell, of area @p weight, facing @p opposite.
+    /// Adds the integration point @p st of @p cell, with area @p weight and the
+    /// opposite point @p opposite, to the mortar integrals.
     void
     add(const Cell             &cell,
         const dealii::Point<2> &st,
@@ -70,9 +72,9 @@ namespace lamella
     struct Node
     {
       WeightedGap sums;
-      /// Largest value of the function at points that face the other side.
+      /// Largest value of the function at integration points up to now.
       double nearest = 0.;
-      /// Integral over all of its cells, facing the other side or not.
+      /// Integral of the function over all of its cells.
       double full_area = 0.;
       /// Weighted gaps to which the function contributes, with factors.
       std::vector<std::pair<unsigned int, double>> rows;

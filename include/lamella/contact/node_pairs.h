@@ -14,9 +14,9 @@ namespace lamella
   Discretization
   choose_discretization(const ContactSides &sides, const double search_radius);
 
-  /// Returns node pairs (pair_node_to_node()) as gaps with one point per side,
-  /// both weighted by n, and the smaller of both areas. Counts unpaired nodes
-  /// in @p interface.
+  /// Returns the gaps of node-to-node contact: one per node pair
+  /// (pair_node_to_node()), with the smaller of both tributary areas. Counts
+  /// unpaired nodes in @p interface.
   Gaps
   node_to_node(const ContactSides &sides,
                const double        search_radius,

@@ -32,9 +32,9 @@ namespace lamella
     std::vector<PointPair> pairs;
     /// Number of points of either surface that face no point of the other.
     unsigned int unpaired = 0, unpaired_second = 0;
-    /// Smallest distance between points of the two surfaces, and smallest
-    /// tangential offset of points with opposed normals [length]; else the
-    /// largest double.
+    /// For messages if no pairs exist: smallest distance of points of the two
+    /// surfaces, and smallest tangential offset of points with opposed normals
+    /// [length]; the largest double if there are none.
     double nearest_distance = 0., smallest_offset = 0.;
   };
 
@@ -54,10 +54,12 @@ namespace lamella
     const double                     tolerance,
     const double search_radius = std::numeric_limits<double>::infinity());
 
-  /// Gap with the slave surface as side 1, before conversion to DoFs,
+  /// A gap as a function of point displacements u_1 (slave) and u_2 (master),
+  /// from which make_interface() creates a GapConstraint,
   ///   g(u) = sum_k v_k . u_2(X_k) - sum_j w_j . u_1(X_j) + gap.
-  /// For a node pair v = w = n; for a weighted gap the v_k and the w_j each sum
-  /// to the average normal. make_interface() converts it to a GapConstraint.
+  /// X_j and X_k are points of the slave and master surface, and `gap` is the
+  /// initial gap. A node pair has v = w = n; for weighted gaps, the weights w_j
+  /// and v_k each sum to the average normal.
   struct WeightedGap
   {
     /// Slave point of the gap, and the point opposite.
@@ -67,15 +69,16 @@ namespace lamella
     /// Normal n, outward from the slave side; for a weighted gap its average.
     /// The contact force on the master side is lambda n.
     dealii::Tensor<1, 3> normal;
-    /// Tributary area [length^2], and g_init or its weighted average [length].
+    /// Tributary area [length^2], and initial gap or its weighted average
+    /// [length].
     double area = 0., gap = 0.;
-    /// Point spacing as in ContactInterface::Point.
+    /// Point spacing, the root of the full tributary area [length].
     double spacing = 0.;
     /// Angle between n_1 and -n_2 at the slave point [rad].
     double angle = 0.;
     /// Stiffnesses for the automatic penalty; for an obstacle, the slave's.
     LocalStiffness slave, master;
-    /// Weights w_j and v_k along n, by the indices of locations in Gaps.
+    /// Weights w_j and v_k, with indices in Gaps::slave and Gaps::master.
     ConstraintGeometry::Weights slave_weights, master_weights;
   };
 
@@ -101,15 +104,15 @@ namespace lamella
     MeshSurface::FacetPoint master;
     /// Area a_q of the point [length^2]; 1 for constraints of a single point.
     double area = 1.;
-    /// Facet of the SlaveSurface; unused for constraints of a single point.
+    /// Facet number in the SlaveSurface; unused for single-point constraints.
     unsigned int part = 0;
   };
 
-  /// Gaps of one contact by its discretization, not yet GapConstraints.
+  /// All gaps of one contact, and the points on which they depend.
   struct Gaps
   {
     std::vector<WeightedGap> gaps;
-    /// Locations in the slave and master cells to which the weights refer.
+    /// Points of the slave and master body to which the weights refer.
     std::vector<Location> slave, master;
     /// Number of slave points without master point or deep penetration.
     unsigned int                 unpaired = 0;
@@ -120,8 +123,8 @@ namespace lamella
     std::vector<GapPoint> points = {};
   };
 
-  /// Slave and master surface of a discretization. The master is a mesh, or an
-  /// obstacle if master_mesh is null. Keeps pointers to all.
+  /// Slave and master surface of a contact. The master is a mesh, or an
+  /// obstacle if master_mesh is null. Keeps pointers to the surfaces.
   struct ContactSurfacePair
   {
     const MeshSurface   *slave       = nullptr;
@@ -136,14 +139,16 @@ namespace lamella
     double max_obstacle_depth = 0.;
   };
 
-  /// Returns true for a deep overlap, -gap > min(depth_1, depth_2) of cells.
+  /// Returns true if the overlap -gap exceeds the depth of the shallower of the
+  /// two cells behind the surfaces, so that the point gets no constraint.
   bool
   exceeds_cell_depth(const double gap,
                      const double depth_1,
                      const double depth_2);
 
-  /// Returns true if the overlap at @p hit exceeds the slave @p depth or the
-  /// master's; for an obstacle, if -gap > max(depth, max_obstacle_depth).
+  /// Returns true if the overlap at the master point @p hit exceeds the depth
+  /// of the slave cell @p depth or of the master cell; for an obstacle,
+  /// max(depth, max_obstacle_depth).
   bool
   exceeds_cell_depth(const ContactSurfacePair &sides,
                      const SurfaceHit         &hit,

@@ -9,16 +9,16 @@
 namespace lamella
 {
   /// Throws InputError for a contact without any pair within @p search_radius.
-  /// The message gives the nearest distance of nodes, or tangential offset.
+  /// The message gives the smallest distance, or tangential offset, of nodes.
   [[noreturn]] void
   throw_no_pairs(const ContactPair &contact,
                  const Bodies      &bodies,
                  const double       search_radius);
 
   /// Throws InputError if a point of Gaps::deep_penetrations lies inside the
-  /// other body, or if all points of @p gaps are such points. Points outside
-  /// the other body are accepted: they face away through their own body. The
-  /// second side is the slave if @p on_second.
+  /// other body, or if @p gaps has no other points. Such points outside the
+  /// other body are accepted: they face away from it (the upper half of a
+  /// roller). The second side is the slave if @p on_second.
   void
   check_no_penetration(const ContactPair &contact,
                        const Bodies      &bodies,

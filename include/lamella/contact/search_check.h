@@ -10,12 +10,13 @@
 
 namespace lamella
 {
-  /// A constraint that another search for the same contact finds in addition.
+  /// A constraint that a second search for the same contact finds, and the
+  /// first did not find or found for a smaller area.
   struct AdditionalConstraint
   {
-    /// Number of the constraint in the other search.
+    /// Number of the constraint in the second search.
     unsigned int found = 0;
-    /// Existing constraint of the same node, with a smaller area, if any.
+    /// Number of the first search's constraint at the same node, if any.
     std::optional<unsigned int> own;
   };
 

@@ -49,12 +49,13 @@ namespace lamella
       unsigned int degree_s = 1, degree_t = 1;
       /// Node numbers of SurfaceTopology; the first coordinate runs fastest.
       std::vector<unsigned int> nodes;
-      /// Constraints to which each node's function contributes, with factors:
-      /// its own with 1; for a hanging node those of the end nodes with 1/2;
-      /// none if the node faces no part of the other surface.
+      /// For each node, the numbers of the constraints to which its function
+      /// contributes, with factors: 1 for its own constraint; 1/2 for each of
+      /// the end nodes of a hanging node; none if it faces no part of the other
+      /// surface.
       std::vector<std::vector<std::pair<unsigned int, double>>> rows;
-      /// Parts of the unit square in the support of the functions: convex,
-      /// counterclockwise, for hats each within a grid cell.
+      /// Parts of the unit square in which the functions are not zero; for hats
+      /// each within a grid cell.
       std::vector<Polygon> parts;
     };
 
@@ -70,7 +71,7 @@ namespace lamella
       dealii::Tensor<1, 3> moment;
     };
 
-    /// Returns int phi_i dA and int x phi_i dA of each constraint.
+    /// Returns the integrals of each constraint over the whole surface.
     const std::vector<Integrals> &
     integrals() const
     {
@@ -146,7 +147,8 @@ namespace lamella
     BoxSearch              boxes;
   };
 
-  /// A node with a contact constraint, and its normal with either sign.
+  /// A node with a contact constraint, and the surface normal there, with
+  /// either sign.
   struct SlaveNode
   {
     Location             location;

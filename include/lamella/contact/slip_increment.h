@@ -21,8 +21,9 @@ namespace lamella
   Tangents
   tangents_of(const dealii::Tensor<1, 3> &n);
 
-  /// Returns the tangents for the normal @p n at @p st of a facet moved from
-  /// @p before to @p now: the first is tangents_of() before, convected.
+  /// Returns the tangents for the normal @p n at the point @p st of a facet
+  /// with the deformed map @p now. The first is the first of tangents_of() on
+  /// the undeformed map @p before, convected with the facet.
   Tangents
   convected_tangents(const FacetMap             &before,
                      const FacetMap             &now,
@@ -35,14 +36,16 @@ namespace lamella
   {
     /// Material points of both bodies.
     GapPoint point;
-    /// Opposite point on an obstacle minus Obstacle::point, and its normal.
+    /// For an obstacle: vector from Obstacle::point to the opposite point, and
+    /// the obstacle normal there.
     dealii::Tensor<1, 3> on_obstacle, normal;
   };
 
   /// Reference points of a contact, one per contact point; empty if unpaired.
   using SlipReferencePoints = std::vector<std::optional<SlipReferencePoint>>;
 
-  /// Returns the reference of @p point, which faces @p at on @p sides.
+  /// Returns the reference point for the contact point @p point, which faces
+  /// the master point @p at on the surfaces @p sides.
   SlipReferencePoint
   slip_reference_point(const ContactSides &sides,
                        const GapPoint     &point,
