@@ -42,7 +42,7 @@ namespace lamella
   /// measured.
   enum class MasterPoints
   {
-    paired,   ///< the paired place; n is the averaged normal
+    paired,   ///< the stored point; n is the averaged normal
     projected ///< current closest-point projection (closest_point_projection())
   };
 

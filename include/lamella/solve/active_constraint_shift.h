@@ -33,8 +33,9 @@ namespace lamella
     /// Springs of each body.
     using Springs = std::vector<std::vector<SpringTerm>>;
 
-    /// Selects the active constraints of @p state among those of @p contacts
-    /// for @p n_bodies bodies, with rho = @p share times the penalty eps.
+    /// Adds a spring to each active constraint of @p state among those of
+    /// @p contacts between @p n_bodies bodies. rho is @p share times the
+    /// penalty eps.
     ActiveConstraintShift(const std::vector<ContactInterface> &contacts,
                           const State                         &state,
                           const unsigned int                   n_bodies,
@@ -52,7 +53,7 @@ namespace lamella
       return of_bodies;
     }
 
-    /// Returns all constraints; if shifted, with the penalty eps - rho.
+    /// Returns all constraints; those with a spring have the penalty eps - rho.
     GapConstraints
     rows() const
     {

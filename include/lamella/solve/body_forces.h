@@ -31,16 +31,16 @@ namespace lamella
 
   /// Sum of all forces on one body and of their moments about its center, for
   /// the check of equilibrium. Forces are obtained from their work on the rigid
-  /// motions of the body. Reference: the largest force, or couple over body
-  /// size.
+  /// motions of the body. They are relative to the largest force, or couple
+  /// over body size.
   class BodyForces
   {
   public:
     /// Creates an empty sum for the body @p of with the displacements @p u.
     BodyForces(const Body &of, const Vector &u);
 
-    /// Returns the force of a load, and its moment about the body center, where
-    /// work(m) is the work of the load on the vector m of a motion.
+    /// Returns the force of a load, and its moment about the body center.
+    /// @p work returns the work of the load on a given displacement vector.
     template <typename Work>
     Wrench
     resultant_of_work(const Work &work) const
@@ -61,11 +61,12 @@ namespace lamella
     void
     add(const Wrench &about_center);
 
-    /// Sets @p force as lower bound of the reference force of unbalanced().
+    /// Sets a lower bound @p force of the largest force in unbalanced().
     void
     at_least(const double force);
 
-    /// Returns the summed force and moment relative to the reference force.
+    /// Returns the norms of summed force and moment, over the largest force and
+    /// that force times the body size.
     std::pair<double, double>
     unbalanced() const;
 

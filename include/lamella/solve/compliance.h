@@ -17,10 +17,10 @@ namespace lamella
   /// included so far. C_ij [length / force] is the gap in constraint i due to a
   /// unit force in constraint j. C is symmetric, and positive definite if the
   /// constraints are independent. Slips are included like gaps, by their
-  /// numbers (GapConstraints). CHOLMOD computes only the nonzero part of the
-  /// forward substitution: C = Y^T Y, Y = L^-1 P B^T, K = P^T L L^T P. Memory:
-  /// n (n + 1) / 2 numbers for n constraints, and Y. Keeps references to the
-  /// tangent operator and the constraints. include() is collective.
+  /// numbers (GapConstraints). With the Cholesky factor L of K, C = Y^T Y, Y =
+  /// L^-1 B^T, where CHOLMOD computes only nonzeros. Memory: n (n + 1) / 2
+  /// numbers for n constraints, and Y. Keeps references to the tangent operator
+  /// and the constraints. include() is collective.
   class Compliance
   {
   public:
@@ -42,14 +42,15 @@ namespace lamella
       return included;
     }
 
-    /// Returns true if constraint @p row was included (required below).
+    /// Returns true if constraint @p row was included, as the functions below
+    /// require.
     bool
     is_included(const unsigned int row) const
     {
       return place[row] != dealii::numbers::invalid_unsigned_int;
     }
 
-    /// Returns C_rr, the gap due to a unit force in constraint @p row [length /
+    /// Returns the change of gap @p row due to a unit force in it [length /
     /// force]; zero between supported points.
     double
     diagonal(const unsigned int row) const;
@@ -65,7 +66,8 @@ namespace lamella
                  const std::vector<double>       &lambda) const;
 
   private:
-    /// Solutions K^-1 b^T of one body, with their positions in C.
+    /// Solutions K^-1 b^T for the constraint rows b on one body, and the row of
+    /// each in C.
     struct BodyConstraints
     {
       std::unique_ptr<SolvedRows> solved;

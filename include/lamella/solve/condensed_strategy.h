@@ -19,23 +19,23 @@ namespace lamella
   /// constraints. A linear solution takes one solution with K, one small dense
   /// system
   ///   (C + d) dlambda = r_lambda - B K^-1 r_u,
-  /// and one backward substitution K^-1 B^T dlambda, with the residuals r_u of
-  /// equilibrium and r_lambda of the contact law. The penalty enters as the
-  /// compliance d, not as a stiffness, so a hard penalty loses no digits.
+  /// and one backward substitution K^-1 B^T dlambda, with constraint rows B and
+  /// the residuals r_u of equilibrium and r_lambda of the contact law. The
+  /// penalty enters as a compliance d, so a hard penalty loses no digits.
   ///
   /// The active set is found by constraint generation. In each round, the
   /// complementarity problem of the working set is solved exactly
   /// (solve_complementarity()), and the gaps of all other constraints are
   /// evaluated. Those that penetrate most are added: at most as many as the set
   /// has, or eight if these are more. So a set of eight or more at most doubles
-  /// in a round. Constraints of multiplier methods that close without force
-  /// since others have closed are added once, at the end. If most of the set is
-  /// idle (open), as in a stack of bodies that close one after the other, idle
-  /// constraints are removed, each at most once. The search terminates since
-  /// the energy grows in every round: a removed constraint has no force, and
-  /// one that is added again stays. Dependent constraints (more contact points
-  /// than surface DoFs) share the force as in the least-squares solution. For n
-  /// constraints, a round costs a few dense factorizations (n^3 / 3) and gaps.
+  /// in a round. Constraints without penalty whose gap closes without a force
+  /// are added once, at the end. If most of the set is idle (open), as in a
+  /// stack of bodies that close one after the other, idle constraints are
+  /// removed, each at most once. The search terminates since the energy grows
+  /// in every round: a removed constraint has no force, and one that is added
+  /// again stays. Dependent constraints (more contact points than surface DoFs)
+  /// share the force as in the least-squares solution. For n constraints, a
+  /// round costs a few dense factorizations (n^3 / 3) and gaps.
   class CondensedStrategy : public ContactStrategy
   {
   public:
@@ -58,7 +58,8 @@ namespace lamella
     StrategyHistory
     memory() const override;
 
-    /// Includes the groups of constraints of @p memory in the compliance.
+    /// Computes the compliance of the constraints in @p memory, and restores
+    /// the penalty factor.
     void
     restore(const StrategyHistory &memory) override;
 
@@ -75,9 +76,9 @@ namespace lamella
     }
 
   private:
-    /// Returns the compliance d of an included gap or slip, at least 1e-10 of
-    /// the constraint's compliance C_ii, so that C + d is definite, and 1e-8 of
-    /// NumericalCompliance. `exact` uses this lower bound.
+    /// Returns the compliance d of gap or slip @p number, which must be in the
+    /// compliance C: at least 1e-10 of the diagonal entry of C, so that C + d
+    /// is definite, and 1e-8 of NumericalCompliance. `exact` uses this bound.
     double
     compliance_of_law(const unsigned int number) const;
 
@@ -85,8 +86,9 @@ namespace lamella
     std::vector<unsigned int>
     with_slips(const std::vector<unsigned int> &part) const;
 
-    /// Returns the matrix R K^-1 C + d of @p closed, column by column, with the
-    /// constraint rows R and force columns C (ContactStrategy::solve()).
+    /// Returns the matrix R K^-1 C + d of ContactStrategy::solve() for the
+    /// constraints @p closed, with rows R and force columns C, column by
+    /// column.
     std::vector<double>
     contact_system(const ActiveConstraints &closed);
     /// Replaces @p lambda by (R K^-1 C + d)^-1 lambda. The Cholesky factor is
@@ -99,7 +101,7 @@ namespace lamella
     using Violations = std::vector<std::pair<double, unsigned int>>;
 
     /// Returns the initial working set: constraints that are active or have a
-    /// force, and those in the compliance, unless most would be idle.
+    /// force, and those in the compliance, unless most of these would be open.
     std::vector<unsigned int>
     initial_working_set(const ContactProblem &problem) const;
 
@@ -125,7 +127,8 @@ namespace lamella
     solve_with_friction(const ContactProblem            &problem,
                         const std::vector<unsigned int> &part,
                         ContactSolution                 &solution);
-    /// Returns the Coulomb problem of @p part about the state with @p forces.
+    /// Returns the problem of the constraints @p part for solve_coulomb(), with
+    /// gaps and slips at the contact forces @p forces.
     CoulombProblem
     coulomb_problem(const ContactProblem            &problem,
                     const std::vector<unsigned int> &part,
@@ -141,7 +144,7 @@ namespace lamella
 
     /// Compliance of all constraints that were ever in the working set.
     Compliance compliance;
-    /// Last factor of C + d, with its active constraints and d.
+    /// Last Cholesky factor of C + d, its active constraints, and d of each.
     std::optional<DenseCholesky> factor;
     std::vector<unsigned int>    factorized_for;
     std::vector<double>          factorized_with;

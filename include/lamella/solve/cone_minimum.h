@@ -11,8 +11,8 @@ namespace lamella
   /// components of each contact point in the Lorentz cone |x_t| <= x_n. It is
   /// unique if W is positive definite. Interior-point method with Nesterov-Todd
   /// scaling and Mehrotra's predictor (Andersen, Roos and Terlaky, Math.
-  /// Program. 95 (2003) 249-277): 10 to 25 factorizations of W with a block
-  /// added per point. Returns the last iterate if it does not converge.
+  /// Program. 95 (2003) 249-277): 10 to 25 factorizations of W plus a
+  /// block-diagonal matrix. Returns the last iterate if it does not converge.
   PointVectors
   cone_minimum(const PointCompliance &W, const PointVectors &q);
 } // namespace lamella

@@ -16,8 +16,8 @@ namespace lamella
   /// Returns the compliance a [length / force] of the contact law
   ///   g + a lambda >= 0,  lambda >= 0,  (g + a lambda) lambda = 0
   /// of the constraint @p row with gap g and force lambda, positive in
-  /// compression. `penalty`: a = 1/eps, lambda = eps max(0, -g) (Eq. 25).
-  /// Otherwise a = 0: the Kuhn-Tucker conditions of Eq. 18.
+  /// compression. For `penalty` with the parameter eps, a = 1/eps, so lambda =
+  /// eps max(0, -g). Otherwise a = 0: Kuhn-Tucker conditions.
   double
   law_compliance(const GapConstraint &row);
 
@@ -30,10 +30,10 @@ namespace lamella
   {
     /// Gap g_state [length] and force lambda_state of each constraint.
     std::vector<double> gap, force;
-    /// Estimates lambda_bar of the multipliers (method of multipliers), or
-    /// zero. Better estimates reduce the penetration due to d.
+    /// Estimates lambda_bar of the forces, or zero. Better estimates reduce the
+    /// penetration due to the numerical compliance d (NumericalCompliance).
     std::vector<double> estimate;
-    /// Constraints expected to be active, ascending; affects rounds only.
+    /// Constraints expected to be active, ascending: the start of the search.
     std::vector<unsigned int> start;
     /// Slip in the load step, s(u) - s_0, and shear force of the state, along
     /// the tangents; initial forces of the iteration. Empty without friction.
@@ -59,15 +59,15 @@ namespace lamella
     bool is_unstable = false;
   };
 
-  /// Active constraints of a linear system with contact: each listed gap or
-  /// slip has an equation for its zero velocity and a force lambda. The force
-  /// of a slipping constraint acts along B_n^T + sum_a c_a B_t,a^T, with the
-  /// rows B_n of the gap and B_t,a of the slips, c = mu e and the shear
-  /// direction e.
+  /// Active constraints of a linear system with contact. The increment of each
+  /// listed gap or slip is prescribed, and its force lambda is unknown. In a
+  /// slipping constraint, normal and shear force act together along B_n^T +
+  /// sum_a c_a B_t,a^T, with the rows B_n of the gap and B_t,a of the slips, c
+  /// = mu e, friction coefficient mu and shear direction e.
   struct ActiveConstraints
   {
     ActiveConstraints() = default;
-    /// Creates the equations of the @p active gaps, without friction.
+    /// Lists the @p active gaps, without friction.
     ActiveConstraints(std::vector<unsigned int> active)
       : numbers(std::move(active))
     {}
@@ -78,7 +78,7 @@ namespace lamella
     std::vector<std::pair<unsigned int, dealii::Tensor<1, 2>>> sliding = {};
   };
 
-  /// Outcome of one round of the active-set search.
+  /// Result of one round of the active-set search, for reports.
   struct Round
   {
     /// Number of active constraints.
@@ -95,8 +95,9 @@ namespace lamella
   {
     /// Penalty factor of NumericalCompliance: a power of ten from 1 to 1000.
     double stiffening = 1.;
-    /// `condensed`: constraints in the compliance (Compliance::row_groups()).
-    /// `full`: one list, the constraints in the matrix pattern.
+    /// CondensedStrategy: constraints in the compliance
+    /// (Compliance::row_groups()). FullStrategy: one list, the constraints in
+    /// the matrix pattern.
     std::vector<std::vector<unsigned int>> rows;
   };
 

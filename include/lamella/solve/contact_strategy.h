@@ -66,13 +66,12 @@ namespace lamella
     ///   K du - C dlambda   = r_u,
     ///   R du + d dlambda   = r_lambda,
     /// with the rows R of the gaps and slips @p closed, the columns C of their
-    /// forces (C^T = R = B_A without friction, the rows of the active
-    /// constraints) and the numerical compliance d >= a. Eliminating dlambda
-    /// gives Eq. 22. @p r_lambda (lengths) and @p dlambda (forces) have one
-    /// entry per number of @p closed; @p r_u (forces) need not be condensed. du
-    /// is zero in prescribed DoFs. The factorization is reused in the next
-    /// call. Throws NumericsError if the system is not positive definite or,
-    /// with slipping constraints, singular.
+    /// forces (C = R^T without friction) and the numerical compliance d.
+    /// @p r_lambda (lengths) and @p dlambda (forces) have one entry per number
+    /// of @p closed; @p r_u (forces) need not be condensed. du is zero in
+    /// prescribed DoFs. The factorization is reused in the next call. Throws
+    /// NumericsError if the system is not positive definite or, with slipping
+    /// constraints, singular.
     virtual void
     solve(const ActiveConstraints &closed,
           const BlockVector       &r_u,
@@ -95,8 +94,8 @@ namespace lamella
       numerical_compliance.increase_penalty();
     }
 
-    /// Returns true if the forces of solve() are as accurate as the compliance.
-    /// False for the matrix K + K^p, where penalties cost digits.
+    /// Returns true if the forces of solve() are accurate before refinement.
+    /// False for FullStrategy, where penalties cost digits.
     virtual bool
     forces_are_accurate() const = 0;
 

@@ -12,16 +12,16 @@
 namespace lamella
 {
   /// Newton's method with Coulomb friction on the displacements and contact
-  /// forces of the whole scene (Eq. 22), for the `full` strategy. With the gap
-  /// g and the slip s - s_0 of a constraint in the load step, the compliance a
-  /// of its law, the numerical compliance d and an estimate lambda_bar of its
-  /// force, let
+  /// forces of the whole scene for the `full` strategy. For each constraint,
+  /// with the gap g, the slip s - s_0 in the load step, the force lambda and
+  /// its estimate lambda_bar, the compliance a of the contact law and the
+  /// numerical compliance d, let
   ///   v = (g, s - s_0) + a lambda + (d - a) (lambda - lambda_bar),
   /// The method is that of Alart and Curnier (Comput. Methods Appl. Mech. Eng.
-  /// 92 (1991) 353-375) for lambda = P(lambda - rho v), with the projection P
-  /// onto the friction cone and a parameter rho, and equilibrium. With the
-  /// trial force z = lambda - rho v, e = z_t / |z_t|, b = mu max(0, z_n) and k
-  /// = b / |z_t|:
+  /// 92 (1991) 353-375) for equilibrium and lambda = P(lambda - rho v), with
+  /// the projection P onto the friction cone and a parameter rho. With the
+  /// trial force z = lambda - rho v, its tangential direction e, b = mu max(0,
+  /// z_n) and k = b / |z_t|, a constraint adds to the stiffness, if it
   ///   open    where z_n <= 0:     lambda = 0;
   ///   sticks  where |z_t| <= b:   v = 0, in K^p (B_n^T B_n + B_t^T B_t) / d;
   ///   slips   otherwise:          v_n = 0, lambda_t along e mu lambda_n, and
@@ -33,7 +33,7 @@ namespace lamella
   /// is shortened if that reduces the natural map |lambda - P(lambda - rho v)|.
   /// The tangential rho is b / |v_t| for a slip v_t: a slip in the direction of
   /// its force then has no trial force, and the constraint sticks before its
-  /// slip reverses. Keeps references to all constructor arguments.
+  /// slip reverses. Keeps references to all arguments.
   class FrictionNewton
   {
   public:
@@ -64,33 +64,34 @@ namespace lamella
       double change;
     };
 
-    /// Trial values v and z of the natural map in all constraints.
+    /// Trial values v and z (class documentation) of all constraints.
     struct Trial
     {
       PointVectors v, z;
-      /// Friction bound mu max(0, z_n), and tangential rho.
+      /// Friction bound mu max(0, z_n), and rho for tangents [force / length].
       std::vector<double>     bound, rho;
       std::vector<PointState> states;
     };
 
-    /// Linearized law of all constraints: the new forces are lambda + change -
-    /// sum of weight B_on du over the terms.
+    /// Linearized contact law: the forces after the displacement increment du
+    /// are lambda + change - sum of weight B_on du over all terms.
     struct Law
     {
       PointVectors             change;
       std::vector<PenaltyTerm> terms;
     };
 
-    /// Reference quantities: rounding of gaps of open constraints, of gaps and
-    /// slips of closed constraints, and of forces; rho [force / length] of
-    /// normals, and whether tangents use the same.
+    /// Values below which quantities are rounding: `closed` for gaps of open
+    /// constraints, `slip_rounding` for gaps and slips of closed ones, `small`
+    /// for forces. rho [force / length] for normals, also for tangents if
+    /// same_rho.
     struct Scales
     {
       double closed = 0., slip_rounding = 0., small = 0., rho = 0.;
       bool   same_rho = false;
     };
 
-    /// Returns the first iterate: forces of the state, no contact reaction.
+    /// Returns the initial iterate: zero increment, forces of the state.
     Iterate
     begin(const ContactProblem &problem);
     Scales
@@ -115,10 +116,11 @@ namespace lamella
                    Law               &law) const;
     Iterate
     step(const ContactProblem &problem, const Iterate &at, const Trial &trial);
-    /// Returns the residual of the natural map in constraint @p r [force].
+    /// Returns lambda - P(lambda - rho v) of constraint @p r [force].
     static dealii::Tensor<1, 3>
     missed(const unsigned int r, const Iterate &at, const Trial &trial);
-    /// Returns the best iterate at fractions of the step @p from - @p to.
+    /// Returns the iterate on the way from @p from to @p to with the smallest
+    /// |lambda - P(lambda - rho v)|.
     Iterate
     shortened(const ContactProblem &problem,
               const Iterate        &from,

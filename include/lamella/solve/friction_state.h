@@ -29,7 +29,7 @@ namespace lamella
     /// Accumulated slip length, and accumulated dissipated energy. A step adds
     /// mu (lambda_n,0 + lambda_n,1) / 2 |v| >= 0 (forces at its ends).
     std::vector<double> length, dissipated;
-    /// Contact gap with the compliance of the law, g + a lambda_n [length].
+    /// Gap including the compliance of the law, g + a lambda_n [length].
     std::vector<double> contact_gap;
     /// Accumulated defect of the contact work of all constraints [energy], per
     /// step
@@ -49,7 +49,8 @@ namespace lamella
     double
     all_dissipated() const;
 
-    /// Returns the state of the constraints @p rows of unloaded bodies.
+    /// Returns the initial variables of the constraints @p rows, all zero but
+    /// for the initial slips and gaps.
     static FrictionState
     unloaded(const GapConstraints &rows);
   };
@@ -62,20 +63,22 @@ namespace lamella
   [[noreturn]] void
   throw_unstable();
 
-  /// Converts a scene vector in the tangent plane into components along the
+  /// Returns the components of the scene vector @p vector along the two
   /// tangents of @p row; in_scene() is the inverse.
   dealii::Tensor<1, 2>
   along_tangents(const GapConstraint &row, const dealii::Tensor<1, 3> &vector);
   dealii::Tensor<1, 3>
   in_scene(const GapConstraint &row, const dealii::Tensor<1, 2> &components);
 
-  /// Returns the slip s(u) of @p row at load factor @p factor by tangents.
+  /// Returns the slip of @p row at displacements @p u and load factor
+  /// @p factor, along its two tangents [length].
   dealii::Tensor<1, 2>
   slip_of(const GapConstraint &row,
           const BlockVector   &u,
           const LoadFactor    &factor);
 
-  /// Adds B^T lambda of @p row, with the forces @p normal and @p shear.
+  /// Adds the contact force of @p row, with normal force @p normal and shear
+  /// force @p shear, to the load vector @p f.
   void
   add_force(const GapConstraint        &row,
             const double                normal,

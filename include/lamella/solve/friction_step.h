@@ -10,19 +10,21 @@
 
 namespace lamella
 {
-  /// Returns the normal and tangential forces of each constraint.
+  /// Returns the force of each constraint: normal component, two tangential
+  /// ones.
   std::vector<dealii::Tensor<1, 3>>
   forces_by_rows(const GapConstraints &rows, const State &state);
 
-  /// Returns the slip v of constraint number @p r in the load step, with the
-  /// compliance of its law (FrictionState).
+  /// Returns the slip of constraint number @p r in the load step, s + a
+  /// lambda_t - s_0 (FrictionState) [length].
   dealii::Tensor<1, 2>
   slip_in_step(const GapConstraint &row,
                const unsigned int   r,
                const State         &state,
                const LoadFactor    &factor);
 
-  /// Adds the slips and shear forces of @p state to its @p problem.
+  /// Sets slips, shear forces and initial forces of @p problem from @p state at
+  /// load factor @p factor.
   void
   add_friction(const GapConstraints &rows,
                const State          &state,
@@ -35,7 +37,8 @@ namespace lamella
                const ContactSolution &found,
                State                 &state);
 
-  /// Returns the active gaps and slips of @p state as equations.
+  /// Returns the active gaps, and sticking and slipping constraints, of
+  /// @p state.
   ActiveConstraints
   active_equations(const GapConstraints &rows, const State &state);
 
@@ -48,22 +51,24 @@ namespace lamella
              State                   &state);
 
   /// Returns the friction error of the active constraint @p r in @p state
-  /// [length]: |v| if it sticks, |v + |v| e| if it slips with shear along e.
+  /// [length]: |v| if it sticks, |v + |v| e| if it slips, with the slip v =
+  /// slip_in_step() and the unit vector e along the shear force.
   double
   friction_error(const GapConstraint &row,
                  const unsigned int   r,
                  const State         &state,
                  const LoadFactor    &factor);
 
-  /// Updates FrictionState at the end of the step from @p before to @p state.
+  /// Updates the friction variables of @p state at the end of a load step from
+  /// @p before: slips, slip lengths and dissipated energy.
   void
   end_step(const GapConstraints &rows,
            const State          &before,
            const LoadFactor     &factor,
            State                &state);
 
-  /// Updates FrictionState at the end of a load step of moving contacts, whose
-  /// slips are zero at the beginning of the next step.
+  /// Updates the friction variables as end_step() does for moving contacts,
+  /// whose slips are zero at the beginning of each load step.
   void
   end_moved_step(const GapConstraints &rows,
                  const State          &before,

@@ -8,21 +8,21 @@
 
 namespace lamella
 {
-  /// Newton's method of the paper on the displacements and contact forces of
-  /// the whole scene. At (u, lambda) a constraint is active if
+  /// Newton's method on the displacements u and contact forces lambda of the
+  /// whole scene. A constraint with gap g and law compliance a is active if
   ///   lambda - (g(u) + a lambda) / d > 0
   /// (semi-smooth Newton or primal-dual active set method; for penalties, where
   /// d = a, this is g < 0), and the step is
   ///   (K + K^p) du = r_u + B_A^T r_lambda / d,   K^p = B_A^T diag(1/d) B_A,
   ///   dlambda      = (r_lambda - B_A du) / d
-  /// (Eqs. 22 and 23) with the rows B_A of the active constraints, the
-  /// numerical compliance d and the residuals r_u and r_lambda = -(g(u) + a
-  /// lambda) at the state. Each round factorizes the matrix of the whole scene
-  /// (PenaltyMatrix) and uses the previous forces as estimates. Globalization:
-  /// tensile constraints are deactivated; of the penetrating ones, those with
-  /// the deepest penetration are activated, at most eight or as many as are
-  /// active. If an active set occurs again, the step ends at the lowest energy
-  /// along it. FrictionNewton solves problems with friction.
+  /// with the rows B_A of the active constraints, the numerical compliance d
+  /// and the residuals r_u of equilibrium and r_lambda = -(g(u) + a lambda).
+  /// Each round factorizes the matrix of the whole scene (PenaltyMatrix) and
+  /// uses the previous forces as estimates. Globalization: tensile constraints
+  /// are deactivated; of the penetrating ones, those with the deepest
+  /// penetration are activated, at most eight or as many as are active. If an
+  /// active set occurs again, the step ends at the lowest energy along it.
+  /// FrictionNewton solves problems with friction.
   class FullStrategy : public ContactStrategy
   {
   public:
@@ -79,7 +79,7 @@ namespace lamella
       std::vector<unsigned int> active;
     };
 
-    /// Returns the initial forces and active set, undisplaced.
+    /// Returns the initial forces and active set, with a zero increment.
     Iterate
     begin(const ContactProblem &problem) const;
     /// Performs the Newton step with the active constraints of @p at; all
@@ -93,14 +93,15 @@ namespace lamella
     /// Returns true if constraint @p row is active and not tensile.
     static bool
     stays_active(const Iterate &at, const unsigned int row);
-    /// Returns tensile active ones, and inactive overlaps above @p closed.
+    /// Returns the tensile active constraints, and the inactive ones whose
+    /// overlaps() exceed @p closed [length].
     static Round
     violating_rows(const Iterate             &at,
                    const std::vector<double> &overlap,
                    const double               closed);
-    /// Returns the next active set, ascending: active ones without tension, and
-    /// the largest overlaps above @p closed, at most eight or as many as
-    /// active.
+    /// Returns the next active set, ascending: active constraints without
+    /// tension, and those with the largest overlaps() above @p closed, at most
+    /// eight or as many as are active.
     static std::vector<unsigned int>
     next_active_set(const Iterate             &at,
                     const std::vector<double> &overlap,
@@ -113,7 +114,7 @@ namespace lamella
                         const double          t) const;
     /// Returns the minimum of the convex energy along the step from @p from to
     /// @p to, by bisection to 1 % of the initial work. Used if the active set
-    /// of @p to occurred before. So no set recurs forever.
+    /// of @p to occurred before, to prevent cycles.
     Iterate
     energy_minimum(const ContactProblem &problem,
                    const Iterate        &from,

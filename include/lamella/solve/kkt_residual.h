@@ -25,13 +25,14 @@ namespace lamella
     /// Resultant contact force on the second side, and its moment about the
     /// scene origin, from the work on rigid motions: exact.
     dealii::Tensor<1, 3> force, moment;
-    /// Contributions of the constraints, which sum to the resultant.
+    /// Force and moment of each constraint; their sum is the resultant.
     std::vector<Wrench> of_rows;
     /// Point on the line of action nearest to the mean of the active points.
     dealii::Point<3> center_of_pressure;
-    /// |sum of the forces on both bodies| over the sum of forces: rounding.
+    /// Norm of the sum of the contact forces on both bodies over the sum of
+    /// their norms; zero up to rounding.
     double imbalance = 0.;
-    /// Largest penetration -g; by design F / eps for penalty.
+    /// Largest penetration -g [length]; for penalty, force over penalty eps.
     double max_penetration = 0.;
     /// Smallest force of an active constraint; zero if none is active.
     double min_force = 0.;
@@ -40,14 +41,15 @@ namespace lamella
     /// Largest |g + a lambda| of active constraints and -g of inactive ones
     /// [length], with a = 1/eps for penalty, else zero.
     double law_error = 0.;
-    /// Difference between the initial weighted gaps of active constraints and
-    /// the gaps at their points: curvature that the mesh does not resolve.
+    /// Largest difference between the initial weighted gap of an active
+    /// constraint and the gap at its point [length]. It is large if the mesh
+    /// does not resolve the curvature of the surfaces.
     double unresolved_curvature = 0.;
     /// Friction: resultant shear force on the second side; areas of sticking
     /// and slipping constraints [length^2]; dissipated energy.
     dealii::Tensor<1, 3> shear;
     double               sticking = 0., slipping = 0., dissipated = 0.;
-    /// Largest relative violation of law, tension and complementarity.
+    /// Largest of law_error, tension and complementarity, each relative.
     double violation = 0.;
   };
 
@@ -63,7 +65,7 @@ namespace lamella
                      const unsigned int    contact,
                      const State          &state);
 
-    /// Returns lambda_t of constraint @p k on the second side, or zero.
+    /// Returns the shear force of constraint @p k on the second side, or zero.
     dealii::Tensor<1, 3>
     shear_of(const unsigned int k) const
     {
@@ -84,8 +86,8 @@ namespace lamella
 
   /// Returns the residuals of the contact law of @p contact with @p forces at
   /// the displacements @p u and load factor @p factor. Adds the contact forces
-  /// to @p on_body, one entry per body. Gaps are over the largest
-  /// @p displacement.
+  /// to @p on_body, one entry per body. For `violation`, gaps are divided by
+  /// the largest @p displacement.
   KktResidual
   check_contact(const ContactInterface  &contact,
                 const ConstraintForces  &forces,

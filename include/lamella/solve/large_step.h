@@ -38,7 +38,8 @@ namespace lamella
     resume_from(const State &last, const LoadFactor &factor) override;
 
   private:
-    /// Returns the start of the path from @p before at @p from to @p to.
+    /// Returns the initial equilibrium of a step: @p before at load factor
+    /// @p from, or the unloaded state if empty, for a step to @p to.
     Equilibrium
     make_start(const State      &before,
                const LoadFactor &from,
@@ -46,7 +47,8 @@ namespace lamella
 
     const Structure &structure;
     Newton           newton;
-    /// Displacements of the last state, at which the contact constraints are.
+    /// Displacements of the last state, to which contact constraints are
+    /// updated.
     BlockVector            reached;
     const unsigned int     n_supports;
     const SolveParameters &parameters;

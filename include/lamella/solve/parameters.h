@@ -69,7 +69,8 @@ namespace lamella
     /// forces, displacements and dissipation change by less than `tolerance`.
     unsigned int number    = 1;
     double       tolerance = 0.01;
-    /// Substeps of each load step, from another run; replaces `number`.
+    /// Number of substeps of each load step, from another run; replaces
+    /// `number`.
     std::vector<unsigned int> each = {};
     /// Largest number of automatic substeps.
     static constexpr unsigned int most = 64;
@@ -84,18 +85,18 @@ namespace lamella
     Rotations               rotations   = Rotations::undefined;
     StressAxes              stress_axes = StressAxes::material;
     Strategy                strategy    = Strategy::undefined;
-    /// Parameters of ContactSolver, of which a scene sets the iterations only.
+    /// Parameters of ContactSolver; a scene file sets max_iterations only.
     SolverParameters loop;
     NewtonParameters newton;
     /// Linear solver for the stiffness of a body in the condensed strategy.
     SolverKind solver = SolverKind::automatic;
     /// Memory limit in bytes per machine; 0 for the available memory.
     double memory_limit = 0.;
-    /// Largest rotation permitted in linear kinematics (Eq. 5) [rad].
+    /// Rotation above which a linear solution is rejected [rad].
     double     rotation_limit = 0.;
     OutOfRange beyond_linear  = OutOfRange::refuse;
     /// True if effects of large deflections are estimated and units are
-    /// checked; false for models of error estimates.
+    /// checked; false for auxiliary models, solved only for error estimates.
     bool computes_estimates = true;
 
     /// Declares the entries with their defaults and documentation.

@@ -24,12 +24,13 @@ namespace lamella
   double
   inner_product(const PointVectors &x, const PointVectors &y);
 
-  /// Returns the largest absolute component.
+  /// Returns the largest absolute component of all points.
   double
   largest_component(const PointVectors &x);
 
-  /// The dense compliance W = B K^-1 B^T of contact points, with consecutive
-  /// rows of each point, for the normal and up to two tangents.
+  /// The dense compliance W of contact points: gaps and slips per unit force
+  /// [length / force]. Each point has consecutive rows, one for its normal and
+  /// up to two for tangents.
   struct PointCompliance
   {
     /// First row of each point, and the total number of rows.
@@ -64,17 +65,17 @@ namespace lamella
       return matrix[std::size_t(j) * n_rows() + i];
     }
 
-    /// Converts between vectors by rows and by points.
+    /// Convert between a vector of rows of W and a vector of points.
     PointVectors
     by_points(const std::vector<double> &rows) const;
     std::vector<double>
     by_rows(const PointVectors &points) const;
 
-    /// Returns W lambda.
+    /// Returns W lambda, the gaps and slips due to the forces @p lambda.
     PointVectors
     times(const PointVectors &lambda) const;
 
-    /// Adds W times the force @p change at @p point to @p v.
+    /// Adds the gaps and slips due to the force @p change at @p point to @p v.
     void
     add_of_point(const unsigned int          point,
                  const dealii::Tensor<1, 3> &change,

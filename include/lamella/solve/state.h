@@ -33,10 +33,11 @@ namespace lamella
     /// History of each contact at finite rotations, for the rows of `force`.
     std::vector<ContactHistory> pairings;
 
-    /// Offsets of the stabilizing springs; empty: no spring force at u = 0.
+    /// Offsets of the stabilizing springs; if empty, their forces vanish at u =
+    /// 0.
     SpringOffsets rest;
 
-    /// Rounds of the active-set search, summed over all releases of springs.
+    /// Rounds of the active-set search, including release_springs().
     unsigned int iterations = 0;
     /// Relative maximum norm of each correction, without contact and with
     /// contact. The first of `free_corrections` (the solution itself is not
