@@ -56,8 +56,7 @@ namespace lamella
   /// nearly collinear (at 5 degrees the gap along their average is off by
   /// 1e-3), and sliding at most a tenth of the point spacing. Considers the
   /// active constraints @p active at the displacements @p u and load factor
-  /// @p factor. At most one sentence each on sliding and normals gives the
-  /// worst point.
+  /// @p factor.
   std::vector<std::string>
   assumption_warnings(const ContactInterface          &interface,
                       const Bodies                    &bodies,

@@ -30,9 +30,8 @@ namespace lamella
   ///
   /// If the previous projection @p last is known, its facet is used again as
   /// long as the projection is at most 5 % of the facet length outside a side
-  /// with an adjacent facet. This avoids jumps between facets with different
-  /// normals. Beyond a side without an adjacent facet there is no projection,
-  /// except within 1 % in the direction of the beam axis.
+  /// with an adjacent facet. Beyond a side without an adjacent facet there is
+  /// no projection, except within 1 % in the direction of the beam axis.
   std::optional<SurfaceHit>
   closest_point_projection(const MeshSurface          &surface,
                            const dealii::Point<3>     &x,

@@ -62,9 +62,9 @@ namespace lamella
   /// Each constraint linearizes its gap at the state of the last move(),
   ///   g(v, s) = g_0 + b . v + s g_rate,  b = dg/du,
   /// with displacements v and load factor s; there, GapConstraint::gap() is the
-  /// exact gap. Initially the undeformed bodies are paired with the constraints
-  /// of linear kinematics (make_interface()). For small rotations and small
-  /// sliding, pair() is called once and move() never.
+  /// exact gap. Initially the undeformed bodies are paired (make_interface()).
+  /// For small rotations and small sliding, these constraints remain valid:
+  /// move() is not called.
   ///
   /// Constraint numbers change in pair() only. Contact points are stored by
   /// undeformed positions, normals are current. Keeps references to the bodies

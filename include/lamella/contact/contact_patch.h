@@ -29,15 +29,11 @@ namespace lamella
   /// (SlaveSurface::lines()). On a line, a run is a sequence of adjacent points
   /// with a force. On either side the loaded area ends at
   /// - the last point of the run if the contact ends there;
-  /// - else the zero s* of the pressure p(s), from moments of the forces about
-  ///   points s_b of the run. As the multiplier functions reproduce linear
-  ///   functions, M_b = sum lambda_i max(0, s_i - s_b) = int p max(0, s - s_b)
-  ///   ds, and where p falls as the root of s* - s, as at the edge of Hertzian
-  ///   contact, M_b grows as (s* - s_b)^(5/2). The moments M_2 and M_4 about
-  ///   s_2 and s_4, two and four points inside the edge (a fourth and half of a
-  ///   shorter run), give s* = (r s_2 - s_4) / (r - 1), r = (M_4 / M_2)^(2/5),
-  ///   limited to the interval from the last but one loaded point to the first
-  ///   open point;
+  /// - else the zero s* of the pressure p(s), extrapolated as at the edge of
+  ///   Hertzian contact, where p falls as the root of s* - s. The moments M_b =
+  ///   sum lambda_i max(0, s_i - s_b) about points s_b then grow as (s* -
+  ///   s_b)^(5/2). M_2 and M_4 about the points two and four inside the edge
+  ///   give s* = (r s_2 - s_4) / (r - 1), r = (M_4 / M_2)^(2/5);
   /// - midway between the last loaded and the first open point if the run has
   ///   fewer than four points or the pressure does not fall towards its edge.
   ///

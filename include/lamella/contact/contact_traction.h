@@ -26,11 +26,9 @@ namespace lamella
   /// meshes. With friction, the shear forces lambda_t,i on the second side give
   /// the shear traction q(x) in the same way.
   ///
-  /// For nodal contact, the forces act at nodes. The moment of p n_i differs
-  /// from the moment of these forces by O(h^2); the difference is added as a
-  /// couple distributed like the force. Contact points without a facet have
-  /// point forces. All evaluations of pressure between contact points, or in a
-  /// part of the contact, use this class.
+  /// For nodal contact, the moment of p n_i differs from that of the nodal
+  /// forces by O(h^2); the difference is added as a distributed couple. Contact
+  /// points without a facet have point forces.
   class ContactTraction
   {
   public:

@@ -54,10 +54,9 @@ namespace lamella
   /// MasterPoints::projected replaces the opposite points in @p points by
   /// closest-point projections within @p search_radius [length], and omits
   /// points without a projection. The gap is g = n_2 . (x_1 - x_2) with the
-  /// exact gradient n . (delta x_2 - delta x_1), n = -n_2; averages of
-  /// gradients are gradients of averages, since the weights are constant.
-  /// MasterPoints::paired uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 -
-  /// x_1); this gradient is exact if x_2 - x_1 is along n.
+  /// exact gradient n . (delta x_2 - delta x_1), n = -n_2. MasterPoints::paired
+  /// uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 - x_1); this gradient
+  /// is exact if x_2 - x_1 is along n.
   ///
   /// If @p held, the reference points of the beginning of the step, are given,
   /// computes slips, and adds reference points for newly facing points.

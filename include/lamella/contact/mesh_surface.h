@@ -167,11 +167,9 @@ namespace lamella
              const dealii::Tensor<1, 3> &normal) const;
 
     /// Returns the intersection of the line x + t d with facet number @p facet,
-    /// with d against its outward normal. Newton's method solves for the
-    /// components of X(s, t) - x normal to d, from the center; an affine facet
-    /// takes one step. Empty if the line misses the bounding ball, if the
-    /// iteration diverges from the facet, or if d enters the body by neither
-    /// the facet normal nor the smooth normal.
+    /// where it enters the body. Newton's method starts from the center. Empty
+    /// if the line misses the facet, or enters the body by neither the facet
+    /// normal nor the smooth normal.
     std::optional<SurfaceHit>
     intersect_facet(const unsigned int          facet,
                     const dealii::Point<3>     &x,

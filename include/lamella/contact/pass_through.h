@@ -31,9 +31,7 @@ namespace lamella
   /// states: a node of either surface that was outside the other body, or
   /// overlapped by at most the depth of a cell, now overlaps by more, where
   /// pairing does not search (exceeds_cell_depth()). A node that moved around
-  /// an end also counts if it has a projection in both states; shorter load
-  /// steps distinguish this case. Projections are searched within the approach
-  /// of the surfaces plus the largest cell depth.
+  /// an end also counts if it has a projection in both states.
   bool
   passes_through(const ContactSides &before, const ContactSides &after);
 

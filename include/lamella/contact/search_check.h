@@ -46,10 +46,8 @@ namespace lamella
     /// and load factor @p factor: if the gap of the additional constraint is
     /// below zero by more than 1e-9 of the displacements, or if its existing
     /// constraint is in @p active (ascending numbers within the contact). The
-    /// message gives the required search distance. The search radius grows by 2
-    /// sqrt(3) times the largest component of @p u, since both surfaces may
-    /// approach, and by the motion of the obstacle, up to
-    /// automatic_search_distance(). Surfaces that cannot be paired are skipped.
+    /// message gives the required search distance. The search radius grows with
+    /// @p u and the motion of the obstacle, up to automatic_search_distance().
     void
     check(const ContactInterface          &interface,
           const BlockVector               &u,

@@ -173,9 +173,8 @@ namespace lamella
 
   /// Returns the intersection (s, t) of the line x + t d, with unit vector
   /// @p d, and a facet with the map @p map, up to 1e-7 outside the unit square.
-  /// Newton's method solves for the components of X(s, t) - x normal to d, from
-  /// the center; an affine map takes one step. Empty if the line misses the
-  /// facet or the iteration diverges from it.
+  /// Newton's method starts from the center. Empty if the line misses the
+  /// facet.
   std::optional<dealii::Point<2>>
   line_intersection(const FacetMap             &map,
                     const dealii::Point<3>     &x,

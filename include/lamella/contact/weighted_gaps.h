@@ -20,24 +20,21 @@ namespace lamella
   ///   p = sum_i (lambda_i / A_i) phi_i,
   /// positive everywhere if all forces are.
   ///
-  /// Integrands have kinks between master facets. Each cell is therefore cut in
-  /// its chord plane into segments with the facets opposite, and the segments
-  /// into triangles with Gauss points: exact to rounding if both sides are
-  /// flat. The weights of a gap are the mortar integrals
+  /// Integrands have kinks between master facets. Each cell is therefore cut
+  /// into segments with the facets opposite (cut()). The weights of a gap are
+  /// the mortar integrals
   ///   w_j = 1/A_i int phi_i psi_j n dA,   v_k = 1/A_i int phi_i chi_k n dA
   /// with the trace functions psi_j of the slave and chi_k of the master side.
   /// Both sum to the same average normal: action equals reaction.
   ///
-  /// - A segment faces the other side if its centroid does within the search
-  ///   radius. If several facets are opposite, the nearest counts.
+  /// - A segment faces the other side if its centroid does. If several facets
+  ///   are opposite, the nearest counts.
   /// - Points behind the other side by more than the depth of the cells are
   ///   omitted and returned in Gaps::deep_penetrations.
   /// - A node is unpaired if its hat function faces the other side on less than
   ///   1e-12 of its integral.
-  /// - The hat function of a hanging node is distributed in halves to the nodes
-  ///   between which it hangs; it has no gap of its own.
-  /// - Against an obstacle there are no kinks: cells have Gauss points, two
-  ///   degrees higher, and there are no master weights.
+  /// - The hat function of a hanging node is added in halves to its end nodes.
+  /// - Against an obstacle, cells are not cut, and there are no master weights.
   ///
   /// Gaps are in the order of the slave grid nodes.
   Gaps

@@ -24,9 +24,8 @@ namespace lamella
   /// as long as the constraint is active: a contact problem whose S has a
   /// Cholesky factor. If a constraint opens, x has an error due to the spring
   /// force, which the next iteration corrects. rho is a fraction of the penalty
-  /// eps; a smaller fraction leaves less rounding in the forces. Constraints
-  /// without a penalty law keep their numerical penalty. If S is definite, the
-  /// state is stable as long as these constraints are active.
+  /// eps. If S is definite, the state is stable as long as these constraints
+  /// are active.
   class ActiveConstraintShift
   {
   public:

@@ -26,8 +26,7 @@ namespace lamella
     /// springs), over the largest single force, or couple over body size.
     double force_balance = 0.;
     /// Largest sum of all moments about the center of a body, relative to its
-    /// size times the reference force of `force_balance`. It contains errors of
-    /// lever arms and of rotations that a contact constraint does not follow.
+    /// size times the reference force of `force_balance`.
     double moment_balance = 0.;
     /// Equilibrium residual |G^T (t f + B^T lambda - internal)| / |internal| in
     /// the maximum norm, with external loads t f, contact forces B^T lambda,

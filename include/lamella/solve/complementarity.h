@@ -42,15 +42,11 @@ namespace lamella
   /// First, block principal pivoting is used: constraints with lambda_i < 0 are
   /// deactivated, those with s_i < 0 activated (Kostreva, 1978; the primal-dual
   /// active set method). If it does not converge in ten rounds, an
-  /// interior-point method finds the set in 10 to 25 iterations, independent of
-  /// the size (Mehrotra, 1992), and pivoting finishes. If the number of wrong
-  /// constraints then does not fall for three rounds, only the one with the
-  /// largest index changes (Murty's rule), which cannot cycle for a positive
-  /// definite M (Judice and Pires, 1994). After 10 n + 100 sets, the last is
-  /// returned.
+  /// interior-point method (Mehrotra, 1992) finds a better start. If the number
+  /// of wrong constraints then does not fall for three rounds, only the one
+  /// with the largest index changes (Murty's rule; Judice and Pires, 1994).
+  /// After 10 n + 100 sets, the last is returned.
   ///
-  /// M and q are scaled initially. A lambda_i that is zero, or negative by
-  /// rounding, deactivates its constraint, which changes s_i by rounding only.
   /// Costs in operations: |A|^3 / 3 for the Cholesky factor of a set and n |A|
   /// for s; n^3 / 3 for an interior-point iteration. Throws NumericsError if a
   /// factorized block of M is not positive definite. Not collective.

@@ -26,16 +26,13 @@ namespace lamella
   /// The active set is found by constraint generation. In each round, the
   /// complementarity problem of the working set is solved exactly
   /// (solve_complementarity()), and the gaps of all other constraints are
-  /// evaluated. Those that penetrate most are added: at most as many as the set
-  /// has, or eight if these are more. So a set of eight or more at most doubles
-  /// in a round. Constraints without penalty whose gap closes without a force
-  /// are added once, at the end. If most of the set is idle (open), as in a
-  /// stack of bodies that close one after the other, idle constraints are
-  /// removed, each at most once. The search terminates since the energy grows
-  /// in every round: a removed constraint has no force, and one that is added
-  /// again stays. Dependent constraints (more contact points than surface DoFs)
-  /// share the force as in the least-squares solution. For n constraints, a
-  /// round costs a few dense factorizations (n^3 / 3) and gaps.
+  /// evaluated. Those that penetrate most are added: at most eight, or as many
+  /// as the set has. Constraints without penalty whose gap closes without a
+  /// force are added once, at the end. If most of the set is idle (open), idle
+  /// constraints are removed, each at most once. Dependent constraints (more
+  /// contact points than surface DoFs) share the force as in the least-squares
+  /// solution. A round costs a few dense factorizations, n^3 / 3 operations for
+  /// n constraints.
   class CondensedStrategy : public ContactStrategy
   {
   public:

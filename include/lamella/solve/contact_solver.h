@@ -59,9 +59,8 @@ namespace lamella
   ///
   /// Iterative refinement: the residuals of both equations are evaluated at the
   /// state, f_int from strains (Structure::residual()), and corrected with the
-  /// factorization of the strategy. The residuals determine the accuracy, the
-  /// matrix only the rate of convergence. Keeps references to the structure and
-  /// the gap constraints. Collective, with equal arguments.
+  /// factorization of the strategy. Keeps references to the structure and the
+  /// gap constraints. Collective, with equal arguments.
   class ContactSolver
   {
   public:
@@ -90,22 +89,17 @@ namespace lamella
 
     /// Returns the solution with contact, starting from @p free, the result of
     /// solve_free() at the same @p factor, and from the forces and active set
-    /// of the @p previous load step, if any. The problem is convex: the start
-    /// affects the number of rounds only. Displacements and gaps are unique,
-    /// and so are forces if the constraints are independent. Returns @p free if
-    /// no constraint penetrates there. Throws NumericsError, naming the
-    /// constraints that still change, if the active set does not converge.
+    /// of the @p previous load step, if any. Without friction the start affects
+    /// the number of rounds only. Returns @p free if no constraint penetrates
+    /// there. Throws NumericsError, naming the constraints that still change,
+    /// if the active set does not converge.
     ///
     /// Each round determines the active set for the current estimates of the
-    /// forces, refines the state, and checks the contact law. In each
-    /// refinement and round of `exact` and `augmented lagrangian`, the current
-    /// forces are the estimates (proximal point iteration, method of
-    /// multipliers). The loop ends if no active constraint is tensile, no
+    /// forces (method of multipliers), refines the state, and checks the
+    /// contact law. The loop ends if no active constraint is tensile, no
     /// inactive constraint penetrates beyond rounding, and active constraints
     /// satisfy the law to law_tolerance, or to weak_law_tolerance after a slow
-    /// round. A round counts as one or more of the max_iterations. Convergence:
-    /// the forces solve a strictly convex problem, refinement changes only the
-    /// estimates, and each proximal step reduces the distance to the solution.
+    /// round.
     State
     solve_contact(const State      &free,
                   const LoadFactor &factor,
@@ -115,11 +109,9 @@ namespace lamella
     /// the stabilizing springs. Each round solves with spring offsets at the
     /// previous state (proximal point method). The spring forces decrease by
     /// the factor s / (s + k), with the stiffness s of the springs and k of the
-    /// contact that constrains the body. Ends if the offsets change by less
-    /// than 1e-12 of the displacements, or the spring forces are below 1e-13 of
-    /// the largest load or contact force. Throws NumericsError after 60 rounds:
-    /// the body is unconstrained, or the springs are too stiff; the message
-    /// then gives the Stabilization to use.
+    /// contact that constrains the body. Throws NumericsError after
+    /// max_releases rounds: the body is unconstrained, or the springs are too
+    /// stiff.
     State
     release_springs(State state, const LoadFactor &factor);
 

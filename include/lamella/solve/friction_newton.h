@@ -21,19 +21,18 @@ namespace lamella
   /// 92 (1991) 353-375) for equilibrium and lambda = P(lambda - rho v), with
   /// the projection P onto the friction cone and a parameter rho. With the
   /// trial force z = lambda - rho v, its tangential direction e, b = mu max(0,
-  /// z_n) and k = b / |z_t|, a constraint adds to the stiffness, if it
+  /// z_n) and k = b / |z_t|, a constraint is in one of three states:
   ///   open    where z_n <= 0:     lambda = 0;
   ///   sticks  where |z_t| <= b:   v = 0, in K^p (B_n^T B_n + B_t^T B_t) / d;
   ///   slips   otherwise:          v_n = 0, lambda_t along e mu lambda_n, and
   ///                               across it w (-s), w = k rho / (1 - k + k rho
   ///                               d):
   ///     B_n^T B_n / d + (mu / d) B_e^T B_n + w B_x^T B_x,
-  /// an unsymmetric contribution, with the rows B_n of the gap, B_t of the
-  /// slips, B_e along e and B_x across it. After some steps, every fourth step
-  /// is shortened if that reduces the natural map |lambda - P(lambda - rho v)|.
-  /// The tangential rho is b / |v_t| for a slip v_t: a slip in the direction of
-  /// its force then has no trial force, and the constraint sticks before its
-  /// slip reverses. Keeps references to all arguments.
+  /// where the last line is its unsymmetric contribution to the stiffness, with
+  /// the rows B_n of the gap, B_t of the slips, B_e along e and B_x across it.
+  /// After some steps, every fourth step is shortened if that reduces |lambda -
+  /// P(lambda - rho v)|. The tangential rho is b / |v_t| for a slip v_t. Keeps
+  /// references to all arguments.
   class FrictionNewton
   {
   public:

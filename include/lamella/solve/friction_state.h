@@ -31,12 +31,10 @@ namespace lamella
     std::vector<double> length, dissipated;
     /// Gap including the compliance of the law, g + a lambda_n [length].
     std::vector<double> contact_gap;
-    /// Accumulated defect of the contact work of all constraints [energy], per
+    /// Accumulated error of the energy balance of all constraints [energy], per
     /// step
     ///   - mean lambda . (change of (g, s) + a lambda) - dissipated,
-    /// with the mean of the forces at the beginning and end of the step. For
-    /// linear bodies, external work = strain energy + penalty energy a
-    /// |lambda|^2 / 2 + dissipation + this defect.
+    /// with the mean of the forces at the beginning and end of the step.
     double path_gap = 0.;
 
     bool
@@ -49,8 +47,8 @@ namespace lamella
     double
     all_dissipated() const;
 
-    /// Returns the initial variables of the constraints @p rows, all zero but
-    /// for the initial slips and gaps.
+    /// Returns the initial variables of the constraints @p rows, zero except
+    /// the initial gaps.
     static FrictionState
     unloaded(const GapConstraints &rows);
   };

@@ -12,8 +12,7 @@ namespace lamella
   /// Estimate of the memory of matrices before assembly and of factors before
   /// factorization, compared with the free memory of the machine or a limit.
   /// Throws InputError on all processes if the memory is insufficient. A matrix
-  /// takes 24 bytes per nonzero (value, column, initial pattern, and the half
-  /// in the format of the solver), distributed evenly over the processes; the
+  /// takes 24 bytes per nonzero, distributed evenly over the processes; the
   /// size of a factor follows from its symbolic analysis. The memory of all
   /// processes on a machine is summed. Collective.
   class MemoryBudget

@@ -89,26 +89,21 @@ namespace lamella
   /// contact forces lambda, gaps g(u, t) >= 0 and their gradient B, free DoFs v
   /// with their expansion G, and prescribed displacements u_p.
   ///
-  /// Each iteration linearizes forces (tangent K) and gaps (B), and solves the
-  /// resulting contact problem for the total contact forces as for linear
-  /// bodies (ContactStrategy::solve()). K omits the derivative of B. The first
-  /// iteration applies support motion as forces K du_p, since otherwise only
-  /// elements at supports would deform. Obstacles move along initial normals.
+  /// Each iteration linearizes forces (tangent K, without the derivative of B)
+  /// and gaps, and solves the resulting contact problem for the total contact
+  /// forces (ContactStrategy::solve()). The first iteration applies support
+  /// motion as forces K du_p.
   ///
   /// The geometric part of K uses the stress predicted by the last correction
-  /// (FiniteStrainSectionOperator): a cantilever that rolls up in one step
-  /// takes 7 instead of 17 iterations. If a step fails, it is repeated with the
-  /// actual stress, then bisected. Stabilizing springs contribute to K only:
-  /// they have no force at the iterate, and limit corrections of motions that
-  /// only contact restrains.
+  /// (FiniteStrainSectionOperator). If a step fails, it is repeated with the
+  /// actual stress, then bisected. Stabilizing springs contribute to K only;
+  /// they have no force at the iterate.
   ///
   /// Iterations end if forces balance, gaps satisfy the law, and no unpaired
   /// surfaces are in contact; unpaired surfaces in contact are paired anew. The
-  /// Cholesky factor of K then proves a minimum of the energy. (Couples have an
-  /// energy in plane motion only; a positive definite symmetric part of K is
-  /// sufficient for stability.) For bodies supported by an obstacle only, K is
-  /// regularized by ActiveConstraintShift. Keeps references to structure and
-  /// contacts. Collective.
+  /// state is stable if K is then positive definite. For bodies supported by an
+  /// obstacle only, K is regularized by ActiveConstraintShift. Keeps references
+  /// to structure and contacts. Collective.
   class Newton
   {
   public:

@@ -14,8 +14,7 @@ namespace lamella
   struct State;
 
   /// Estimates of the nonlinear effects that a solution of the linear model
-  /// neglects, from that model alone. Stiffening grows with the square of small
-  /// loads, the inverse buckling factor linearly.
+  /// neglects, from that model alone.
   struct NonlinearityEstimate
   {
     /// Relative stiffening r = 2 U(s_m) / U, the largest of all bodies with a
@@ -32,9 +31,8 @@ namespace lamella
     /// stiffness K_G of the stresses s_0 (linear) and s_m (SecondOrder) and
     /// fixed active constraints. The state buckles at lambda times the loads if
     /// stresses grow in proportion. Error: 5 % above 10, much less below. Empty
-    /// if it is above 100, if there is no compression, if the stiffening is
-    /// above 1, and above the limit of short waves in the material
-    /// (SecondOrder::largest_short_wave_ratio()).
+    /// if it is above 100 or above SecondOrder::largest_short_wave_ratio(), if
+    /// there is no compression, or if `stiffening` is above 1.
     std::optional<double> buckling_factor;
     /// Index of the body with the largest energy in the buckling mode.
     unsigned int buckled = 0;
@@ -49,8 +47,8 @@ namespace lamella
   /// Returns the estimates for @p state, whose bodies have the strain energies
   /// @p energies. @p solver, which has solved the state, solves linear systems
   /// with the active constraints: one for the membrane stress, and one for each
-  /// Lanczos step with K^-1 K_G in the inner product of K, usually 5 to 8 and
-  /// at most 30. Modes restrained by springs only are excluded. Collective.
+  /// of at most 30 Lanczos steps. Modes restrained by springs only are
+  /// excluded. Collective.
   NonlinearityEstimate
   beyond_linear(const Structure           &structure,
                 ContactSolver             &solver,

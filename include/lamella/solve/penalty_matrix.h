@@ -41,13 +41,11 @@ namespace lamella
   /// B_A of the active constraints, each with its compliance d [length /
   /// force]. With friction it is not symmetric (FrictionNewton).
   ///
-  /// K and K^p are assembled through the supports' AffineConstraints into a
-  /// Trilinos matrix. Its pattern includes all constraints that were ever
-  /// active and is analyzed again when constraints are added. MUMPS factorizes
-  /// it on all processes whenever the terms of K^p change. A hard penalty costs
-  /// digits, since K is lost in the rounding of K^p: see warnings(). Each
-  /// process owns a contiguous part of the DoFs of all bodies, and these matrix
-  /// rows. Keeps references to structure and constraints. Collective.
+  /// The sparsity pattern of the Trilinos matrix includes all constraints that
+  /// were ever active. MUMPS factorizes it on all processes whenever the terms
+  /// of K^p change. A hard penalty costs digits: see warnings(). Each process
+  /// owns the matrix rows of a contiguous part of the DoFs. Keeps references to
+  /// structure and constraints. Collective.
   class PenaltyMatrix
   {
   public:
