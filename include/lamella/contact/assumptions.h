@@ -54,9 +54,8 @@ namespace lamella
   /// of small-sliding contact, where constraints pair the initially facing
   /// points along the initial normals. The normals of an active pair should be
   /// nearly collinear (at 5 degrees the gap along their average is off by
-  /// 1e-3), and sliding at most a tenth of the point spacing. Considers the
-  /// active constraints @p active at the displacements @p u and load factor
-  /// @p factor.
+  /// 1e-3), and sliding at most a tenth of the point spacing. Arguments as in
+  /// largest_sliding().
   std::vector<std::string>
   assumption_warnings(const ContactInterface          &interface,
                       const Bodies                    &bodies,

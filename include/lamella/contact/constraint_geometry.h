@@ -12,21 +12,18 @@
 namespace lamella
 {
   /// Weights and points of the gap constraints on one side of a contact,
-  /// independent of the discretization of the body. Constraint r is the
-  /// functional
+  /// independent of the discretization of the body. Constraint r is
   ///   sum_k w_rk . u(X_k)
   /// of any displacement field u at the points X_k. Its matrix row is the
   /// product of the weights w_rk and the displacement rows of Body::rows(), so
   /// another discretization of the same body, or the deformed body, can use the
   /// same gaps and contact forces. A node pair has one point, with the weight
   /// -n on First or n on Second. A weighted gap has the trace nodes of the
-  /// facets in its support, with the weights 1/A_i int phi_i psi_k n dA, with
-  /// the multiplier function phi_i, its integral A_i and the trace function
-  /// psi_k.
+  /// facets in its support, with the weights 1/A_i int phi_i psi_k n dA,
+  /// multiplier functions phi_i with integrals A_i, and trace functions psi_k.
   struct ConstraintGeometry
   {
-    /// Point numbers k and weights w_rk of one constraint (no unit, scene
-    /// axes).
+    /// Point numbers k and weights w_rk of one constraint, scene axes.
     using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
 
     /// Points X_k, by cells of the body for which the contact was created.
@@ -35,8 +32,7 @@ namespace lamella
     std::vector<Weights> weights;
   };
 
-  /// Returns the constraints of @p side as functionals of the DoFs of body
-  /// number @p index,
+  /// Returns the constraints of @p side as functionals of body @p index,
   ///   B = W R,  row r: sum_k sum_c w_rk,c R_kc,
   /// with the three displacement rows R_k of each point X_k in @p at, from
   /// Body::rows() of any discretization of the body.

@@ -63,8 +63,7 @@ namespace lamella
   ///   g(v, s) = g_0 + b . v + s g_rate,  b = dg/du,
   /// with displacements v and load factor s; there, GapConstraint::gap() is the
   /// exact gap. Initially the undeformed bodies are paired (make_interface()).
-  /// For small rotations and small sliding, these constraints remain valid:
-  /// move() is not called.
+  /// For small rotations and sliding, move() is not called.
   ///
   /// Constraint numbers change in pair() only. Contact points are stored by
   /// undeformed positions, normals are current. Keeps references to the bodies
@@ -136,8 +135,7 @@ namespace lamella
                   const std::vector<dealii::Tensor<1, 2>> &shear,
                   BlockVector                             &f) const;
 
-    /// Returns the two slip functionals of each constraint i at the last
-    /// move(),
+    /// Returns two slip functionals of each constraint i at the last move(),
     ///   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
     ///   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
     /// along the unit tangents t_a of its normal n, with trace functions psi_k,
@@ -220,8 +218,7 @@ namespace lamella
     /// point per nodal constraint.
     void
     find_points();
-    /// Sets `points` and `integrals` on the undeformed surfaces if there are
-    /// none yet.
+    /// Sets `points` and `integrals`, if empty, on the undeformed surfaces.
     void
     find_integrals();
     /// Pairs the undeformed bodies.
@@ -239,8 +236,7 @@ namespace lamella
     void
     set_constraint_positions();
     /// Returns the gap integrals (integrate_gaps()) on @p sides over the
-    /// contact points @p on, with slips from the reference points @p held, if
-    /// any.
+    /// contact points @p on, with slips from @p held, if any.
     std::vector<GapIntegrals>
     integrate(const ContactSides        &sides,
               const MasterPoints         master_points,
@@ -286,8 +282,7 @@ namespace lamella
     /// Sets the slip functionals from the integrals on @p sides.
     void
     assemble_slips(const ContactSides &sides);
-    /// Sets SlipConstraint::initial such that slips equal the slip increments
-    /// of the step.
+    /// Sets SlipConstraint::initial such that slips begin with the step.
     void
     offset_slips(const BlockVector &u, const LoadFactor &factor);
     /// Returns the index of the first point of each constraint.

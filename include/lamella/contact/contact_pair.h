@@ -102,8 +102,7 @@ namespace lamella
     /// `node to node`: nodes form a pair if their tangential offset is at most
     /// this fraction of the root of their tributary area.
     double tolerance = 1e-6;
-    /// Facing points farther apart get no constraint [length]. Empty:
-    /// automatic.
+    /// Points farther apart get no constraint [length]; empty: automatic.
     std::optional<double> search_distance;
     /// Coulomb friction coefficient mu; 0 for frictionless contact.
     double friction = 0.;
@@ -111,8 +110,7 @@ namespace lamella
     /// becomes `surface to surface` once contact extends beyond a line, and an
     /// `edge to surface` contact is added at body ends.
     bool is_automatic = false;
-    /// For an added `edge to surface` contact: number of the contact to which
-    /// it was added.
+    /// Number of the contact to which this one was added at body ends.
     std::optional<unsigned int> part_of;
   };
 

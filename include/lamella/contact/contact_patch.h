@@ -51,7 +51,7 @@ namespace lamella
     double
     width(const unsigned int axis) const;
 
-    /// Returns the smaller of the widths along the two axes normal to
+    /// Returns the smaller of the widths along the axes normal to
     /// facing_axis().
     double
     width() const;
@@ -91,8 +91,7 @@ namespace lamella
     /// Returns the lines along @p axis.
     std::vector<Line>
     lines_along(const unsigned int axis) const;
-    /// Returns the loaded intervals of @p line, extended to the pressure's
-    /// edge().
+    /// Returns the loaded intervals of @p line, extended by edge().
     static std::vector<Interval>
     loaded_intervals(const Line &line);
     /// Returns the loaded area of @p line in the strip.

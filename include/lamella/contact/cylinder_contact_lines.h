@@ -92,8 +92,8 @@ namespace lamella
 
     /// Returns the deepest penetration into @p roller on the lines through all
     /// nodes of @p surface, deformed as @p now, among points whose outward
-    /// normal points to the roller axis. Empty if nothing penetrates, or for a
-    /// roller along the body.
+    /// normal points to the roller axis. Empty if none, or for a roller along
+    /// the body.
     static std::optional<CylinderPenetration>
     deepest_in(const Obstacle    &roller,
                const MeshSurface &surface,

@@ -51,8 +51,7 @@ namespace lamella
   {
     /// Unit of `value`. Must be set: row_penalty() asserts that.
     PenaltyKind kind = PenaltyKind::undefined;
-    /// Positive penalty in the unit `kind`; if `automatic`, the multiple of the
-    /// local stiffness.
+    /// Positive penalty; if `automatic`, a multiple of the local stiffness.
     double value = 0.;
   };
 
@@ -60,14 +59,12 @@ namespace lamella
   /// contact constraint: a bar of cross section A and length h.
   struct LocalStiffness
   {
-    /// Elastic modulus E_n of the ply along the normal [force / length^2];
-    /// tributary area A [length^2]; depth h of the cell along the normal
-    /// [length].
+    /// Elastic modulus E_n of the ply and depth h of the cell along the normal
+    /// [force / length^2, length]; tributary area A [length^2].
     double normal_modulus = 0., area = 0., depth = 0.;
   };
 
-  /// Returns the penalty parameter epsilon_N of one contact constraint [force /
-  /// length]:
+  /// Returns the penalty parameter of one constraint [force / length]:
   ///   automatic   value * min over both sides of E_n A / h
   ///   per_node    value
   ///   per_area    value * A, A that of @p first (both sides have the same)
@@ -79,8 +76,7 @@ namespace lamella
               const LocalStiffness &second);
 
   /// Returns the contact force epsilon max(0, -g) for the gap @p g and the
-  /// penalty @p epsilon. It acts along the normal n on the second body, and
-  /// along -n on the first.
+  /// penalty @p epsilon. It acts along the normal on the second body.
   double
   contact_force(const double epsilon, const double g);
 } // namespace lamella

@@ -98,8 +98,7 @@ namespace lamella
     /// Penalty parameter [force / length], not zero (row_penalty()).
     double penalty = 0.;
 
-    /// Friction coefficient; if positive, `slips` has the slips along two
-    /// tangents.
+    /// Friction coefficient; if positive, `slips` along two tangents.
     double                      friction = 0.;
     std::vector<SlipConstraint> slips    = {};
 
@@ -123,7 +122,7 @@ namespace lamella
     /// Contact point of a constraint, for output, in scene axes.
     struct Point
     {
-      /// Facing points X_1 and X_2; of weighted gaps a slave node and the point
+      /// Facing points X_1, X_2; for weighted gaps, a slave node and its
       /// opposite.
       dealii::Point<3> first, second;
       /// Normal n of the constraint, outward from the first side: the force on
@@ -191,8 +190,7 @@ namespace lamella
     GapConstraints() = default;
     /// Views the gap constraints of @p contacts, which must not be renumbered.
     GapConstraints(const std::vector<ContactInterface> &contacts);
-    /// Views constraints that belong to no ContactInterface; they count as
-    /// contact 0.
+    /// Views constraints without an interface; they count as contact 0.
     GapConstraints(const std::vector<GapConstraint> &rows);
     /// Deleted for temporaries, which would not outlive the view.
     GapConstraints(std::vector<ContactInterface> &&contacts) = delete;
@@ -233,8 +231,7 @@ namespace lamella
       return 3 * size();
     }
 
-    /// Returns the number of the constraint to which gap or slip @p number
-    /// belongs.
+    /// Returns the constraint number to which gap or slip @p number belongs.
     unsigned int
     row_of(const unsigned int number) const
     {
@@ -333,8 +330,7 @@ namespace lamella
                         const double       search_radius);
 
   /// Creates the interface between the surfaces @p sides within
-  /// @p search_radius. Throws InputError for excessive overlap if these are
-  /// undeformed.
+  /// @p search_radius. Checks the overlap of undeformed ones.
   ContactInterface
   make_interface_within(const ContactSides &sides, const double search_radius);
 } // namespace lamella

@@ -38,8 +38,7 @@ namespace lamella
     boost::container::flat_map<unsigned int, OfNode> slave, master;
   };
 
-  /// Choice of the master point opposite a slave point, where the gap is
-  /// measured.
+  /// Choice of the master point opposite a slave point, for its gap.
   enum class MasterPoints
   {
     paired,   ///< the stored point; n is the averaged normal

@@ -59,12 +59,12 @@ namespace lamella
   /// along the averaged normal
   ///   n = (n_1(X_1) - n_2(X_2)) / |n_1(X_1) - n_2(X_2)|.
   /// The relation is symmetric: the point opposite X_2 is X_1, with the normal
-  /// -n, and between mirrored bodies n is the mirror normal. A fixed-point
-  /// iteration starts from n = n_1, or from normal_near() if the line along n_1
-  /// misses the surface. @p opposed is the smallest permitted cosine of the
-  /// angle between n_1 and -n_2. Empty if the normals are not opposed, if
-  /// @p other is farther than @p search_radius along n, or if the iteration
-  /// does not converge to 1e-11 in 50 steps (usually two or three).
+  /// -n. A fixed-point iteration starts from n = n_1, or from normal_near() if
+  /// the line along n_1 misses the surface. @p opposed is the smallest
+  /// permitted cosine of the angle between n_1 and -n_2. Empty if the normals
+  /// are not opposed, if @p other is farther than @p search_radius along n, or
+  /// if the iteration does not converge to 1e-11 in 50 steps (usually two or
+  /// three).
   std::optional<MasterPoint>
   find_master_point(const MasterSurface        &other,
                     const dealii::Point<3>     &x,

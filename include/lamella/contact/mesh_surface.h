@@ -24,8 +24,7 @@ namespace lamella
   /// (FacetMap), with which lines are intersected.
   ///
   /// At smooth joints, normals of adjacent facets differ by the interpolation
-  /// error of curves. Contact therefore uses a continuous normal field: the
-  /// average normal
+  /// error of curves. Contact therefore uses a continuous normal: the average
   ///   n_i ~ sum over facets int L_i n dA
   /// at each node i of the Gauss-Lobatto grids of the facets, as in
   /// Body::surface_points(), interpolated by the functions L_i of the grid. At
@@ -218,16 +217,14 @@ namespace lamella
     std::optional<unsigned int>
     on_side(const std::vector<unsigned int> &numbers,
             const dealii::Tensor<1, 3>      &normal) const;
-    /// Sets the hanging nodes. @p sides are the grid nodes at each node of the
-    /// body.
+    /// Sets the hanging nodes. @p sides are the grid nodes at each body node.
     void
     find_hanging_nodes(const SurfaceTopology                        &topology,
                        const std::vector<std::vector<unsigned int>> &sides);
     /// Sets the normals n_i (end nodes' mean at hanging nodes) and is_flat.
     void
     average_normals();
-    /// Creates the bounding boxes of the facets in axes aligned with the first
-    /// facet.
+    /// Creates the bounding boxes of the facets in axes of the first facet.
     void
     make_search();
     /// Returns the coordinates of @p x in the axes of the bounding boxes.

@@ -16,8 +16,7 @@ namespace lamella
   /// Multiplier functions phi_i (hat functions) on the grid of the slave nodes,
   /// with their mortar integrals for weighted_gaps(). Grid cells lie between
   /// adjacent Gauss-Lobatto points of a facet; phi_i is bilinear in (s, t) on
-  /// each cell. For each cell, call add() at its integration points, then
-  /// close().
+  /// each cell. Call add() at all points of a cell, then close().
   class MultiplierBasis
   {
   public:

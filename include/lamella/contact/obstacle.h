@@ -14,9 +14,9 @@
 
 namespace lamella
 {
-  /// A rigid obstacle as the second side of contacts: a floor (the half space
-  /// behind a plane) or a roller (an infinite circular cylinder), with
-  /// prescribed motion.
+  /// A rigid obstacle as the second side of contacts: a floor (half space
+  /// behind a plane) or a roller (infinite circular cylinder), with prescribed
+  /// motion.
   struct Obstacle
   {
     /// Shape; it must be set: `undefined` fails an assertion in meet().
@@ -82,14 +82,13 @@ namespace lamella
   };
 
   /// Returns the nearest intersection, in either direction, of the line x + t
-  /// d, with unit vector d, and the surface of @p obstacle, at which the line
-  /// enters the obstacle against its outward normal:
+  /// d, with unit vector d, and the surface of the undisplaced @p obstacle, at
+  /// which the line enters the obstacle against its outward normal:
   ///   plane:     t = (p - x) . N / (d . N),
   ///   cylinder:  |r + t e| = R, the smaller root t,
   /// with point p, direction N and radius R of the obstacle, and the parts r
   /// and e of x - p and d normal to the axis. Empty if the line is parallel to
-  /// the surface, leaves the half space, or misses the cylinder. It is at its
-  /// initial position.
+  /// the surface, leaves the half space, or misses the cylinder.
   std::optional<Hit>
   meet(const Obstacle             &obstacle,
        const dealii::Point<3>     &x,

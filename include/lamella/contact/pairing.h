@@ -69,8 +69,7 @@ namespace lamella
     /// Normal n, outward from the slave side; for a weighted gap its average.
     /// The contact force on the master side is lambda n.
     dealii::Tensor<1, 3> normal;
-    /// Tributary area [length^2], and initial gap or its weighted average
-    /// [length].
+    /// Tributary area [length^2], and (average) initial gap [length].
     double area = 0., gap = 0.;
     /// Point spacing, the root of the full tributary area [length].
     double spacing = 0.;

@@ -51,8 +51,7 @@ namespace lamella
       std::vector<unsigned int> nodes;
       /// For each node, the numbers of the constraints to which its function
       /// contributes, with factors: 1 for its own constraint; 1/2 for each of
-      /// the end nodes of a hanging node; none if it faces no part of the other
-      /// surface.
+      /// the end nodes of a hanging node; none if it faces nothing.
       std::vector<std::vector<std::pair<unsigned int, double>>> rows;
       /// Parts of the unit square in which the functions are not zero; for hats
       /// each within a grid cell.
@@ -105,8 +104,8 @@ namespace lamella
     /// Returns chains of neighboring nodes with constraints, along grid lines
     /// on which the coordinate @p across is constant (to 1e-6 of the surface
     /// extent), by ascending coordinate @p axis. Each entry lists the
-    /// constraints of a node, two at a sharp edge. On oblique grids each node
-    /// is a chain.
+    /// constraints of a node, two at a sharp edge. On oblique grids a node is a
+    /// chain.
     std::vector<std::vector<std::vector<unsigned int>>>
     lines(const unsigned int axis, const unsigned int across) const;
 
@@ -147,8 +146,7 @@ namespace lamella
     BoxSearch              boxes;
   };
 
-  /// A node with a contact constraint, and the surface normal there, with
-  /// either sign.
+  /// A node with a contact constraint, and its surface normal (either sign).
   struct SlaveNode
   {
     Location             location;
@@ -173,8 +171,7 @@ namespace lamella
 
   /// Returns the intersection (s, t) of the line x + t d, with unit vector
   /// @p d, and a facet with the map @p map, up to 1e-7 outside the unit square.
-  /// Newton's method starts from the center. Empty if the line misses the
-  /// facet.
+  /// Newton's method, from the center. Empty without intersection.
   std::optional<dealii::Point<2>>
   line_intersection(const FacetMap             &map,
                     const dealii::Point<3>     &x,

@@ -58,8 +58,7 @@ namespace lamella
   /// where C and O are the material points of the slave and master surface now
   /// in contact, C_0 and O_0 those of the reference, and x_c and x_o current
   /// positions. C is C_0 except on the line of a roller contact. s is invariant
-  /// to rigid motions of both bodies and to rotations of n; the difference
-  /// between chord and arc on curved bodies is of third order in the slip.
+  /// to rigid motions of both bodies and to rotations of n.
   dealii::Tensor<1, 3>
   slip_increment_of(const ContactSides       &sides,
                     const bool                on_second,

@@ -10,8 +10,7 @@ namespace lamella
   /// Returns the weighted gaps of surface-to-surface contact, averaged with hat
   /// functions as in mortar methods. The slave nodes (Gauss-Lobatto grids of
   /// the expansion degree) form a grid of quadrilateral cells, and phi_i is the
-  /// bilinear hat function of node i: nonnegative, with sum 1. Weighted gap i
-  /// is
+  /// bilinear hat function of node i: of sum 1. Weighted gap i is
   ///   g_i = 1/A_i int phi_i n . (u_2(X_2) - u_1(X_1)) dA,
   ///   A_i = int phi_i dA,
   /// over the part of the surface that faces the other side, with the point X_2
@@ -21,8 +20,8 @@ namespace lamella
   /// positive everywhere if all forces are.
   ///
   /// Integrands have kinks between master facets. Each cell is therefore cut
-  /// into segments with the facets opposite (cut()). The weights of a gap are
-  /// the mortar integrals
+  /// into segments with the facets opposite (cut()). The weights are mortar
+  /// integrals
   ///   w_j = 1/A_i int phi_i psi_j n dA,   v_k = 1/A_i int phi_i chi_k n dA
   /// with the trace functions psi_j of the slave and chi_k of the master side.
   /// Both sum to the same average normal: action equals reaction.

@@ -24,17 +24,15 @@ namespace lamella
   /// as long as the constraint is active: a contact problem whose S has a
   /// Cholesky factor. If a constraint opens, x has an error due to the spring
   /// force, which the next iteration corrects. rho is a fraction of the penalty
-  /// eps. If S is definite, the state is stable as long as these constraints
-  /// are active.
+  /// eps. If S is definite, the state is stable.
   class ActiveConstraintShift
   {
   public:
     /// Springs of each body.
     using Springs = std::vector<std::vector<SpringTerm>>;
 
-    /// Adds a spring to each active constraint of @p state among those of
-    /// @p contacts between @p n_bodies bodies. rho is @p share times the
-    /// penalty eps.
+    /// Adds a spring to each active constraint of @p state in @p contacts of
+    /// @p n_bodies bodies. rho is @p share times the penalty eps.
     ActiveConstraintShift(const std::vector<ContactInterface> &contacts,
                           const State                         &state,
                           const unsigned int                   n_bodies,

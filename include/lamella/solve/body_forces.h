@@ -31,8 +31,7 @@ namespace lamella
 
   /// Sum of all forces on one body and of their moments about its center, for
   /// the check of equilibrium. Forces are obtained from their work on the rigid
-  /// motions of the body. They are relative to the largest force, or couple
-  /// over body size.
+  /// motions of the body. The sum is relative to the largest force.
   class BodyForces
   {
   public:

@@ -36,8 +36,7 @@ namespace lamella
 
   /// Solves @p problem, starting from the active set @p start (one entry per
   /// constraint). An active set A gives lambda_A = -M_AA^-1 q_A, zero
-  /// elsewhere, and s = M lambda + q. It is correct if no lambda_i and s_i is
-  /// negative.
+  /// elsewhere, and s = M lambda + q. It is correct if no entry is negative.
   ///
   /// First, block principal pivoting is used: constraints with lambda_i < 0 are
   /// deactivated, those with s_i < 0 activated (Kostreva, 1978; the primal-dual

@@ -10,8 +10,7 @@
 
 namespace lamella
 {
-  /// The compliance of contact constraints, the Schur complement on the contact
-  /// forces
+  /// The compliance of contact constraints, the Schur complement
   ///   C = B K^-1 B^T
   /// with the condensed stiffness K of each body and the constraint rows B
   /// included so far. C_ij [length / force] is the gap in constraint i due to a
@@ -42,8 +41,7 @@ namespace lamella
       return included;
     }
 
-    /// Returns true if constraint @p row was included, as the functions below
-    /// require.
+    /// Returns true if constraint @p row was included, as required below.
     bool
     is_included(const unsigned int row) const
     {
@@ -66,8 +64,8 @@ namespace lamella
                  const std::vector<double>       &lambda) const;
 
   private:
-    /// Solutions K^-1 b^T for the constraint rows b on one body, and the row of
-    /// each in C.
+    /// Solutions K^-1 b^T for constraint rows b of one body, and their rows in
+    /// C.
     struct BodyConstraints
     {
       std::unique_ptr<SolvedRows> solved;

@@ -16,8 +16,7 @@ namespace lamella
   /// Contact solver by static condensation onto the contact forces, the dual
   /// form of the problem. The stiffness K is factorized once per body, and
   /// contact is solved with the compliance C (Compliance) of a working set of
-  /// constraints. A linear solution takes one solution with K, one small dense
-  /// system
+  /// constraints. A linear solution takes one with K, a small dense system
   ///   (C + d) dlambda = r_lambda - B K^-1 r_u,
   /// and one backward substitution K^-1 B^T dlambda, with constraint rows B and
   /// the residuals r_u of equilibrium and r_lambda of the contact law. The
@@ -31,8 +30,7 @@ namespace lamella
   /// force are added once, at the end. If most of the set is idle (open), idle
   /// constraints are removed, each at most once. Dependent constraints (more
   /// contact points than surface DoFs) share the force as in the least-squares
-  /// solution. A round costs a few dense factorizations, n^3 / 3 operations for
-  /// n constraints.
+  /// solution. A round costs a few dense factorizations.
   class CondensedStrategy : public ContactStrategy
   {
   public:
@@ -55,8 +53,7 @@ namespace lamella
     StrategyHistory
     memory() const override;
 
-    /// Computes the compliance of the constraints in @p memory, and restores
-    /// the penalty factor.
+    /// Restores the penalty factor and the constraints in the compliance.
     void
     restore(const StrategyHistory &memory) override;
 
@@ -83,9 +80,8 @@ namespace lamella
     std::vector<unsigned int>
     with_slips(const std::vector<unsigned int> &part) const;
 
-    /// Returns the matrix R K^-1 C + d of ContactStrategy::solve() for the
-    /// constraints @p closed, with rows R and force columns C, column by
-    /// column.
+    /// Returns the matrix R K^-1 C + d of ContactStrategy::solve() for
+    /// @p closed, with rows R and force columns C, column by column.
     std::vector<double>
     contact_system(const ActiveConstraints &closed);
     /// Replaces @p lambda by (R K^-1 C + d)^-1 lambda. The Cholesky factor is

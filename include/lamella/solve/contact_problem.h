@@ -95,9 +95,8 @@ namespace lamella
   {
     /// Penalty factor of NumericalCompliance: a power of ten from 1 to 1000.
     double stiffening = 1.;
-    /// CondensedStrategy: constraints in the compliance
-    /// (Compliance::row_groups()). FullStrategy: one list, the constraints in
-    /// the matrix pattern.
+    /// CondensedStrategy: Compliance::row_groups(). FullStrategy: one list, the
+    /// constraints in the matrix pattern.
     std::vector<std::vector<unsigned int>> rows;
   };
 

@@ -51,8 +51,7 @@ namespace lamella
   /// release of stabilizing springs. A ContactStrategy finds the active set;
   /// the result is refined against the residual evaluated from strains and the
   /// contact law. Equations at load factor t, with internal forces f_int, loads
-  /// f, gaps g with rows B, contact forces lambda and compliance a of the
-  /// contact law:
+  /// f, gaps g with rows B, contact forces lambda and law compliance a:
   ///   f_int(u) + f_springs(u) = t f + B^T lambda   (in the free DoFs)
   ///   g(u) + a lambda >= 0,  lambda >= 0,  and in each constraint one is zero.
   /// f_int is linear in u; the active set is the only nonlinearity.
@@ -98,8 +97,8 @@ namespace lamella
     /// forces (method of multipliers), refines the state, and checks the
     /// contact law. The loop ends if no active constraint is tensile, no
     /// inactive constraint penetrates beyond rounding, and active constraints
-    /// satisfy the law to law_tolerance, or to weak_law_tolerance after a slow
-    /// round.
+    /// satisfy the law to law_tolerance (after a slow round,
+    /// weak_law_tolerance).
     State
     solve_contact(const State      &free,
                   const LoadFactor &factor,
@@ -107,9 +106,7 @@ namespace lamella
 
     /// Returns @p state, a result of solve_contact(), without the influence of
     /// the stabilizing springs. Each round solves with spring offsets at the
-    /// previous state (proximal point method). The spring forces decrease by
-    /// the factor s / (s + k), with the stiffness s of the springs and k of the
-    /// contact that constrains the body. Throws NumericsError after
+    /// previous state (proximal point method). Throws NumericsError after
     /// max_releases rounds: the body is unconstrained, or the springs are too
     /// stiff.
     State
@@ -191,8 +188,7 @@ namespace lamella
       }
     };
 
-    /// Returns the violations in @p state. Gaps above -@p closed [length] count
-    /// as zero.
+    /// Returns the violations in @p state. Gaps above -@p closed count as zero.
     ContactViolations
     violations(const State      &state,
                const LoadFactor &factor,
@@ -288,8 +284,7 @@ namespace lamella
     std::string
     describe_overlap() const;
 
-    /// Counts @p round in @p iterations, reports it, and calls
-    /// check_iterations().
+    /// Counts and reports @p round, and calls check_iterations().
     void
     watch(const Round &round, unsigned int &iterations) const;
 
@@ -302,8 +297,7 @@ namespace lamella
     /// Throws the NumericsError of release_springs() for the rigid motion
     /// @p motion of @p body. @p rate is the ratio of successive spring forces.
     /// If close to 1, nothing else constrains the motion. Otherwise the springs
-    /// are too stiff, and the message gives the Stabilization for a ratio of
-    /// 0.1.
+    /// are too stiff, and the message gives a suitable Stabilization.
     [[noreturn]] void
     throw_unconstrained_motion(const std::string &body,
                                const std::string &motion,

@@ -70,8 +70,7 @@ namespace lamella
     /// @p r_lambda (lengths) and @p dlambda (forces) have one entry per number
     /// of @p closed; @p r_u (forces) need not be condensed. du is zero in
     /// prescribed DoFs. The factorization is reused in the next call. Throws
-    /// NumericsError if the system is not positive definite or, with slipping
-    /// constraints, singular.
+    /// NumericsError if the system is indefinite or singular.
     virtual void
     solve(const ActiveConstraints &closed,
           const BlockVector       &r_u,

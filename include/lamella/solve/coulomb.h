@@ -19,8 +19,8 @@ namespace lamella
   ///   |lambda_t| <= mu lambda_n,
   ///   v_t = 0 where |lambda_t| < mu lambda_n,
   ///   lambda_t = -mu lambda_n v_t / |v_t| where v_t is not zero.
-  /// W may be singular (dependent constraints). If W is definite, a solution
-  /// exists for every mu; it is unique for small mu only.
+  /// W may be singular (dependent constraints). The solution is unique for
+  /// small mu only.
   struct CoulombProblem
   {
     PointCompliance compliance;
@@ -58,8 +58,7 @@ namespace lamella
     unsigned int iterations = 0;
   };
 
-  /// Tolerances and limits of solve_coulomb(), whose methods are numbered
-  /// there.
+  /// Tolerances and limits of solve_coulomb() and its methods 1 to 3.
   struct CoulombRules
   {
     /// Tolerance of CoulombSolution::error.
@@ -111,10 +110,7 @@ namespace lamella
    *     Malick, Z. Angew. Math. Mech. 91 (2011) 155-175);
    *   3 proximal points (Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898)
    *     with a decreasing regularization D: W + D, q - D lambda.
-   * Each point has one scale for its normal and one for both tangents, so that
-   * the cone stays circular. A Newton iteration costs 2/3 n^3 operations for n
-   * components of closed points. If no method converges, the best solution is
-   * returned with its error.
+   * If no method converges, the best solution is returned with its error.
    */
   CoulombSolution
   solve_coulomb(const CoulombProblem &problem,

@@ -82,8 +82,7 @@ namespace lamella
 
     /// Values below which quantities are rounding: `closed` for gaps of open
     /// constraints, `slip_rounding` for gaps and slips of closed ones, `small`
-    /// for forces. rho [force / length] for normals, also for tangents if
-    /// same_rho.
+    /// for forces. rho for normals; also for tangents if same_rho.
     struct Scales
     {
       double closed = 0., slip_rounding = 0., small = 0., rho = 0.;

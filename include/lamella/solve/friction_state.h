@@ -12,8 +12,7 @@ namespace lamella
   /// Friction variables of a state: vectors in scene axes, one per gap
   /// constraint. Empty without friction and before the first load step.
   ///
-  /// Coulomb's law of a load step, with the slip s_0 at the end of the previous
-  /// step:
+  /// Coulomb's law in a load step, with the slip s_0 at its beginning:
   ///   v = s(u) + a lambda_t - s_0,   |lambda_t| <= mu lambda_n,
   ///   v = 0 where |lambda_t| < mu lambda_n,
   ///   lambda_t = -mu lambda_n v / |v| where v is not zero.
@@ -31,8 +30,7 @@ namespace lamella
     std::vector<double> length, dissipated;
     /// Gap including the compliance of the law, g + a lambda_n [length].
     std::vector<double> contact_gap;
-    /// Accumulated error of the energy balance of all constraints [energy], per
-    /// step
+    /// Accumulated error of the energy balance of all constraints, per step
     ///   - mean lambda . (change of (g, s) + a lambda) - dissipated,
     /// with the mean of the forces at the beginning and end of the step.
     double path_gap = 0.;
@@ -47,8 +45,7 @@ namespace lamella
     double
     all_dissipated() const;
 
-    /// Returns the initial variables of the constraints @p rows, zero except
-    /// the initial gaps.
+    /// Returns the initial variables of @p rows, zero except initial gaps.
     static FrictionState
     unloaded(const GapConstraints &rows);
   };

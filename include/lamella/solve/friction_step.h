@@ -10,8 +10,7 @@
 
 namespace lamella
 {
-  /// Returns the force of each constraint: normal component, two tangential
-  /// ones.
+  /// Returns the forces of the constraints: normal and two tangential.
   std::vector<dealii::Tensor<1, 3>>
   forces_by_rows(const GapConstraints &rows, const State &state);
 
@@ -23,8 +22,7 @@ namespace lamella
                const State         &state,
                const LoadFactor    &factor);
 
-  /// Sets slips, shear forces and initial forces of @p problem from @p state at
-  /// load factor @p factor.
+  /// Sets slips, shear forces and initial forces of @p problem from @p state.
   void
   add_friction(const GapConstraints &rows,
                const State          &state,
@@ -37,8 +35,7 @@ namespace lamella
                const ContactSolution &found,
                State                 &state);
 
-  /// Returns the active gaps, and sticking and slipping constraints, of
-  /// @p state.
+  /// Returns the active gaps, sticking and slipping constraints of @p state.
   ActiveConstraints
   active_equations(const GapConstraints &rows, const State &state);
 

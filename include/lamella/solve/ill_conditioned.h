@@ -8,8 +8,8 @@
 namespace lamella
 {
   /// Exception: a problem that cannot be solved in double precision, such as an
-  /// indefinite stiffness or unbalanced forces. Another choice of cross-section
-  /// functions may succeed.
+  /// indefinite stiffness or unbalanced forces. Other cross-section functions
+  /// may succeed.
   class IllConditioned : public NumericsError
   {
   public:

@@ -47,8 +47,7 @@ namespace lamella
 
     const Structure &structure;
     Newton           newton;
-    /// Displacements of the last state, to which contact constraints are
-    /// updated.
+    /// Displacements of the last state and of its contact constraints.
     BlockVector            reached;
     const unsigned int     n_supports;
     const SolveParameters &parameters;

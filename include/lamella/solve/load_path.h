@@ -137,8 +137,7 @@ namespace lamella
              const Substeps                &substeps = {},
              const bool                     branches = false);
 
-    /// Sets an additional distance @p more that automatic substeps must reduce
-    /// below their tolerance.
+    /// Sets an additional distance @p more that automatic substeps reduce.
     void
     watch(ChangeMeasure more)
     {
@@ -181,8 +180,7 @@ namespace lamella
     /// Returns and stores the solution at load factor @p factor within load
     /// step @p load_step, or beyond the last step. Starts from the stored state
     /// with the nearest load factor; with friction, from the nearest one
-    /// earlier on the load path. States missing after resume() are solved for
-    /// again.
+    /// earlier on the load path. States missing after resume() are recomputed.
     SolvedStep
     branch(const double factor, const unsigned int load_step);
 
@@ -215,8 +213,7 @@ namespace lamella
       State        state;
     };
 
-    /// Stores @p state for branch(), if enabled and the first at this load
-    /// factor.
+    /// Stores @p state for branch(), if enabled and new at its load factor.
     void
     store(const double       factor,
           const unsigned int load_step,
@@ -225,8 +222,7 @@ namespace lamella
     /// two equally near, the later one.
     StoredState
     nearest(const double factor) const;
-    /// Returns the nearest stored state that precedes @p factor in step
-    /// @p load_step.
+    /// Returns the nearest stored state before @p factor in step @p load_step.
     StoredState
     nearest_passed(const double factor, const unsigned int load_step);
     /// Returns the state at the end of load step @p load_step.

@@ -49,8 +49,7 @@ namespace lamella
     preserve_dissipation(const std::vector<ContactInterface> &contacts,
                          FrictionState                       &of) const;
 
-    /// Stored values: of all constraints with friction, else of those with a
-    /// force.
+    /// Values of all constraints with friction, else of those with a force.
     std::map<Key, StoredMultiplier> places;
   };
 
@@ -114,8 +113,7 @@ namespace lamella
     /// Updates the constraints to @p state at @p factor (Contact::move()). If
     /// the projection of an active constraint leaves the other surface, the
     /// constraint is deactivated if an `edge to surface` contact covers that
-    /// end. Otherwise throws MissingEnds for the discretization `auto`, else
-    /// NumericsError.
+    /// end. Else throws MissingEnds (discretization `auto`) or NumericsError.
     void
     move(State &state, const LoadFactor &factor);
 
@@ -154,15 +152,14 @@ namespace lamella
 
     /// Pairs contacts anew if their surfaces touch without a constraint in
     /// @p state at load factor @p factor, and transfers the forces. Returns
-    /// true if any contact was paired. Throws NumericsError if no points face
-    /// each other.
+    /// true if any was. Throws NumericsError if no points face each other.
     bool
     find_loads(State &state, const LoadFactor &factor);
 
     /// Throws NumericsError if a body passed through a roller or another body
     /// between the displacements @p before at load factor @p from and @p state
-    /// at @p to, or if two bodies whose constraints were deactivated have no
-    /// contact force left.
+    /// at @p to, or if bodies with deactivated constraints have no contact
+    /// force.
     void
     check_kept(const BlockVector &before,
                const LoadFactor  &from,
@@ -193,8 +190,7 @@ namespace lamella
     const std::vector<ContactInterface> &all;
     const Contacts                      &contact_objects;
     GapConstraints                       numbered;
-    /// Contacts with constraints deactivated in this step, and
-    /// reason_of_loss().
+    /// Contacts with deactivated constraints, and reason_of_loss().
     std::set<unsigned int> release;
     std::string            lost;
   };

@@ -50,8 +50,7 @@ namespace lamella
     /// below this fraction of the diagonal of the scene.
     double converged_change = 1e-7;
     /// A motion that only springs restrain is unstable if its stiffness without
-    /// springs is below minus this factor times the contact force over the
-    /// diagonal of the scene.
+    /// them is below minus this factor times contact force over scene diagonal.
     double instability_share = 0.2;
     /// Maximum number of times that surfaces are paired anew in a load step.
     unsigned int max_pairings = 3;
@@ -62,8 +61,7 @@ namespace lamella
     double spin = 1.;
     /// Maximum number of bisections of a load step.
     unsigned int max_bisections = 6;
-    /// Largest prescribed support rotation in a step [rad]; larger ones are
-    /// divided into steps.
+    /// Largest prescribed support rotation in a step [rad]; else it is divided.
     double rotation = 2.;
   };
 
@@ -212,8 +210,7 @@ namespace lamella
     };
 
     /// Returns the tangent of @p state at load factor @p to, after the last
-    /// @p correction, regularized if needed. Throws IllConditioned if
-    /// indefinite.
+    /// @p correction, regularized. Throws IllConditioned if indefinite.
     TangentOperator
     tangent(const State       &state,
             const BlockVector &correction,

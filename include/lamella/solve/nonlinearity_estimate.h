@@ -21,8 +21,7 @@ namespace lamella
     /// considerable part of the energy. U is the strain energy of a body and
     /// U(s_m) that of the membrane stress due to its own deflection
     /// (SecondOrder). At prescribed displacements, forces are about 1 + r times
-    /// those of the linear model. A clamped strip of thickness h with the
-    /// deflection W (1 - cos (2 pi y / L)) / 2 has r = 0.75 (W / h)^2.
+    /// those of the linear model.
     double stiffening = 0.;
     /// Index of the body with the largest r.
     unsigned int stiffened = 0;
@@ -47,8 +46,8 @@ namespace lamella
   /// Returns the estimates for @p state, whose bodies have the strain energies
   /// @p energies. @p solver, which has solved the state, solves linear systems
   /// with the active constraints: one for the membrane stress, and one for each
-  /// of at most 30 Lanczos steps. Modes restrained by springs only are
-  /// excluded. Collective.
+  /// of at most 30 Lanczos steps. Modes that only springs restrain are
+  /// excluded.
   NonlinearityEstimate
   beyond_linear(const Structure           &structure,
                 ContactSolver             &solver,

@@ -69,8 +69,7 @@ namespace lamella
     /// forces, displacements and dissipation change by less than `tolerance`.
     unsigned int number    = 1;
     double       tolerance = 0.01;
-    /// Number of substeps of each load step, from another run; replaces
-    /// `number`.
+    /// Substeps of each load step from another run, instead of `number`.
     std::vector<unsigned int> each = {};
     /// Largest number of automatic substeps.
     static constexpr unsigned int most = 64;

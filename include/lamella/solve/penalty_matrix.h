@@ -71,8 +71,7 @@ namespace lamella
     solve(BlockVector f) const;
 
     /// Returns the contact constraints whose entries the sparsity pattern
-    /// contains. A restarted run needs them for the same elimination order in
-    /// MUMPS.
+    /// contains. A restarted run needs them for the same elimination order.
     std::vector<unsigned int>
     known_rows() const;
     /// Includes the constraints @p known_rows in the next sparsity pattern.
@@ -91,8 +90,7 @@ namespace lamella
     /// prescribed DoFs, with DoFs numbered body after body.
     Constraints
     constraints_of_all() const;
-    /// Assembles the stiffness of all bodies with their springs in the free
-    /// DoFs.
+    /// Assembles the stiffness of bodies and springs in the free DoFs.
     void
     assemble_stiffness(const TangentOperator &tangent_operator);
     /// Sets diagonal entries of eliminated DoFs to the largest diagonal entry.
@@ -133,8 +131,8 @@ namespace lamella
     std::vector<PenaltyTerm> factorized_for;
     bool                     is_factorized = false;
 
-    /// Largest ratio of penalty to stiffness up to now, and this penalty [force
-    /// / length].
+    /// Largest ratio of penalty to stiffness, and this penalty [force /
+    /// length].
     double largest_penalty_ratio = 0., penalty_of_largest_ratio = 0.;
   };
 } // namespace lamella

@@ -25,8 +25,7 @@ namespace lamella
   /// Throws NumericsError if points of a support with finite rotations are off
   /// their prescribed positions at load factor @p at in the state of @p here,
   /// because several supports prescribe the same points and agree to first
-  /// order only. (Largest accepted distance: ten times the effect of rotated
-  /// warping.)
+  /// order only. (Accepted: ten times the effect of rotated warping.)
   void
   check_followed(const TangentOperator &here, const LoadFactor &at);
 

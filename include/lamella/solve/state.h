@@ -33,8 +33,7 @@ namespace lamella
     /// History of each contact at finite rotations, for the rows of `force`.
     std::vector<ContactHistory> pairings;
 
-    /// Offsets of the stabilizing springs; if empty, their forces vanish at u =
-    /// 0.
+    /// Offsets of the stabilizing springs; if empty, zero (no force at u = 0).
     SpringOffsets rest;
 
     /// Rounds of the active-set search, including release_springs().

@@ -32,7 +32,7 @@ namespace lamella
   ///
   /// Displacements are u = G v + u_p(t) at load factor t (RowReduction), with
   /// the DoFs v that are not constrained by supports and theories, their
-  /// expansion G and the prescribed displacements u_p. Linear solvers use the
+  /// expansion G and the prescribed displacements u_p. Solvers use the
   /// condensed stiffness
   ///   G^T (K + sum_k s_k r_k^T r_k) G,
   /// with the stabilizing springs of stiffness s_k and row r_k. A
@@ -182,8 +182,7 @@ namespace lamella
       return initial_energies[body];
     }
 
-    /// Returns the numbers of DoFs of the bodies, the block sizes of
-    /// BlockVector.
+    /// Returns the block sizes of vectors, the numbers of DoFs of the bodies.
     const dealii::BlockIndices &
     blocks() const
     {
@@ -221,9 +220,8 @@ namespace lamella
     ///       - sum_k s_k (r_k(u) - r_0k) r_k^T,
     /// with t = @p factor, f_0 = thermal_load() and the spring offsets @p rest
     /// (r_0k). Strains B u are computed at each quadrature point. Unlike a
-    /// product with the assembled K, they lose no digits to cancellation in
-    /// slender bodies, so solutions are refined against this residual. Costs a
-    /// loop over all elements; collective.
+    /// product with the assembled K, they lose no digits in slender bodies:
+    /// solutions are refined against this residual. Collective.
     BlockVector
     residual(const BlockVector   &u,
              const LoadFactor    &factor,
@@ -249,8 +247,7 @@ namespace lamella
     prescribed_in(const unsigned int              history,
                   const std::vector<std::string> &names) const;
 
-    /// Adds @p load to the loads of its history or to the follower loads, and
-    /// stores its resultant.
+    /// Adds @p load to the loads of its history, or to the follower loads.
     void
     take(const Load &load);
     void

@@ -151,8 +151,7 @@ namespace lamella
     const BlockVector                          state;
     const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
-    /// With finite rotations: support constraints at the state, and their
-    /// values.
+    /// Finite rotations: support constraints at the state, and their values.
     std::vector<PrescribedFunctional>          moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;
