@@ -51,8 +51,7 @@ namespace lamella
     double
     width(const unsigned int axis) const;
 
-    /// Returns the smaller of the widths along the axes normal to
-    /// facing_axis().
+    /// Returns the smaller width along the two axes normal to facing_axis().
     double
     width() const;
 

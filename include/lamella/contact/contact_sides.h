@@ -85,7 +85,7 @@ namespace lamella
 
     /// Return, for each trace node of surface(), its location in the body, and
     /// its three displacement components as functionals of the DoFs (of their
-    /// increments, at finite rotations).
+    /// increments at finite rotations).
     const std::vector<Location> &
     trace_locations(const bool second) const;
     const std::vector<std::vector<LinearFunctional>> &

@@ -19,8 +19,8 @@ namespace lamella
   ///   p(x) = sum_i lambda_i / A_i phi_i(x)
   /// with the contact forces lambda_i, their functions phi_i on the slave
   /// surface (SlaveSurface) and the tributary areas A_i = int phi_i dA. Hence
-  /// int p dA = sum lambda_i, and the force on the second side, with normals
-  /// n_i,
+  /// int p dA = sum lambda_i, and, with normals n_i, the force on the second
+  /// side,
   ///   sum_i lambda_i / A_i n_i int phi_i dA = sum lambda_i n_i,
   /// is the resultant of the contact forces to rounding, for all surfaces and
   /// meshes. With friction, the shear forces lambda_t,i on the second side give

@@ -91,9 +91,9 @@ namespace lamella
               const std::vector<dealii::Point<3>> &places);
 
     /// Returns the deepest penetration into @p roller on the lines through all
-    /// nodes of @p surface, deformed as @p now, among points whose outward
-    /// normal points to the roller axis. Empty if none, or for a roller along
-    /// the body.
+    /// nodes of @p surface, deformed as @p now, among points whose normal
+    /// points to the roller axis. Empty if none, or for a roller along the
+    /// body.
     static std::optional<CylinderPenetration>
     deepest_in(const Obstacle    &roller,
                const MeshSurface &surface,

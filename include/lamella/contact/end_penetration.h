@@ -24,7 +24,7 @@ namespace lamella
   /// other surface in the configuration @p now. If @p of_ends, only nodes at
   /// body ends are considered: a face that slides over an end has no constraint
   /// at the end's nodes unless these are contact points. Projections are at
-  /// most @p search_radius away [length]. @p paired are the surfaces of the
+  /// most @p search_radius away [length]. @p paired are the surfaces at the
   /// last pairing.
   std::optional<EndPenetration>
   deepest_node(const ContactSides &paired,

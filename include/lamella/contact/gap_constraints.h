@@ -122,8 +122,7 @@ namespace lamella
     /// Contact point of a constraint, for output, in scene axes.
     struct Point
     {
-      /// Facing points X_1, X_2; for weighted gaps, a slave node and its
-      /// opposite.
+      /// Facing points X_1 and X_2 (weighted gaps: a node and its opposite).
       dealii::Point<3> first, second;
       /// Normal n of the constraint, outward from the first side: the force on
       /// the second side is lambda n. For weighted gaps, its average.

@@ -63,8 +63,7 @@ namespace lamella
   /// the line along n_1 misses the surface. @p opposed is the smallest
   /// permitted cosine of the angle between n_1 and -n_2. Empty if the normals
   /// are not opposed, if @p other is farther than @p search_radius along n, or
-  /// if the iteration does not converge to 1e-11 in 50 steps (usually two or
-  /// three).
+  /// if the iteration does not converge in 50 steps.
   std::optional<MasterPoint>
   find_master_point(const MasterSurface        &other,
                     const dealii::Point<3>     &x,

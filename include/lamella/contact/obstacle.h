@@ -14,9 +14,8 @@
 
 namespace lamella
 {
-  /// A rigid obstacle as the second side of contacts: a floor (half space
-  /// behind a plane) or a roller (infinite circular cylinder), with prescribed
-  /// motion.
+  /// A rigid obstacle, the second side of contacts: a floor (half space behind
+  /// a plane) or a roller (infinite circular cylinder), in prescribed motion.
   struct Obstacle
   {
     /// Shape; it must be set: `undefined` fails an assertion in meet().

@@ -91,8 +91,7 @@ namespace lamella
   };
 
   /// A material point of the slave side at which a gap is measured, with its
-  /// projection on the master side. A weighted gap is the average over such
-  /// points,
+  /// projection on the master side. A weighted gap is the average
   ///   g_i = sum_q a_q phi_i(X_q) g_q / sum_q a_q phi_i(X_q),
   /// with constant points X_q and areas a_q, and multiplier functions phi_i.
   struct GapPoint

@@ -48,8 +48,8 @@ namespace lamella
     /// Largest rotation [rad]; Eq. 5 neglects about half its square.
     double max_rotation = 0.;
     /// True for finite rotations: forces and moments refer to the current
-    /// configuration, without work and energy balance. Below: largest values of
-    /// Deformation.
+    /// configuration, without energy balance. Below: largest strains, rotations
+    /// and shape change (Deformation).
     bool   is_large   = false;
     double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.,
            shape_change = 0.;

@@ -64,8 +64,7 @@ namespace lamella
                  const std::vector<double>       &lambda) const;
 
   private:
-    /// Solutions K^-1 b^T for constraint rows b of one body, and their rows in
-    /// C.
+    /// Solutions K^-1 b^T for constraint rows b of a body; their rows in C.
     struct BodyConstraints
     {
       std::unique_ptr<SolvedRows> solved;

@@ -97,8 +97,7 @@ namespace lamella
     /// forces (method of multipliers), refines the state, and checks the
     /// contact law. The loop ends if no active constraint is tensile, no
     /// inactive constraint penetrates beyond rounding, and active constraints
-    /// satisfy the law to law_tolerance (after a slow round,
-    /// weak_law_tolerance).
+    /// satisfy the law to law_tolerance or weak_law_tolerance.
     State
     solve_contact(const State      &free,
                   const LoadFactor &factor,
@@ -106,9 +105,8 @@ namespace lamella
 
     /// Returns @p state, a result of solve_contact(), without the influence of
     /// the stabilizing springs. Each round solves with spring offsets at the
-    /// previous state (proximal point method). Throws NumericsError after
-    /// max_releases rounds: the body is unconstrained, or the springs are too
-    /// stiff.
+    /// previous state. Throws NumericsError after max_releases rounds: the body
+    /// is unconstrained, or the springs are too stiff.
     State
     release_springs(State state, const LoadFactor &factor);
 

@@ -19,8 +19,7 @@ namespace lamella
   ///   |lambda_t| <= mu lambda_n,
   ///   v_t = 0 where |lambda_t| < mu lambda_n,
   ///   lambda_t = -mu lambda_n v_t / |v_t| where v_t is not zero.
-  /// W may be singular (dependent constraints). The solution is unique for
-  /// small mu only.
+  /// W may be singular. The solution is unique for small mu only.
   struct CoulombProblem
   {
     PointCompliance compliance;
@@ -100,16 +99,15 @@ namespace lamella
    * Solves @p problem, starting from the forces @p start, such as those of the
    * previous load step. The first of the following methods that converges
    * gives the result:
-   *   1 Newton's method in total form on the natural map (Alart and Curnier,
-   *     Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375), from the given
-   *     forces, then after Gauss-Seidel sweeps, from these and from zero; steps
-   *     that cycle are shortened;
-   *   2 the same from the minimum on the cones (cone_minimum()), with gaps
-   *     opened by mu |v_t| of the previous round (de Saxce and Feng, Math.
-   *     Comput. Model. 28 (1998) 225-245; Acary, Cadoux, Lemarechal and
-   *     Malick, Z. Angew. Math. Mech. 91 (2011) 155-175);
+   *   1 Newton's method on lambda = P(lambda - v), P the projection onto the
+   *     friction cone (Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92
+   *     (1991) 353-375), from @p start, then after Gauss-Seidel sweeps;
+   *   2 Newton's method from the result of cone_minimum(), with gaps opened by
+   *     mu |v_t| of the previous round (de Saxce and Feng, Math. Comput. Model.
+   *     28 (1998) 225-245; Acary, Cadoux, Lemarechal and Malick, Z. Angew.
+   *     Math. Mech. 91 (2011) 155-175);
    *   3 proximal points (Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898)
-   *     with a decreasing regularization D: W + D, q - D lambda.
+   *     with a decreasing regularization added to the diagonal of W.
    * If no method converges, the best solution is returned with its error.
    */
   CoulombSolution

@@ -28,7 +28,7 @@ namespace lamella
   ///                               across it w (-s), w = k rho / (1 - k + k rho
   ///                               d):
   ///     B_n^T B_n / d + (mu / d) B_e^T B_n + w B_x^T B_x,
-  /// where the last line is its unsymmetric contribution to the stiffness, with
+  /// where the last line is the contribution of a slip to the stiffness, with
   /// the rows B_n of the gap, B_t of the slips, B_e along e and B_x across it.
   /// After some steps, every fourth step is shortened if that reduces |lambda -
   /// P(lambda - rho v)|. The tangential rho is b / |v_t| for a slip v_t. Keeps

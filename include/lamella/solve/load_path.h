@@ -34,7 +34,7 @@ namespace lamella
   };
 
   /// Returns the relative difference of @p one and @p other, two solutions at
-  /// the same load factor that start from @p before: the largest of
+  /// the same load factor that start from @p before: the largest difference in
   /// - forces of supports and contacts, over the largest of these forces,
   /// - friction forces, over their largest, at least 1 % of the largest force,
   /// - displacements, over the largest displacement,

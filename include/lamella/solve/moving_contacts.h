@@ -158,8 +158,7 @@ namespace lamella
 
     /// Throws NumericsError if a body passed through a roller or another body
     /// between the displacements @p before at load factor @p from and @p state
-    /// at @p to, or if bodies with deactivated constraints have no contact
-    /// force.
+    /// at @p to, or if bodies with a deactivated constraint lost contact.
     void
     check_kept(const BlockVector &before,
                const LoadFactor  &from,

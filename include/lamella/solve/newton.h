@@ -191,7 +191,7 @@ namespace lamella
     };
 
     /// Performs one iteration: adds to @p state the correction due to the
-    /// unbalanced forces @p r, with the support motion @p moved and the contact
+    /// unbalanced forces @p r, the support motion @p moved and the contact
     /// constraints, and returns it. Predicts stresses with the last
     /// @p correction.
     Correction
@@ -234,11 +234,10 @@ namespace lamella
     /// check does not apply: if there is no contact force, or with friction
     /// (CoulombSolution::stability).
     ///
-    /// R are the rows of the springs, scaled such that the tangent K contains
-    /// R^T R. C is the inverse of K with all active gaps kept closed. The
-    /// motions that only springs restrain are V = C R^T. Their energy without
-    /// springs, with the derivative H of the contact forces
-    /// (rotation_of_constraints()),
+    /// R are the spring rows, scaled such that the tangent K contains R^T R. C
+    /// is the inverse of K with all active gaps kept closed. The motions that
+    /// only springs restrain are V = C R^T. Their energy without springs, with
+    /// the derivative H of the contact forces (rotation_of_constraints()),
     ///   V^T (K - R^T R - H) V = G - G G - V^T H V,   G = R C R^T,
     /// must not be negative compared with the work of the contact forces over
     /// such a motion. Neutral motions (a sliding block) are accepted.

@@ -46,8 +46,7 @@ namespace lamella
   /// Returns the estimates for @p state, whose bodies have the strain energies
   /// @p energies. @p solver, which has solved the state, solves linear systems
   /// with the active constraints: one for the membrane stress, and one for each
-  /// of at most 30 Lanczos steps. Modes that only springs restrain are
-  /// excluded.
+  /// of at most 30 Lanczos steps. Modes restrained by springs are excluded.
   NonlinearityEstimate
   beyond_linear(const Structure           &structure,
                 ContactSolver             &solver,

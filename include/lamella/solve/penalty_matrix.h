@@ -131,8 +131,7 @@ namespace lamella
     std::vector<PenaltyTerm> factorized_for;
     bool                     is_factorized = false;
 
-    /// Largest ratio of penalty to stiffness, and this penalty [force /
-    /// length].
+    /// Largest ratio of penalty to stiffness; its penalty [force / length].
     double largest_penalty_ratio = 0., penalty_of_largest_ratio = 0.;
   };
 } // namespace lamella
