@@ -249,14 +249,16 @@ namespace lamella
       const ContactSides                                                &at,
       const std::array<std::map<unsigned int, dealii::Tensor<1, 3>>, 2> &forces,
       BlockVector &f) const;
-    /// Returns the choice of opposite points on the undeformed bodies.
+    /// Returns the choice of master points opposite slave points on undeformed
+    /// bodies.
     MasterPoints
     master_points_at_rest() const
     {
       return undeformed.is_edge_contact() ? MasterPoints::projected :
                                             MasterPoints::paired;
     }
-    /// Returns the choice of opposite points on deformed bodies.
+    /// Returns the choice of master points opposite slave points on deformed
+    /// bodies.
     MasterPoints
     master_points() const
     {
@@ -267,8 +269,8 @@ namespace lamella
     /// Returns the multiplier functions; null for single-point constraints.
     const SlaveSurface *
     functions() const;
-    /// Updates the constraints of the interface from `integrals` on @p sides,
-    /// the surfaces at the displacements @p u and load factor @p factor.
+    /// Updates the interface's constraints from `integrals` on @p sides, the
+    /// surfaces at the displacements @p u and load factor @p factor.
     void
     write(const ContactSides &sides,
           const BlockVector  &u,
@@ -282,7 +284,8 @@ namespace lamella
     /// Sets the slip functionals from the integrals on @p sides.
     void
     assemble_slips(const ContactSides &sides);
-    /// Sets SlipConstraint::initial such that slips begin with the step.
+    /// Sets SlipConstraint::initial such that slip() measures from the
+    /// beginning of the step.
     void
     offset_slips(const BlockVector &u, const LoadFactor &factor);
     /// Returns the index of the first point of each constraint.

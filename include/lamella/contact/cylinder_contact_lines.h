@@ -90,7 +90,7 @@ namespace lamella
               const MeshSurface                   &now,
               const std::vector<dealii::Point<3>> &places);
 
-    /// Returns the deepest penetration into @p roller on the lines through all
+    /// Returns the deepest penetration into @p roller on lines through all
     /// nodes of @p surface, deformed as @p now, among points whose normal
     /// points to the roller axis. Empty if none, or for a roller along the
     /// body.

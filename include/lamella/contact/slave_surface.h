@@ -104,7 +104,7 @@ namespace lamella
     /// Returns chains of neighboring nodes with constraints, along grid lines
     /// on which the coordinate @p across is constant (to 1e-6 of the surface
     /// extent), by ascending coordinate @p axis. Each entry lists the
-    /// constraints of a node, two at a sharp edge. On oblique grids a node is a
+    /// constraints of a node, two at a sharp edge. Oblique grids: a node is a
     /// chain.
     std::vector<std::vector<std::vector<unsigned int>>>
     lines(const unsigned int axis, const unsigned int across) const;

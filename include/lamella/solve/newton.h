@@ -61,7 +61,8 @@ namespace lamella
     double spin = 1.;
     /// Maximum number of bisections of a load step.
     unsigned int max_bisections = 6;
-    /// Largest prescribed support rotation in a step [rad]; else it is divided.
+    /// Largest prescribed support rotation in a step [rad]; a step with a
+    /// larger rotation is divided.
     double rotation = 2.;
   };
 
