@@ -17,12 +17,11 @@ namespace lamella
     unsigned int degree = 0;
   };
 
-  /// Hierarchical surplus of a beam of theory LE-p, an indicator of
-  /// discretization errors: the difference between its displacement u and the
-  /// interpolant in a coarser model. L_q u interpolates in LE-q in every
-  /// section (HierarchicalSurplus); M u interpolates along the axis at
-  /// Gauss-Lobatto points of coarser elements. No coarser model is solved.
-  /// Keeps a reference to the beam.
+  /// Indicator of discretization errors of a beam of theory LE-p: the
+  /// hierarchical surplus, i.e. the difference between its displacement u and
+  /// the interpolant of u in a coarser discretization, of lower section degree
+  /// or with coarser axis elements. No coarser model is solved. Keeps a
+  /// reference to the beam.
   class BeamSurplus
   {
   public:
@@ -30,21 +29,23 @@ namespace lamella
     static bool
     is_possible(const Beam &beam);
 
-    /// Requires is_possible().
+    /// Constructs the indicator of @p beam, for which is_possible() must hold.
     explicit BeamSurplus(const Beam &beam);
 
-    /// Returns p.
+    /// Returns the degree p of LE-p.
     unsigned int
     section_degree() const
     {
       return of_section.degree();
     }
 
-    /// Returns u - L_q u for 0 < @p q < section_degree().
+    /// Returns @p u minus its interpolant of degree @p q in each section cell,
+    /// where 0 < @p q < section_degree() (HierarchicalSurplus).
     Vector
     in_section(const Vector &u, const unsigned int q) const;
 
-    /// Returns u - M u; @p spans are the coarser elements of M.
+    /// Returns @p u minus its interpolant along the axis at the Gauss-Lobatto
+    /// points of the coarser axis elements @p spans.
     Vector
     along_axis(const Vector &u, const std::vector<AxisSpan> &spans) const;
 

@@ -57,8 +57,8 @@ namespace lamella
   {
     struct Place
     {
-      /// Index of the element: of axis element and section cell (Beam), or of
-      /// the hexahedron (Solid).
+      /// Index of the element: axis element * (number of section cells) +
+      /// section cell (Beam), or index of the hexahedron (Solid).
       unsigned int cell;
       /// Unit coordinates (xi, along the axis, eta) in [0, 1]^3.
       dealii::Point<3> unit;
@@ -71,8 +71,8 @@ namespace lamella
     std::vector<Place> places;
   };
 
-  /// Displacement, strain and stress at a location, mean over its elements,
-  /// without stress recovery (recover/recovery.h).
+  /// Displacement, strain and stress at a location: means over the elements
+  /// that contain it, without stress recovery (recover/recovery.h).
   struct FieldSample
   {
     /// Displacement in scene axes [length].
@@ -85,7 +85,8 @@ namespace lamella
     /// Rotation R of the material: for finite rotations `stress` is R^T sigma R
     /// with the Cauchy stress sigma.
     Triad rotation = dealii::unit_symmetric_tensor<3>();
-    /// Largest difference of stress between the elements over largest stress.
+    /// Largest stress difference between these elements, divided by the largest
+    /// stress (mean_sample()).
     double jump = 0.;
   };
 
@@ -138,7 +139,7 @@ namespace lamella
   /// A scalar function of the position in the scene.
   using ScalarField = std::function<double(const dealii::Point<3> &)>;
 
-  /// Numbers of intervals of a regular grid on the unit cube of an element.
+  /// Intervals per direction of a regular grid on an element's unit cube.
   using GridIntervals = std::array<unsigned int, 3>;
 
   /// Number, ownership and polynomial degrees of the elements of a body.
@@ -148,8 +149,8 @@ namespace lamella
     unsigned int n = 0;
     /// First element of this process, and one past the last.
     std::pair<unsigned int, unsigned int> own;
-    /// Polynomial degrees, at least 1, of displacements along unit coordinates;
-    /// the largest of all elements.
+    /// Largest polynomial degrees of displacements along the three unit
+    /// coordinates, at least 1.
     GridIntervals degrees{{1, 1, 1}};
   };
 
@@ -201,14 +202,16 @@ namespace lamella
    * surfaces, without boundary conditions. Positions are in scene axes.
    * Displacements are arguments; the body stores none. A "row" is a linear
    * functional of the DoFs, such as a displacement component at a point.
+   * Equation numbers are those of Nagaraj et al. 2020.
    *
    * In the principle of virtual work (Eqs. 8 to 12) the internal work is
    *   delta L_int = delta u . K u,   K = int B^T C B dV,
-   * where epsilon = B u at a point is rows(.., Quantity::strain). A force P at
-   * the point X contributes to the load vector f by the rows r_c of u_c(X),
+   * where the functionals epsilon = B u at a point are rows(..,
+   * Quantity::strain). A force P at the point X contributes to the load vector
+   * f by the functionals r_c of the displacement components u_c(X),
    *   f_k += sum_c P_c r_c,k   with   u_c(X) = sum_k r_c,k u_k
-   * A prescribed displacement is r_c(u) = value; a gap is the difference of two
-   * bodies' rows along a normal (Eq. 16).
+   * A prescribed displacement is r_c(u) = value. A gap is the difference of the
+   * displacement functionals of two bodies along a normal (Eq. 16).
    *
    * All processes hold the same body and complete vectors of n_dofs() entries.
    * Collective functions must be called by all processes with the same
@@ -267,7 +270,8 @@ namespace lamella
 
     /// Returns the level of @p dof in the hierarchical basis
     /// (doc/theory/stable-basis.md): 0 for rigid motions and nodal bases,
-    /// higher for finer DoFs. Supports eliminate DoFs of low level first.
+    /// higher for finer DoFs. Supports eliminate DoFs of low level first, which
+    /// keeps elimination stable.
     virtual unsigned int
     dof_level(const DofIndex) const
     {
@@ -287,8 +291,8 @@ namespace lamella
     dof_position(const DofIndex dof) const = 0;
 
     /// Returns the homogeneous constraints of the discretization: Kirchhoff's
-    /// constraint of EBBT or hanging nodes of a solid. Stiffness and rows do
-    /// not contain them; solvers apply them.
+    /// constraint of EBBT or hanging nodes of a solid. The stiffness matrix and
+    /// rows() do not include these constraints; the linear solver applies them.
     virtual const Constraints &
     kinematic_constraints() const;
 
@@ -300,8 +304,9 @@ namespace lamella
     virtual std::vector<Vector>
     rigid_motions() const = 0;
 
-    /// Returns the rigid motions of the body displaced by u, e_m and e_m x (X +
-    /// u - center()). This default implementation returns rigid_motions().
+    /// Returns the rigid motions of the body displaced by u: translations e_m
+    /// and rotations e_m x (X + u - center()), m = x, y, z. This default
+    /// implementation returns rigid_motions().
     virtual std::vector<Vector>
     rigid_motions_at(const Vector &) const
     {
@@ -317,8 +322,8 @@ namespace lamella
       return false;
     }
 
-    /// Returns true if the body has finite rotations as DoFs: rows of
-    /// displacements depend on u (rows_at()); retract() adds increments.
+    /// Returns true if finite rotations are DoFs. Displacements are then
+    /// nonlinear in the DoFs (rows_at()), and retract() adds increments.
     virtual bool
     constraints_rotate() const
     {
@@ -329,7 +334,8 @@ namespace lamella
     virtual Vector
     retract(const Vector &u, const Vector &change) const;
 
-    /// Returns the largest nodal rotation of an increment [rad]; by default 0.
+    /// Returns the largest nodal rotation of an increment [rad]. This default
+    /// implementation, for bodies without rotational DoFs, returns 0.
     virtual double
     largest_spin(const Vector &) const
     {
@@ -372,8 +378,8 @@ namespace lamella
     virtual Deformation
     deformation(const Vector &u) const;
 
-    /// Returns the second-order strain terms and the geometric stiffness at the
-    /// displacement @p u. The result refers to the body. Collective.
+    /// Returns the second-order strains and the geometric stiffness at the
+    /// displacement @p u. The body must outlive the result. Collective.
     virtual std::unique_ptr<SecondOrder>
     second_order(const Vector &u) const = 0;
 
@@ -398,8 +404,8 @@ namespace lamella
     add_thermal_load(Vector &f) const;
 
     /// Adds the thermal load for finite rotations at the displacement @p u, f
-    /// += integral (dE/du)^T C epsilon_0 dV with Green's strain E. The second
-    /// function calls @p use for the symmetric blocks of its derivative.
+    /// += integral (dE/du)^T C epsilon_0 dV with Green's strain E.
+    /// for_each_thermal_block() calls @p use with its derivative by u.
     virtual void
     add_thermal_load_at(const Vector &u, Vector &f) const;
     virtual void
@@ -413,8 +419,8 @@ namespace lamella
     virtual void
     add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
 
-    /// Calls @p use for each element of this process with its weight as forces
-    /// at points (scene axes). Throws as add_weight() does.
+    /// Calls @p use for each element of this process with the weights of its
+    /// Gauss points as forces (scene axes). Throws as add_weight() does.
     using ForcesCallback =
       std::function<void(const std::vector<Location> &,
                          const std::vector<dealii::Tensor<1, 3>> &)>;
@@ -444,21 +450,23 @@ namespace lamella
          const Quantity               quantity,
          const Frame                  frame = Frame::scene) const = 0;
 
-    /// Returns the rotation of the section at @p location; by default identity.
+    /// Returns the rotation matrix of the section at @p location for the DoFs
+    /// @p u; by default the identity.
     virtual dealii::Tensor<2, 3>
     rotation_at(const Location &location, const Vector &u) const;
 
-    /// Return the displacements [length] at @p locations for the DoFs @p u,
-    /// scene axes, and the rows of their linearization; by default rows().
+    /// Return the displacements [length, scene axes] at @p locations for the
+    /// DoFs @p u, and their derivatives by u as functionals of increments. By
+    /// default these are rows().
     virtual std::vector<dealii::Tensor<1, 3>>
     displacements(const std::vector<Location> &locations,
                   const Vector                &u) const;
     virtual std::vector<std::vector<LinearFunctional>>
     rows_at(const std::vector<Location> &locations, const Vector &u) const;
 
-    /// Calls @p use with the symmetric blocks of the derivative by u of sum_k
-    /// rows_at()^T F_k, the generalized forces of point forces F_k. By default
-    /// there are no blocks.
+    /// Calls @p use with the load stiffness of the point @p forces F_k at
+    /// @p locations, in symmetric blocks: the derivative by u of the nodal
+    /// forces sum_k rows_at()^T F_k. Zero by default.
     virtual void
     for_each_block_of_forces(
       const std::vector<Location>                       &locations,
@@ -595,15 +603,16 @@ namespace lamella
     SolverKind
     solver_kind(const SolverKind requested) const;
 
-    /// Returns the terms of the unconstrained stiffness K + sum k r^T r with @p
-    /// springs of functional r and stiffness k. The result refers to the body.
+    /// Returns the terms of the unconstrained stiffness K + sum k r^T r, where
+    /// each of @p springs has a stiffness k and an elongation r, a functional
+    /// of the DoFs. The body must outlive the result.
     StiffnessTerms
     stiffness_terms(const std::vector<SpringTerm> &springs = {}) const;
 
-    /// Returns the assembled stiffness T^T (K + sum k r^T r) T with @p springs,
-    /// condensed by the homogeneous @p constraints u = T v, which must include
-    /// the kinematic constraints, in the format of the solver @p requested.
-    /// Throws InputError as solver_kind() does. Collective.
+    /// Returns the assembled stiffness T^T (K + sum k r^T r) T with @p springs
+    /// as above, in the format of the solver @p requested. The homogeneous
+    /// @p constraints u = T v must include kinematic_constraints(). Throws
+    /// InputError as solver_kind() does. Collective.
     std::unique_ptr<StiffnessMatrix>
     assembled_stiffness(
       const Constraints             &constraints,
@@ -611,7 +620,7 @@ namespace lamella
       const SolverKind               requested = SolverKind::automatic) const;
 
     /// Returns a solver for the matrix of assembled_stiffness(). @p monitor is
-    /// called after assembly and with the size of a factor. Throws
+    /// called after assembly, and with the size of the matrix factor. Throws
     /// NumericsError with a position in the scene if the matrix is not positive
     /// definite, InputError as solver_kind() does. Collective.
     std::unique_ptr<LinearSolver>
@@ -621,9 +630,9 @@ namespace lamella
                 const SolverMonitor &monitor           = {}) const;
 
     /// Return the tangent stiffness K(u) of the internal forces in three forms:
-    /// its terms, the product f += K(u) w, and a solver. If @p correction, the
-    /// last Newton correction, is not empty, the geometric part has the stress
-    /// that the linearization predicted (FiniteStrainSectionOperator).
+    /// its terms, the product f += K(u) w, and a solver. If the last Newton
+    /// @p correction is not empty, the geometric stiffness uses stresses
+    /// linearized at the previous iterate (predicted_strain()).
     StiffnessTerms
     tangent_terms(const Vector                  &u,
                   const Vector                  &correction,
@@ -638,8 +647,8 @@ namespace lamella
                         const SolverKind     requested = SolverKind::automatic,
                         const SolverMonitor &monitor   = {}) const;
 
-    /// Returns a solver for the matrix with @p terms, condensed by @p
-    /// constraints, as make_solver() does.
+    /// Returns a solver for the sum of @p terms with the homogeneous
+    /// @p constraints. Parameters and exceptions are those of make_solver().
     virtual std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
@@ -706,8 +715,8 @@ namespace lamella
                 const std::vector<double> &etas,
                 const Vector              &u) const;
 
-    /// Averages the samples of @p cell on its face towards the start of the
-    /// axis with those of the adjacent element.
+    /// Replaces the samples of @p grid on the face of the element @p cell
+    /// nearest to the start by means with those of the adjacent element.
     void
     average_with_previous_layer(const unsigned int cell,
                                 const Vector      &u,

@@ -14,7 +14,8 @@ namespace lamella
 {
   // Conversion of strains in body axes to output, shared by beam and solid.
 
-  /// An affine map of a strain epsilon (as in Eq. 4) to a strain or stress q,
+  /// An affine map from a strain epsilon, in the order of Voigt, to a strain or
+  /// stress q in other axes,
   ///   q = matrix epsilon + constant.
   /// The constant is due to initial strains: stress is C (epsilon - epsilon_0).
   struct StrainMap
@@ -23,9 +24,10 @@ namespace lamella
     Voigt         constant;
   };
 
-  /// Returns the map from a strain in the axes of a body at @p placement to @p
-  /// quantity in the axes of @p frame, with ply axes @p ply and the elastic law
-  /// @p law in body axes. With the strain rotation T to the axes of @p frame,
+  /// Returns the map from a strain in body axes to the strain or stress
+  /// @p quantity in the axes @p frame. The body is at @p placement; @p ply and
+  /// @p law are the ply axes and the elastic law in body axes. With the matrix
+  /// T that rotates strains to @p frame,
   ///   epsilon' = T epsilon,   sigma' = T^-T C (epsilon - epsilon_0),
   /// since sigma . epsilon is invariant.
   StrainMap
@@ -53,8 +55,8 @@ namespace lamella
     ElasticTensor strain_to_scene, stress_to_scene, stress_to_ply;
   };
 
-  /// Returns the FieldSample of a point with @p displacement and @p strain in
-  /// body axes and the stress by @p law.
+  /// Returns the FieldSample of a point from @p displacement and @p strain in
+  /// body axes, with the stress of the elastic @p law.
   FieldSample
   sample_of(const dealii::Tensor<1, 3> &displacement,
             const Voigt                &strain,
@@ -83,8 +85,8 @@ namespace lamella
   Deformation
   reduce_over_processes(Deformation share);
 
-  /// Returns the mean of @p samples of the elements that meet at a point, with
-  /// the jump of their stresses sigma_a,
+  /// Returns the mean of @p samples, one for each element a that contains a
+  /// point, with the relative jump of their stresses sigma_a,
   ///   max over a, b of |sigma_a - sigma_b| / max over a of |sigma_a|,
   /// by Euclidean norms of six components; 0 without stress.
   FieldSample

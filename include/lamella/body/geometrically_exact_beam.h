@@ -14,40 +14,38 @@
 namespace lamella
 {
   /**
-   * A beam with finite rotations of its sections and small warping. With r(y)
-   * the displacement of the section's center, R(y) its rotation and a the
-   * amplitudes of the fields that are no rigid motions,
+   * A geometrically exact beam: finite rotations of its sections, small strains
+   * and small warping. A point X of a section with center X_c moves to
    *   x = X_c + r + R (X - X_c + Phi a).
-   * Strains are small in section axes and linear in
+   * with the displacement r(y) of the center, the rotation R(y) of the section,
+   * and the amplitudes a(y) of its warping functions Phi. In section axes,
+   * strains are small and linear in the generalized strains
    *   e = (Gamma, kappa, kappa_y^2 / 2, a, a')                 (FrameStrains),
-   * so the stresses s = D e have a constant matrix D, that of a Beam
-   * (SectionOperator). With Saint-Venant's fields this is Simo's beam with the
-   * section's stiffness, including warping in shear and torsion, Poisson's
-   * effect and couplings of a layup. TwistStretch gives the terms of kappa_y^2
-   * / 2, Wagner's stiffening of a twisted strip. Other quadratic strains
-   * (flattening of bent tubes and wide strips) are neglected;
-   * Deformation::shape_change measures them.
+   * so the stress resultants s = D e, conjugate to e, have a constant matrix D,
+   * that of a linear Beam (SectionOperator). With Saint-Venant warping
+   * functions this is Simo's beam with the exact section stiffness.
+   * TwistStretch adds the terms of kappa_y^2 / 2 (Wagner's stiffening of
+   * twisted strips). The flattening of bent tubes and wide strips is neglected;
+   * Deformation::shape_change estimates its effect.
    *
-   * In a state u the rigid fields of a node are its r and its rotation vector,
-   * of angle 0 to pi, scaled as for small rotations (RigidField). In changes du
-   * and in forces they are spins on top of the state, about body axes;
-   * retract() combines both. Rows depend on the state (rows_at()), at u = 0 a
-   * Beam's.
+   * In a displacement vector u, a node has r and a rotation vector of angle 0
+   * to pi, scaled as RigidField. In increments du, the rotation vector is a
+   * spin about body axes after the rotation in u, and forces have conjugate
+   * moments; retract() computes u updated by du. Functionals of displacements
+   * depend on u (rows_at()).
    *
-   * Quaternions of nodes are interpolated along an element. Integrals use one
-   * Gauss point fewer than nodes, which does not lock at any slenderness. (One
-   * more for the terms of a and a' doubles the number of elements needed if
-   * warping is constrained.)
+   * Nodal quaternions are interpolated along an element. Reduced integration,
+   * one Gauss point fewer than nodes, avoids locking.
    *
-   * Sections that stay normal to the axis (EBBT) are those of TBT with 10^4
-   * times the axial stiffness against shear, which leaves a share (h / L)^2 of
-   * 1e-5 of the deflection. A section that cannot twist rotates in one plane.
+   * EBBT is TBT with a shear stiffness of 10^4 times the axial stiffness, as a
+   * penalty. Sections that cannot twist must rotate in one plane.
    */
   class GeometricallyExactBeam : public Beam
   {
   public:
-    /// Constructs a beam whose nodes all carry all fields of @p section, that
-    /// of Theory::of_rotating(). theory() returns @p theory, if not empty.
+    /// Constructs a beam with all functions of @p section, which must be of
+    /// Theory::of_rotating(), at all nodes. @p keeps_normal is true for EBBT.
+    /// theory() returns @p theory unless it is empty.
     GeometricallyExactBeam(const std::string             &name,
                            std::shared_ptr<const Section> section,
                            std::shared_ptr<const Axis>    axis,
@@ -55,7 +53,8 @@ namespace lamella
                            const std::string             &theory       = "",
                            const bool                     keeps_normal = false);
 
-    /// Constructs a beam as Beam does. Throws InputError for lists not dense.
+    /// Constructs a beam with node-dependent functions, see Beam. Throws
+    /// InputError if a list is not dense (SectionSpace).
     GeometricallyExactBeam(
       const std::string                            &name,
       std::shared_ptr<const SectionSpace>           space,
@@ -75,7 +74,8 @@ namespace lamella
     {
       return true;
     }
-    /// Returns the state. Throws NumericsError if a rigid section would twist.
+    /// Returns @p u with the spins of @p change composed with its rotations.
+    /// Throws NumericsError if a section that cannot twist would twist.
     Vector
     retract(const Vector &u, const Vector &change) const override;
     double
@@ -116,7 +116,7 @@ namespace lamella
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
                const Vector                    &u) const override;
-    /// Calls @p use with a block for each own element of the axis.
+    /// Calls @p use with the tangent of each axis element of this process.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -125,7 +125,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Section law D of an axis element: its fields, among them m warpings.
+    /// Section stiffness D of an axis element. `fields` are the numbers of its
+    /// section functions, `warpings` the m of them that are not rigid.
     struct Law
     {
       std::vector<unsigned int> fields, warpings;
@@ -133,17 +134,17 @@ namespace lamella
       dealii::LAPACKFullMatrix<double> D;
     };
 
-    /// State of an element of the axis, node by node.
+    /// Nodal displacements and rotations of an axis element.
     struct Element
     {
-      /// Quaternions, signs by a nonnegative product with the first.
+      /// Quaternions, with signs such that q[0] . q[i] >= 0.
       std::vector<Quaternion>           q;
       std::vector<dealii::Tensor<1, 3>> r;
       /// Amplitudes of Law::warpings.
       std::vector<std::vector<double>> a;
     };
 
-    /// State at a point of the axis.
+    /// Interpolated Q, r, a and their derivatives along y at an axis point.
     struct Frame
     {
       Quaternion           Q, dQ;
@@ -158,8 +159,8 @@ namespace lamella
       double    weight = 0.;
     };
 
-    /// A local unknown of an element, node after node its r, spin and warpings.
-    /// The DoF, if any, is `factor` times it.
+    /// An unknown of an element: component of r, spin or warping amplitude of a
+    /// node. The beam's DoF, if it exists, is `factor` times the unknown.
     struct LocalDof
     {
       DofIndex dof    = dealii::numbers::invalid_dof_index;
@@ -172,15 +173,15 @@ namespace lamella
       }
     };
 
-    /// Numbers of FrameStrains, and of r and the spin of a node.
+    /// Number of FrameStrains, and number of components of r and spin.
     static constexpr unsigned int n_strains       = 7,
                                   n_node_unknowns = RigidField::n_all;
     using OfFrame = std::array<double, n_strains>;
 
-    /// Derivative of (Q, Q', r') by r and the spin of a node.
+    /// Derivative of (Q, Q', r') at a point by r and the spin of one node.
     using ByNode = std::array<dealii::Tensor<1, 6>, 11>;
 
-    /// A point of the section with the fields of an element there.
+    /// A point of a section, with the warping functions of the element.
     struct PointFields
     {
       AxisPoint on_axis;
@@ -196,36 +197,39 @@ namespace lamella
     make_laws(const bool keeps_normal);
     std::shared_ptr<Law>
     make_law(const SectionOperator &section_operator) const;
-    /// Sets the row and the column of kappa_y^2 / 2.
+    /// Sets the row and the column of D for the strain kappa_y^2 / 2.
     void
     add_twist_stretch(Law &law) const;
 
-    /// Returns the number of the section's first fields, which are no warpings.
+    /// Returns the number of rigid functions, the first of the section.
     unsigned int
     n_rigid() const
     {
       return std::min<unsigned int>(n_node_unknowns, section().n_fields());
     }
 
-    /// Returns the stresses on e of the @p work on the fields @p list at
-    /// station @p k, without that on kappa_y^2 / 2.
+    /// Converts the forces @p work on the section functions @p list at station
+    /// @p k to forces conjugate to e, except that of kappa_y^2 / 2.
     std::vector<double>
     on_strains(const std::vector<unsigned int> &list,
                const FieldParts                &work,
                const unsigned int               k) const;
 
-    /// Returns the stresses on e of C epsilon_0 at the stations of @p cell.
+    /// Returns the forces conjugate to e of the thermal stress C epsilon_0 at
+    /// the stations of the axis element @p cell.
     std::vector<Vector>
     thermal_stresses(const unsigned int cell) const;
-    /// Returns the heat stresses on kappa_y^2 / 2 at @p places on the axis.
+    /// Returns the thermal forces conjugate to kappa_y^2 / 2 at the axial
+    /// positions @p places.
     std::vector<double>
     thermal_stress_on_twist(const std::vector<double> &places) const;
 
-    /// Returns the strain of kappa_y^2 / 2 = 1 at @p point of the section.
+    /// Returns the strain at the section point @p point for kappa_y^2 / 2 = 1.
     Voigt
     twist_strain(const SectionPoint &point) const;
 
-    /// Returns the rotation vector of @p node in a state, its spin in a change.
+    /// Returns the rotation vector of @p node in a displacement @p u, or its
+    /// spin in an increment @p u.
     dealii::Tensor<1, 3>
     rotation(const unsigned int node, const Vector &u) const;
 
@@ -233,23 +237,24 @@ namespace lamella
     element(const unsigned int cell, const Vector &u) const;
     static Frame
     frame_at(const AxisPoint &point, const Element &element);
-    /// Return e at a point.
+    /// Return the generalized strains e of @p frame.
     static std::vector<double>
     strains(const Frame &frame, const FrameStrains &of);
     static std::vector<double>
     strains(const Frame &frame);
-    /// Returns D e.
+    /// Returns the stress resultants D e.
     static Vector
     stresses(const Law &law, const std::vector<double> &e);
 
     std::vector<LocalDof>
     local_dofs(const unsigned int cell) const;
-    /// Adds the forces @p local to @p f.
+    /// Adds the forces @p local on the unknowns @p dofs of an element to @p f.
     static void
     add_local(const std::vector<LocalDof> &dofs,
               const std::vector<double>   &local,
               Vector                      &f);
-    /// Returns the block of @p local; without values if it is empty.
+    /// Returns the element matrix @p local as a block of the beam's stiffness.
+    /// The block has no values if @p local is empty.
     static StiffnessBlock
     block_of(const std::vector<LocalDof>            &dofs,
              const dealii::LAPACKFullMatrix<double> &local);
@@ -258,24 +263,24 @@ namespace lamella
             const AxisPoint   &point,
             const unsigned int i);
 
-    /// Adds the forces of the stresses @p s on e at @p station to @p f.
+    /// Adds the nodal forces of the stress resultants @p s at @p station to the
+    /// element vector @p f.
     static void
     add_forces(const Station       &station,
                const Element       &element,
                const Vector        &s,
                std::vector<double> &f);
 
-    /// Returns the frame's stresses that the linearization at @p before
-    /// predicts for @p change (Magisano, Leonetti and Garcea).
+    /// Returns the resultants of FrameStrains extrapolated linearly from the
+    /// element @p before by the increment @p change, for the geometric
+    /// stiffness (Magisano, Leonetti and Garcea 2017).
     static OfFrame
     predicted(const Station             &station,
               const Law                 &law,
               const Element             &before,
               const std::vector<double> &change);
-    /// Add to the local matrix @p K, with @p n numbers per node: the tangent of
-    /// a station with the frame's stresses @p s; their geometric part and the
-    /// second derivative @p by_measures of the energy by (Q, Q', r'); the
-    /// products of r and spins with those of node @p j; those with a warping.
+    /// Adds the tangent of @p station to the element matrix @p K, with the
+    /// resultants @p s of FrameStrains in the geometric part.
     static void
     add_frame_tangent(const Station                    &station,
                       const Law                        &law,
@@ -293,15 +298,15 @@ namespace lamella
     /// Returns by_node() of all nodes at @p station.
     static std::vector<ByNode>
     by_nodes(const Station &station, const Element &element);
-    /// Returns the contribution to a spin's diagonal of the second derivative
-    /// of a unit quaternion @p q, with the energy's derivative @p by_q.
+    /// Returns the diagonal entry of a spin due to the second derivative of the
+    /// unit quaternion @p q. @p by_q is the derivative of the energy by q.
     static double
     along_geodesic(const Quaternion &by_q, const Quaternion &q)
     {
       return -(by_q * q) / 4.;
     }
-    /// Returns the second derivative of the energy of the frame's strains by
-    /// (Q, Q', r') without stresses.
+    /// Returns the material part of the second derivative by (Q, Q', r') of the
+    /// energy of FrameStrains.
     static dealii::Tensor<2, 11>
     square_of_strains(const Law &law, const FrameStrains &of);
     static void
@@ -321,61 +326,65 @@ namespace lamella
     add_warping_tangent(const unsigned int                cell,
                         dealii::LAPACKFullMatrix<double> &K) const;
 
-    /// State of a section.
+    /// Kinematics and strains of a section.
     struct SectionState
     {
       Frame frame;
-      /// Strains e, and values and axial derivatives that they give each field.
+      /// Strains e, and the amplitudes q and q' of section functions in a
+      /// linear beam with the same strains.
       std::vector<double> e, value, derivative;
       /// Coefficients of the warping displacements.
       std::vector<double> warping;
     };
-    /// Return the state of a section of the element @p cell.
+    /// Return the state of a section of an element, or at an axis point.
     SectionState
     section_state(const unsigned int cell, const Frame &frame) const;
     SectionState
     section_state(const AxisPoint &on_axis, const Vector &u) const;
-    /// Returns the state for samples, strains interpolated between stations.
+    /// Returns the state for output, with strains interpolated from stations.
     SectionState
     output_state(const AxisPoint &on_axis, const Vector &u) const;
 
     PointFields
     fields_at(const Location::Place &place) const;
-    /// Returns X of PointFields.
+    /// Returns the position of @p point relative to the section's center.
     dealii::Tensor<1, 3>
     from_center(const SectionPoint &point) const;
-    /// Returns Phi a at @p at, in body axes.
+    /// Returns the warping displacement Phi a at @p at, in section axes.
     static dealii::Tensor<1, 3>
     warping(const PointFields &at, const Frame &frame);
     /// Returns the displacement of @p point, in body axes.
     dealii::Tensor<1, 3>
     displacement(const SectionPoint &point, const SectionState &state) const;
-    /// Returns the sample of @p point of a section at @p y in @p state.
+    /// Returns displacement, strain and stress at @p point of the section at
+    /// the axial position @p y.
     FieldSample
     sample_of_section(const SectionPoint &point,
                       const double        y,
                       const SectionState &state) const;
-    /// Returns R (X + Phi a) at @p at.
+    /// Returns R (X + Phi a) at @p at and its derivatives.
     static RotatedVector
     rotated_point(const PointFields &at, const Frame &frame);
-    /// Returns the displacement at @p at (body axes) per unit of each unknown.
+    /// Returns the derivative of the displacement at @p at (body axes) by each
+    /// unknown of @p element.
     static std::vector<dealii::Tensor<1, 3>>
     by_local(const PointFields &at, const Element &element);
-    /// Adds @p share of the rows of the displacement at @p place to @p rows.
+    /// Adds @p share times the linearized displacement functionals at @p place
+    /// to @p rows, one per component.
     void
     add_rows(const Location::Place         &place,
              const double                   share,
              const Vector                  &u,
              std::vector<LinearFunctional> &rows) const;
-    /// Adds to @p K the derivative of the work of @p force at @p at.
+    /// Adds the load stiffness of the point force @p force at @p at to @p K.
     static void
     add_force(const PointFields                &at,
               const dealii::Tensor<1, 3>       &force,
               const Element                    &element,
               dealii::LAPACKFullMatrix<double> &K);
 
-    /// Adds the part of add_force() of the spin number @p spin, with @p row its
-    /// derivatives by Q and by the rotated vector.
+    /// Adds the row of the spin component @p spin in add_force(). @p row has
+    /// the derivatives of its moment by Q and by the rotated vector.
     static void
     add_force_row(const PointFields                &at,
                   const Element                    &element,
@@ -383,20 +392,21 @@ namespace lamella
                   const unsigned int                spin,
                   dealii::LAPACKFullMatrix<double> &K);
 
-    /// Adds the strains of a section in @p state to @p deformation.
+    /// Updates the maxima in @p deformation by the strains of @p state.
     void
     add_strains(const SectionState &state, Deformation &deformation) const;
 
-    /// Returns the strain at @p point of a section in @p state, section axes.
+    /// Returns the strain at @p point for the section state @p state, in
+    /// section axes.
     Voigt
     strain_at(const SectionPoint &point, const SectionState &state) const;
 
     /// Reference length of the section.
     double h;
-    /// The section, or an LE-2 section of its mesh if it is rigid.
+    /// The section, or an LE-2 section of its mesh for EBBT and TBT.
     std::shared_ptr<const Section>      deformable_section;
     std::unique_ptr<const TwistStretch> twist_stretch;
-    /// Result of stiffening_by_shape() less the part in the law.
+    /// stiffening_by_shape() minus the contribution of TwistStretch.
     std::array<double, 3>                   stiffening;
     std::vector<std::vector<Station>>       stations;
     std::vector<std::shared_ptr<const Law>> laws;

@@ -9,11 +9,12 @@
 
 namespace lamella
 {
-  /// Placement of a body in the scene: the origin o of the section at the start
-  /// of the axis, and the rotation R = axes, whose rows are the unit vectors of
-  /// the body axes x (across), y (along), z (up):
+  /// Position and orientation of a body in the scene: the origin o of its
+  /// section at y = 0, and the rotation R (member axes). Rows of R are the body
+  /// axes x (across), y (along the beam), z (up) in scene components. A scene
+  /// point X has the body coordinates x_body; a vector v has v_body:
   ///   x_body = R (X - o),   X = o + R^T x_body,   v_body = R v.
-  /// Bodies compute in body axes; their interfaces use scene axes.
+  /// Functions of Body have arguments and results in scene axes.
   struct Placement
   {
     /// Scene position of the section's lower left corner (or of its mesh file's
