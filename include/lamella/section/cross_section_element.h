@@ -52,8 +52,8 @@ namespace lamella
   };
 
   /// The cross-section expansion of a beam theory: the functions F_tau(x, z),
-  /// tau = 0 ... n_functions() - 1, of u = F_tau u_tau(y) (Eq. 1) on a section
-  /// mesh. Immutable; shares the ownership of the mesh.
+  /// tau = 0 ... n_functions() - 1, of the displacement u = sum_tau F_tau
+  /// u_tau(y), on a section mesh. Immutable; shares the ownership of the mesh.
   ///
   /// The first three functions are 1, (x - x_c) / h and (z - z_c) / h, with the
   /// centroid (x_c, z_c) and a reference length h. Rigid motions of the section
@@ -91,8 +91,8 @@ namespace lamella
     virtual unsigned int
     n_functions() const = 0;
 
-    /// Returns the level of function @p tau in the elimination order, coarse
-    /// functions first: 0 for the three linear functions, else more.
+    /// Returns the level of function @p tau: 0 for the three linear functions,
+    /// higher for finer ones. Supports eliminate DoFs of low level first.
     virtual unsigned int
     level(const unsigned int tau) const
     {
@@ -122,8 +122,8 @@ namespace lamella
     map(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
 
     /// Returns points on @p boundary whose displacements determine those of the
-    /// whole boundary, with normals and tributary lengths; none if it is
-    /// unknown.
+    /// whole boundary, with normals and tributary lengths; no points if no
+    /// boundary has this name.
     virtual std::vector<EdgePoint>
     edge_points(const std::string &boundary) const = 0;
 
@@ -137,8 +137,8 @@ namespace lamella
     virtual std::vector<EdgePoint>
     section_grid() const = 0;
 
-    /// Return edge_points() and section_grid() of the functions up to a degree
-    /// (see function_degree()). These default implementations ignore it.
+    /// Return edge_points() and section_grid() for the functions up to a degree
+    /// (function_degree()). These default implementations ignore the degree.
     virtual std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary, const unsigned int) const
     {
@@ -214,8 +214,8 @@ namespace lamella
              const SideShare            &share,
              const dealii::Tensor<1, 2> &own_normal);
 
-    /// Integrates the nodal function @p shape, a function of the parameter of
-    /// the side, over the side @p face of @p cell [length].
+    /// Integrates the nodal function @p shape, given on the side's parameter in
+    /// [0, 1], over the side @p face of @p cell [length].
     SideShare
     side_share(const unsigned int                         cell,
                const unsigned int                         face,

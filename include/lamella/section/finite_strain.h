@@ -37,7 +37,8 @@ namespace lamella
   dealii::Tensor<2, 3>
   first_stress(const Gradient &H, const Voigt &second);
 
-  /// Returns Green's strain as linearized at the previous Newton iterate,
+  /// Returns Green's strain at the present iterate as the linearization at the
+  /// previous Newton iterate predicts it,
   ///   E_ij - sum_c dH_ic dH_jc / 2,
   /// where E is Green's strain of @p H and @p dH the last correction of H.
   Voigt
@@ -52,7 +53,7 @@ namespace lamella
   dealii::Tensor<2, 9>
   green_tangent(const Gradient &H, const Voigt &second, const ElasticLaw &law);
 
-  /// Returns the geometric term S_ij delta_cd of green_tangent().
+  /// Returns the geometric stiffness term S_ij delta_cd of green_tangent().
   dealii::Tensor<2, 9>
   stress_tangent(const Voigt &second);
 

@@ -11,17 +11,17 @@
 
 namespace lamella
 {
-  /// Section forces and tangent stiffness for finite rotations in a total
-  /// Lagrangian formulation, integrated over the points of a section. The
-  /// displacement gradient follows from the section functions Phi with
-  /// coefficients q(y),
+  /// Computes section forces and tangent stiffness of a total Lagrangian beam
+  /// by integration over a section. The displacement gradient (H_i: derivative
+  /// by coordinate i) follows from the section functions Phi with coefficients
+  /// q(y),
   ///   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z.
   /// With Green's strain E, the second Piola-Kirchhoff stress S = C E (small
   /// strains) and the undeformed section, the energy, the forces W and the
   /// tangent per length of the beam are
   ///   energy = int E . C E / 2 dA,   W = int dE/dq^T S dA,
   ///   dW/dq = int (dE/dq)^T C dE/dq + S_ij (dH_i/dq)^T dH_j/dq dA.
-  /// The tangent at q = 0 is that of SectionOperator.
+  /// At q = 0, the tangent equals the linear stiffness of SectionOperator.
   ///
   /// In axis elements of degree 3, the linear part of E_yy has degree 2 and the
   /// quadratic part degree 4, which causes membrane locking and stress
@@ -31,19 +31,18 @@ namespace lamella
   ///   E_k - l_k sum_m w_m l_m E_m,   l_k = sqrt(7) P_3 at station k,
   /// with the Legendre polynomial P_3. Strains linear in q are not changed.
   ///
-  /// Only for theories without completed strains (StrainCompletion): LE and
-  /// TE-N, N > 1. The tangent is computed by cells, since functions of LE are
-  /// local. Keeps a reference to the SectionSpace.
+  /// Only for theories without StrainCompletion: LE and TE-N, N > 1. Keeps a
+  /// reference to the SectionSpace.
   class FiniteStrainSectionOperator
   {
   public:
     /// Constructs the operator for @p n_stations Gauss points (stations) per
-    /// axis element. @p space must not have modes.
+    /// axis element. @p space must have section functions only, no modes.
     FiniteStrainSectionOperator(const SectionSpace &space,
                                 const unsigned int  n_stations);
 
-    /// Returns the section forces on all section functions at the stations of
-    /// an element with the coefficients @p q.
+    /// Returns the section forces conjugate to all section functions at the
+    /// stations of an axis element with the coefficients @p q.
     SectionForces
     forces(const FieldParts &q) const;
 
@@ -68,17 +67,17 @@ namespace lamella
     };
 
     /// Calls @p use for each section cell with its tangents at the stations of
-    /// an element with the coefficients @p q and their last @p correction (see
-    /// predicted_strain()). The caller must subtract (Y^T X + X^T Y) times the
-    /// element's length for the assumed strain, where X is the sum of share(k)
-    /// stretch and Y the sum of share(k) on_stretch over the stations k.
+    /// an axis element with the coefficients @p q and their last @p correction
+    /// (see predicted_strain()). To account for the assumed strain, the caller
+    /// must subtract (Y^T X + X^T Y) times the element's length: X is the sum
+    /// of share(k) stretch and Y of share(k) on_stretch over the stations k.
     void
     for_each_cell(
       const FieldParts                                            &q,
       const FieldParts                                            &correction,
       const std::function<void(const std::vector<CellTangent> &)> &use) const;
 
-    /// Returns the factor w_k l_k of station @p k.
+    /// Returns the factor w_k l_k of station @p k in the assumed strain.
     double
     share(const unsigned int k) const
     {
@@ -86,7 +85,7 @@ namespace lamella
     }
 
     /// Calls @p use for each section cell with its geometric stiffness int S_ij
-    /// (dH_i/dq)^T dH_j/dq dA. @p stress returns S at a point of a cell.
+    /// (dH_i/dq)^T dH_j/dq dA, for the stress S = @p stress(cell, point).
     void
     for_each_cell_of_stress(
       const std::function<Voigt(const unsigned int, const dealii::Point<2> &)>

@@ -13,15 +13,15 @@
 
 namespace lamella
 {
-  /// The hierarchical surplus of a displacement v of a section of LE-p over the
-  /// lower degree q < p,
+  /// Computes the hierarchical surplus of a displacement v of a section with
+  /// theory LE-p: the part of v that the lower degree q < p cannot represent,
   ///   (1 - L_q) v,
-  /// where L_q interpolates v in each cell at the Gauss-Lobatto points of
-  /// degree q. The coefficients c' of the surplus follow from those of v, c,
-  /// for any basis by nodal values,
+  /// where L_q v interpolates v in each cell at the Gauss-Lobatto points of
+  /// degree q. The coefficients c' of the surplus follow from the coefficients
+  /// c of v by
   ///   E c' = (1 - L_q) c at the nodes,
-  /// where E maps coefficients to nodal values and is factorized once. Keeps a
-  /// reference to the section.
+  /// where the matrix E maps coefficients to nodal values. It is factorized
+  /// once. Keeps a reference to the section.
   class HierarchicalSurplus
   {
   public:
@@ -30,7 +30,7 @@ namespace lamella
     static bool
     is_possible(const Section &section);
 
-    /// Factorizes E. @p section must be of LE-p, p > 1, and is_possible().
+    /// Constructs the surplus for @p section of LE-p, p > 1, is_possible().
     explicit HierarchicalSurplus(const Section &section);
 
     unsigned int
@@ -49,17 +49,17 @@ namespace lamella
     /// functionals of the coefficients.
     std::array<LinearFunctional, 3>
     displacement(const unsigned int cell, const dealii::Point<2> &unit) const;
-    /// Returns the interpolation L_q of these displacement components.
+    /// Returns their interpolants of degree @p q in the cell as functionals.
     std::array<LinearFunctional, 3>
     interpolated(const unsigned int      cell,
                  const dealii::Point<2> &unit,
                  const unsigned int      q) const;
-    /// Assembles and factorizes E.
+    /// Assembles and factorizes the matrix E of nodal values.
     void
     factorize(const std::vector<EdgePoint> &nodes);
 
     const Section &section;
-    /// Factorization of E.
+    /// Factorization of E, the matrix from coefficients to nodal values.
     dealii::SparseDirectUMFPACK from_nodes;
     /// Functionals (1 - L_q) v at the nodes, three per node, for q = 1 ...
     /// degree() - 1.

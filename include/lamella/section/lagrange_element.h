@@ -27,10 +27,9 @@ namespace lamella
   ///
   /// For rectangular grids much wider than high, a nodal basis *in columns*
   /// avoids rounding errors. G_i(x) is the sum of the nodal functions of the
-  /// column of nodes at x_i. The functions G_i and G_i (z - z_c) / h_z replace
-  /// two nodal functions of each column; 1, x, z replace three of the functions
-  /// G_i and G_i (z - z_c) / h_z. For grids much higher than wide, x and z are
-  /// exchanged.
+  /// column of nodes at x_i, h_z the height. G_i and G_i (z - z_c) / h_z
+  /// replace two nodal functions of each column; 1, x, z replace three of these
+  /// functions. For grids much higher than wide, x and z are exchanged.
   ///
   /// If nodes of the axis of one beam have different degrees LE-1, LE-2, ...,
   /// the basis is *hierarchical*, as in deal.II's FE_Q_Hierarchical: bilinear
@@ -60,8 +59,8 @@ namespace lamella
     /// Aspect ratio of a rectangular grid above which the basis is in columns.
     static constexpr double default_column_aspect = 100.;
 
-    /// Constructs LE of @p degree on @p mesh. A nodal basis is in columns on
-    /// rectangular grids with an aspect ratio of at least @p column_aspect.
+    /// Constructs LE-p, p = @p degree, on @p mesh. A nodal basis is in columns
+    /// on rectangular grids with an aspect ratio of at least @p column_aspect.
     LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree,
                     const double column_aspect = default_column_aspect,
@@ -143,8 +142,9 @@ namespace lamella
     coarse_section_grid(const unsigned int degree) const override;
 
   private:
-    /// A basis function on a cell in terms of the nodal functions N_i of
-    /// @p nodes (local numbers) and the coordinate z along a column.
+    /// A basis function on a cell, a combination of the nodal functions N_i of
+    /// its member `nodes` (numbers within the cell). z is the coordinate along
+    /// a column, z_c its value at the centroid, h_z the length of a column:
     ///   nodal         N_i
     ///   column        G = sum N_i over the column's nodes on the cell
     ///   column_slope  G (z - z_c) / h_z
@@ -162,7 +162,8 @@ namespace lamella
       std::vector<unsigned int> nodes;
     };
 
-    /// The hierarchical function sign l_i(xi) l_j(eta), i, j = indices.
+    /// A hierarchical function, `sign` l_i(xi) l_j(eta), (i, j) = `indices`,
+    /// with the polynomials l_k of the class description.
     struct Product
     {
       unsigned int                number;
@@ -194,7 +195,8 @@ namespace lamella
       return basis == Basis::hierarchical;
     }
 
-    /// Returns three of @p nodes, not on a line, whose functions are replaced.
+    /// Returns three of @p nodes, not on a line, whose nodal functions the
+    /// functions 1, x, z replace.
     std::array<unsigned int, 3>
     replaced_nodes(const std::vector<dealii::Point<2>> &nodes) const;
 
@@ -207,7 +209,8 @@ namespace lamella
     void
     number_nodal_functions();
 
-    /// Numbers of functions G_i, G_i (z - z_c) / h_z, N_i; 0 if replaced.
+    /// Numbers of the functions G_i and G_i (z - z_c) / h_z of each column and
+    /// of the nodal functions N_i; 0 if 1, x or z replaces the function.
     struct ColumnNumbers
     {
       std::vector<unsigned int> constant, slope, of_node;
@@ -223,7 +226,8 @@ namespace lamella
     /// Sort key of a hierarchical function: degree, kind of support (vertex,
     /// edge or cell), number of the vertex, edge or cell, and indices i, j.
     using ProductKey = std::array<unsigned int, 5>;
-    /// Numbers the hierarchical functions by degree, without replaced vertices.
+    /// Numbers the hierarchical functions by degree, without the three vertex
+    /// functions that 1, x, z replace.
     std::map<ProductKey, unsigned int>
     number_products();
     void

@@ -20,8 +20,8 @@ namespace lamella
   {
   public:
     /// Computes the laws of @p plies. The @p shear_factor k scales transverse
-    /// shear in the body frame: D C D replaces C, where the diagonal matrix D
-    /// is sqrt(k) for xy and yz, else 1.
+    /// shear stiffness: D C D replaces the elasticity matrix C in the body
+    /// frame, where the diagonal matrix D is sqrt(k) for xy and yz, else 1.
     explicit PlyLaws(const std::vector<Ply> &plies,
                      const double            shear_factor = 1.);
 
@@ -58,8 +58,8 @@ namespace lamella
       return constant_laws[ply];
     }
 
-    /// Values 1, cos phi, sin phi, ..., cos 4 phi, sin 4 phi for the angle phi
-    /// of a normal from +x to +z.
+    /// Values 1, cos phi, sin phi, ..., cos 4 phi, sin 4 phi. phi is the angle
+    /// of the ply normal from +x towards +z.
     static constexpr unsigned int n_harmonics = 9;
     using Harmonics                           = std::array<double, n_harmonics>;
 

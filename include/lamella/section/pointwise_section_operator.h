@@ -26,13 +26,13 @@ namespace lamella
     SectionForces
     forces(const FieldParts &q) const override;
 
-    /// Returns rows of the sparse section matrices and of the modes.
+    /// Returns the stiffness rows of section functions and modes.
     std::vector<FactorRow>
     stiffness() const override;
 
   private:
-    /// Factors q of the strains of a section function, one per strain
-    /// component, and of its derivative; or the conjugate forces.
+    /// The amplitude q of a section function, one value per strain component
+    /// (transverse shear may differ), and q'; or the conjugate forces.
     struct Coefficient
     {
       Voigt  value;

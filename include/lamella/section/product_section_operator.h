@@ -9,7 +9,8 @@
 
 namespace lamella
 {
-  /// A section operator that multiplies coefficients by a dense matrix S,
+  /// A section operator that computes the forces W_0, W_1 from coefficients q,
+  /// q' (see SectionOperator) by a dense matrix S,
   ///   [W_0; W_1] = [S_00, S_01; S_10, S_11] [q; q'],
   /// which is Section::moments() for TE-N, N > 1, and SectionSpace::dense_S()
   /// for lists of rigid functions and modes. With assumed shear strains, TE-N
@@ -22,12 +23,12 @@ namespace lamella
   class ProductSectionOperator : public SectionOperator
   {
   public:
-    /// Computes the matrix. is_possible() must be true.
+    /// Computes S for the functions @p list. is_possible() must be true.
     ProductSectionOperator(const SectionSpace       &space,
                            std::vector<unsigned int> list,
                            const bool                assumed_shear);
 
-    /// Returns whether the matrix is available for all functions @p list.
+    /// Returns whether dense matrices exist for all functions @p list.
     static bool
     is_possible(const SectionSpace              &space,
                 const std::vector<unsigned int> &list,

@@ -99,22 +99,22 @@ namespace lamella
     }
 
     /// Returns the warping v due to a section @p load f that is constant along
-    /// the axis, in addition to the six states: S_00 v = f + sum_j c_j (E a_j +
-    /// S_11 b_j). The extension, torsion and shear states j balance force and
-    /// torque (the first term of the Almansi-Michell solution).
+    /// the axis (first term of the Almansi-Michell solution), S_00 v = f +
+    /// sum_j c_j (E a_j + S_11 b_j). The factors c_j of the extension, torsion
+    /// and shear states j are such that their resultants balance f.
     Vector
     response_to_constant(const Vector &load) const;
 
-    /// Returns v from S_00 v = @p load, with translations and the rotation
-    /// about y constrained.
+    /// Returns the solution v of S_00 v = @p load with translations and the
+    /// rotation about y constrained to zero.
     Vector
     constrained_response(Vector load) const;
 
   private:
-    /// Returns a from S_00 a = E @p v + S_11 @p w with constraints.
+    /// Returns the constrained solution a of S_00 a = E @p v + S_11 @p w.
     Vector
     solve(const Vector &v, const Vector &w) const;
-    /// Returns E @p v + S_11 @p w.
+    /// Returns E @p v + S_11 @p w with E = S_10 - S_01.
     Vector
     right_hand_side(const Vector &v, const Vector &w) const;
     void
@@ -122,7 +122,8 @@ namespace lamella
     /// Computes the two shear states from the curvature states.
     void
     find_shear_states();
-    /// Computes stress resultants F and mutual energies Q of the states.
+    /// Computes the matrix F of stress resultants and the matrix Q of mutual
+    /// energies of the six states.
     void
     find_resultants(dealii::FullMatrix<double> &forces,
                     dealii::FullMatrix<double> &energies) const;
@@ -136,9 +137,9 @@ namespace lamella
   };
 
   /// Returns the Saint-Venant warping functions of the theory SV as columns:
-  /// the coefficients a of the states without rigid motions (see Warping),
-  /// orthonormal in S_00. There are fewer than six if states have no warping or
-  /// warpings are linearly dependent.
+  /// the coefficients a of the six states minus their rigid motions (see
+  /// Warping), orthonormal in S_00. Zero and linearly dependent columns are
+  /// dropped.
   FieldColumns
   saint_venant_warpings(const SaintVenant &states, const Warping &warping);
 

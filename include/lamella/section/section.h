@@ -31,10 +31,9 @@
 namespace lamella
 {
   /// A section function (field) Phi_alpha(x, z), a displacement over a section:
-  /// a sum of expansion functions F_tau times unit vectors. Most have one term.
-  /// The rotation about the axis (u_x = z, u_z = -x) and the in-plane shear
-  /// (u_x = z, u_z = x) have two, so that all six rigid motions of a section
-  /// are section functions.
+  /// a sum of expansion functions F_tau(x, z) times unit vectors. Most have one
+  /// term; rotation about the axis (u_x = z, u_z = -x) and in-plane shear (u_x
+  /// = z, u_z = x) have two, so that rigid motions are section functions.
   struct SectionFunction
   {
     /// A term: @p factor times F_tau, tau = @p function, in direction
@@ -67,22 +66,22 @@ namespace lamella
       {{{translation_x, slope_x}}, {{translation_z, slope_z}}}};
   } // namespace RigidField
 
-  /// A section with a beam theory: its section functions Phi_alpha, integration
-  /// points with constitutive laws, and the section matrices of Eq. 12,
+  /// A cross-section with a beam theory: its section functions Phi_alpha,
+  /// integration points with constitutive laws, and the section matrices
   ///   S_00 = int D_s^T C D_s,  S_01 = int D_s^T C D_y,
   ///   S_10 = S_01^T,           S_11 = int D_y^T C D_y.
   /// The displacement is
   ///   u(x, y, z) = sum_alpha Phi_alpha(x, z) q_alpha(y),
-  /// i.e. Eq. 1 with a function for each component. D_s has the derivatives by
-  /// x and z of Eq. 5, D_y those by y. With shape functions N_i(y), the
-  /// stiffness is the sum of four Kronecker products of S_pq with the integrals
+  /// with amplitudes q_alpha. The strain is sum_alpha q_alpha D_s Phi_alpha +
+  /// q_alpha' D_y Phi_alpha: D_s has the derivatives by x and z, D_y those by
+  /// y. C is the elasticity matrix. With axial shape functions N_i(y), the
+  /// stiffness of a beam is the sum of four Kronecker products of S_pq with
   ///   int N_i N_j, int N_i N_j', int N_i' N_j, int N_i' N_j'  dy.
-  /// EBBT and TBT have the five functions of a plane section without torsion.
-  /// Other theories have nine linear functions, then each further F_tau times
-  /// each unit vector. Matrices are sparse for layer-wise expansions, except
-  /// for the rows of linear functions, and dense for Taylor expansions. Bodies
-  /// with the same section and theory share one object. Immutable; shares the
-  /// ownership of the mesh.
+  /// EBBT and TBT have five functions, without torsion. Other theories have
+  /// nine linear functions, then each further F_tau times each unit vector.
+  /// Matrices are dense for Taylor expansions and sparse for layer-wise ones,
+  /// except for the rows of linear functions. Immutable; shares the ownership
+  /// of the mesh.
   class Section
   {
   public:
@@ -180,21 +179,22 @@ namespace lamella
       return plies()[ply_of_cell[cell]].axes(x);
     }
 
-    /// Evaluates the section functions of @p cell at reference coordinates
-    /// @p unit, with completed strains. The result points into this object.
+    /// Evaluates the section functions of @p cell, with the strains of
+    /// StrainCompletion, at the reference coordinates @p unit. The result keeps
+    /// a pointer to data of this object.
     SectionPoint
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// Returns whether strains of section functions are completed against
-    /// Poisson locking (see StrainCompletion).
+    /// Returns whether strains are corrected for Poisson locking
+    /// (StrainCompletion).
     bool
     completes_strains() const
     {
       return completion != nullptr;
     }
 
-    /// Returns StrainCompletion::of_initial() for the @p initial strain of
-    /// @p cell at its point @p x; zero without completion.
+    /// Returns StrainCompletion::of_initial(), the correction for Poisson
+    /// locking due to the @p initial strain at the point @p x of @p cell.
     Voigt
     completion_of_initial(const unsigned int      cell,
                           const dealii::Point<2> &x,
@@ -213,16 +213,17 @@ namespace lamella
     void
     for_each_point(const PointCallback &use) const;
 
-    /// Returns whether section functions extend over all cells and strains are
-    /// not completed (TE-N, N > 1). If so, moments() replace integrals over
-    /// points, and there are only a few integration_points().
+    /// Returns whether section functions extend over all cells, without
+    /// StrainCompletion (TE-N, N > 1). If so, moments() replace sums over
+    /// integration points, which are then only sample points.
     bool
     spans_the_section() const;
 
-    /// Returns int e_p^T C e_q dA for each pair of section functions, p, q = 0,
-    /// 1, 2; empty unless spans_the_section(). The strain of q Phi is q (e_0 +
-    /// e_1) + q' e_2, where e_1 has the transverse shear strains of D_s Phi,
-    /// e_0 its other strains, and e_2 = D_y Phi.
+    /// Returns the matrix int e_p^T C e_q dA over pairs of section functions;
+    /// empty unless spans_the_section(). @p p and @p q select strains of a
+    /// function Phi: e_1 has the transverse shear strains of D_s Phi, e_0 its
+    /// other strains, e_2 = D_y Phi. An amplitude a(y) causes a (e_0 + e_1) +
+    /// a' e_2.
     const dealii::LAPACKFullMatrix<double> &
     moments(const unsigned int p, const unsigned int q) const
     {
@@ -246,9 +247,10 @@ namespace lamella
       return weights;
     }
 
-    /// Returns the section matrix S_pq, with @p p, @p q = 0 or 1. Units: force
-    /// / length^2 for S_00, force / length for S_01, force for S_11. Includes
-    /// TBT's shear factor and completed strains. All S_pq have the same
+    /// Returns the section matrix S_pq, the stiffness between values (p, q = 0)
+    /// and axial derivatives (1) of amplitudes of section functions. Units:
+    /// S_00 force / length^2, S_01 force / length, S_11 force. Includes TBT's
+    /// shear factor and StrainCompletion. All S_pq have the same sparsity
     /// pattern.
     const Matrix &
     S(const unsigned int p, const unsigned int q) const
@@ -256,8 +258,8 @@ namespace lamella
       return matrices[2 * p + q];
     }
 
-    /// Returns the contribution of transverse shear strains to S_00, for
-    /// assumed shear strains along the axis (MITC). Zero for EBBT.
+    /// Returns the contribution of transverse shear strains to S_00, which axis
+    /// elements with assumed shear strains (MITC) need. Zero for EBBT.
     const Matrix &
     S_shear() const
     {
@@ -279,22 +281,23 @@ namespace lamella
     /// Creates the section functions and lists those of each cell.
     void
     make_fields();
-    /// Computes integration_points() and, if needed, the completion.
+    /// Computes integration_points() and, for EBBT, TBT and TE-1, `completion`.
     void
     make_points();
     /// Selects sample points at which the largest rotation is computed.
     void
     make_sample_points();
-    /// Creates the sparsity pattern, which couples functions of a common cell.
+    /// Creates the sparsity pattern: functions couple if both are nonzero on a
+    /// cell.
     void
     make_pattern();
-    /// Integrates the matrices cell by cell, for local section functions.
+    /// Integrates S_pq cell by cell, unless spans_the_section().
     void
     make_matrices();
-    /// Integrates strain_moments from moments of functions over each ply.
+    /// Computes moments() from integrals of products of F_tau over each ply.
     void
     make_moments();
-    /// Computes the matrices as sums of strain_moments.
+    /// Computes S_pq as sums of moments().
     void
     add_moments();
     /// Rows of each matrix for the functions that are nonzero on all cells.
@@ -322,8 +325,8 @@ namespace lamella
     std::pair<dealii::Point<2>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<2> &x) const;
 
-    /// Evaluates the section functions at a point with strains that are not
-    /// completed, without transverse shear for EBBT.
+    /// Evaluates the section functions at a point without StrainCompletion, and
+    /// without transverse shear strains for EBBT.
     SectionPoint
     evaluate_fields(const unsigned int      cell,
                     const dealii::Point<2> &unit) const;
@@ -334,7 +337,7 @@ namespace lamella
     PlyLaws laws;
     /// Laws of the integration points if the law of any ply varies.
     std::vector<ElasticLaw> point_laws;
-    /// Completion of strains; null if there is none.
+    /// Correction of Poisson locking; null if there is none.
     std::unique_ptr<const StrainCompletion> completion;
 
     std::vector<SectionFunction> fields;

@@ -48,18 +48,18 @@ namespace lamella
     std::vector<double> energy;
   };
 
-  /// Restricts @p forces on all functions of the section of @p space to the
-  /// functions @p list of @p space.
+  /// Returns, from @p forces conjugate to all section functions, the forces
+  /// conjugate to the functions @p list of @p space.
   SectionForces
   on_list(const SectionSpace              &space,
           const std::vector<unsigned int> &list,
           const SectionForces             &forces);
 
   /// Computes the generalized forces of a section (linear kinematics) from the
-  /// coefficients of its functions. Coefficients q and q' at a point (station)
-  /// of the axis determine the strain of Eq. 5,
+  /// coefficients of its functions. Coefficients q and their derivatives q'
+  /// along y at a point (station) of the axis determine the strain,
   ///   epsilon = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
-  /// the generalized forces of Eq. 12 before integration over the axis,
+  /// the generalized forces with the section matrices S_pq,
   ///   W_0 = int D_s^T C epsilon dA = S_00 q + S_01 q',
   ///   W_1 = int D_y^T C epsilon dA = S_10 q + S_11 q',
   /// and the energy per length (q . W_0 + q' . W_1) / 2. For assumed transverse

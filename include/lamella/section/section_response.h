@@ -24,8 +24,8 @@ namespace lamella
       : section(section)
     {}
 
-    /// Returns the real and the imaginary part of v for each of @p loads at the
-    /// wave number @p k > 0 [1 / length], without negligible parts. Throws
+    /// Returns the real and the imaginary part of v, unless negligible, for
+    /// each load f of @p loads at the wave number @p k > 0 [1 / length]. Throws
     /// NumericsError if the matrix is not positive definite.
     std::vector<std::vector<Vector>>
     at(const double k, const std::vector<Vector> &loads) const;

@@ -99,8 +99,8 @@ namespace lamella
       return alpha < first_mode() ? base->field(alpha).level : 1;
     }
 
-    /// Returns the largest displacement |Phi_alpha| of each function at the
-    /// integration points, or 1.
+    /// Returns for each function its largest displacement |Phi_alpha| at the
+    /// integration points, or 1 if it is zero there.
     const std::vector<double> &
     sizes() const
     {
@@ -147,8 +147,8 @@ namespace lamella
       return dense[2 * p + q];
     }
 
-    /// Returns the rows and columns of the section matrices for the functions
-    /// whose flag in @p carried is set; other rows are empty.
+    /// Returns the rows of the section matrices S_pq, restricted to the
+    /// functions whose flag in @p carried is true; other rows are empty.
     std::vector<FactorRow>
     rows(const std::vector<bool> &carried) const;
 

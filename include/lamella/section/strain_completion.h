@@ -28,8 +28,8 @@ namespace lamella
   public:
     virtual ~StrainCompletion() = default;
 
-    /// Completes the strains of all functions at @p point. Must be called only
-    /// once per point.
+    /// Adds the missing strains to the strains of all functions at @p point.
+    /// Must be called only once per point.
     virtual void
     complete(SectionPoint &point) const = 0;
 
@@ -58,11 +58,11 @@ namespace lamella
     FreeContraction(const PlyLaws                   &laws,
                     const std::vector<unsigned int> &ply_of_cell);
 
-    /// Replaces each strain eps by P eps, with eps_b as above.
+    /// Replaces each strain eps by P eps: keeps eps_a and sets eps_b as above.
     void
     complete(SectionPoint &point) const override;
 
-    /// Returns eps_0 - P eps_0 for the initial strain eps_0, so that the
+    /// Returns eps_0 - P eps_0 for the @p initial strain eps_0, so that the
     /// stresses sigma_xx, sigma_zz and sigma_xz are zero.
     Voigt
     of_initial(const unsigned int      cell,

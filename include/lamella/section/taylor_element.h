@@ -39,8 +39,8 @@ namespace lamella
       return order;
     }
 
-    /// Returns N for straight sides; min(3 N, N + 8) for curved sides, where x
-    /// and z are cubic in the parameter of the side.
+    /// Returns N for straight sides, else min(3 N, N + 8), since x and z are
+    /// cubic in the parameter of a curved side.
     unsigned int
     trace_degree() const override;
     /// Returns N + 1; N + 9 on curved cells.

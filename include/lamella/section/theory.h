@@ -64,7 +64,7 @@ namespace lamella
     /// A (5/6 for homogeneous rectangles, 1 in the paper). Stresses include k.
     double shear_factor = 1.;
     /// True if sections of TBT also rotate about the axis, with the torsional
-    /// stiffness G times the polar moment (see of_rotating()).
+    /// stiffness G I_p of the polar moment I_p (see of_rotating()).
     bool twists = false;
 
     /// Returns the theory LE-@p order.
@@ -172,13 +172,13 @@ namespace lamella
     to_saint_venant(const unsigned int waves) const;
 
     /// Returns true if the displacements of this theory include those of
-    /// @p other: both are of one family (TE includes EBBT and TBT), and the
+    /// @p other: both have the same kind (TE includes EBBT and TBT), and the
     /// order of @p other is not higher.
     bool
     holds(const Theory &other) const;
 
-    /// Return LE of @p order, SV with @p waves wave numbers and LE of
-    /// @p degree, TE of @p order, and solid elements of @p order.
+    /// Return LE, SV, TE and solid theories. For SV, @p waves is the number of
+    /// wave numbers and @p degree the degree of the LE of its functions.
     static Theory
     layerwise(const unsigned int order);
     static Theory
@@ -224,9 +224,9 @@ namespace lamella
       return theories.empty();
     }
 
-    /// Returns the theory whose functions are selected automatically at each
-    /// node: the first SV-N with the largest N, else the LE of the highest
-    /// degree. All intervals have its section order.
+    /// Returns the theory that contains the functions of all intervals: the
+    /// first SV-N with the largest N, else the LE of the highest degree. All
+    /// intervals have the section order of this theory.
     Theory
     leading() const;
   };

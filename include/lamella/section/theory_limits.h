@@ -18,8 +18,8 @@ namespace lamella
   ElasticTensor
   compliance(const Ply &ply);
 
-  /// Returns the transverse shear stiffness k G A [force] of a laminate, V = k
-  /// G A gamma with the shear force V, from equilibrium of the plies
+  /// Returns the transverse shear stiffness k G A [force] of a laminate, i.e.
+  /// the shear force V per shear strain, from equilibrium of the plies
   /// (Jourawski's formula; 5/6 G A for one ply),
   ///   1 / (k G A) = int S(z)^2 / (G b) dz / (E I)^2,
   ///   S(z) = int_bottom^z E (z' - z_0) b dz',
@@ -33,7 +33,8 @@ namespace lamella
   /// equilibrium, in sandwiches by a large factor. The warping w(z), a sum of
   /// Legendre polynomials of degrees 1 to N, minimizes
   ///   1/2 int G w'^2 b dz - V int E (z - z_0) w b dz / (E I).
-  /// with E, G, z_0, b as above. For @p N = 1, the result is int G dA.
+  /// with the moduli E, G of each ply, neutral axis z_0 and width b as above.
+  /// For @p N = 1, the result is int G dA.
   double
   shear_stiffness(const std::vector<Ply> &plies,
                   const double            width,

@@ -9,9 +9,9 @@
 
 namespace lamella
 {
-  /// Returns the strain r^2 e_yy [length^2] of an axial fiber at @p point, for
-  /// k^2 / 2 = 1 of the twist k. r is the distance from the centroid, e_yy a
-  /// unit strain along y, with StrainCompletion.
+  /// Returns the axial strain r^2 of a fiber at @p point of a twisted section,
+  /// per k^2 / 2 with the twist k [length^2]. r is the distance from the
+  /// centroid. The result includes StrainCompletion.
   Voigt
   stretch_of_fiber(const Section &section, const SectionPoint &point);
 

@@ -39,7 +39,7 @@ namespace lamella
     /// Returns the product (S_00 + (0.1 / H)^2 S_11) w for w = @p field.
     Vector
     metric(const Vector &field) const;
-    /// Returns this product for each column of @p fields.
+    /// Returns metric() of each column of @p fields.
     FieldColumns
     metric(const FieldColumns &fields) const;
 
@@ -73,7 +73,8 @@ namespace lamella
                    const double               tolerance) const;
 
   private:
-    /// Displacements orthogonalized to warpings, their metric(), norms.
+    /// Displacements orthogonalized to rigid motions and warpings, with their
+    /// metric() and energy norms.
     struct WarpingFields
     {
       FieldColumns        fields, metrics;
@@ -92,9 +93,10 @@ namespace lamella
     dealii::LAPACKFullMatrix<double> inverse;
   };
 
-  /// Returns columns that span X = @p fields and are orthonormal in the inner
-  /// product of a matrix M, X U Lambda^(-1/2). @p metrics are M X. U are
-  /// eigenvectors of X^T M X, eigenvalues above @p tolerance^2 min(1, largest).
+  /// Returns a basis of the columns of X = @p fields, orthonormal in the inner
+  /// product of a matrix M with M X = @p metrics: X U Lambda^(-1/2), with the
+  /// eigenvectors U and eigenvalues Lambda of X^T M X above @p tolerance^2
+  /// min(1, largest).
   FieldColumns
   orthonormal(const FieldColumns &fields,
               const FieldColumns &metrics,
