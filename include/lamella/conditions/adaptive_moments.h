@@ -36,7 +36,7 @@ namespace lamella
     /// = k_t (degree_s + 1) + k_s.
     std::vector<std::vector<dealii::Tensor<1, 3>>> of_cells;
     /// Sum of integral |f| over all cells, and the estimated error of the
-    /// integrals. Features of f between all evaluation points are not detected.
+    /// integrals. The estimate misses peaks of f between all evaluation points.
     double size = 0., error = 0.;
     /// Integral of f over all cells by the midpoint rule, 2e4 points in total.
     dealii::Tensor<1, 3> independent;
@@ -50,14 +50,16 @@ namespace lamella
   };
 
   /**
-   * Integrates the loads on @p cells by Gauss rules of degree + 3 points per
-   * parameter. The box of largest error is bisected first, along the parameter
-   * that reduces the error most, until the sum of errors is below 1e-9 of
-   * Moments::size. A box is also bisected if values on a finer midpoint grid
-   * are outside the range of values at its Gauss points. The integration ends
-   * after 1e6 evaluations, with the remaining error in Moments::error.
+   * Integrates the loads f on @p cells by Gauss rules of degree + 3 points per
+   * parameter. Each cell is a box at first. The box of largest error is
+   * bisected, along the parameter that reduces the error most, until the sum of
+   * errors is below 1e-9 of Moments::size. A box is also bisected if values on
+   * a finer midpoint grid are outside the range of values at its Gauss points.
+   * The integration ends after 1e6 evaluations, with the remaining error in
+   * Moments::error.
    *
-   * If @p constant is true, all f are assumed smooth: no grid, no bisection.
+   * If @p constant is true, all f are assumed smooth: no midpoint grid is
+   * evaluated and no box is bisected.
    *
    * The error of a box is estimated by Gauss rules of degree + 3 and degree + 4
    * points, by the halves of the box if these rules differ, and by values just

@@ -22,8 +22,8 @@ namespace lamella
     /// Throws InputError if the body has no such surface.
     Couple(const Load &load, const Region &region, const Body &body);
 
-    /// Returns the Gauss points of the surface with their areas; products of
-    /// trace functions and linear functions are integrated exactly.
+    /// Returns the Gauss points of the surface with their areas. They integrate
+    /// displacements times linear tractions exactly.
     const std::vector<SurfacePoint> &
     points() const
     {
@@ -40,17 +40,18 @@ namespace lamella
     change(const std::vector<dealii::Point<3>>     &x,
            const std::vector<dealii::Tensor<1, 3>> &u) const;
 
-    /// Vectors that are linear in displacements u of the points; r = x - c:
+    /// Coefficients of two vectors linear in the displacements u of the points.
+    /// With r = x - c, the mean rotation of the surface is
     ///   spin    = J^-1 integral of r x u dA,
-    /// is the mean rotation of the surface, and
+    /// and the change dJ of the area tensor, times the vector theta of t(x), is
     ///   stretch = dJ theta
     ///           = integral of 2 (r . u) theta - (r . theta) u
     ///             - (u . theta) r dA.
     /// The symmetric part of the derivative of the forces is
     ///   df . v = -(spin(u) . stretch(v) + stretch(u) . spin(v)) / 2.
     /// Entry [k][p] is the coefficient of u at point p in component k. The
-    /// derivative also has a skew part, since a moment of fixed direction has
-    /// no potential for spatial rotations.
+    /// derivative also has a skew part, since a moment of fixed direction is
+    /// not conservative for spatial rotations.
     struct CoupleRotation
     {
       std::array<std::vector<dealii::Tensor<1, 3>>, 3> spin, stretch;
@@ -58,12 +59,13 @@ namespace lamella
     CoupleRotation
     rotation_of(const std::vector<dealii::Point<3>> &x) const;
 
-    /// Returns the forces on the undeformed surface, for small displacements.
+    /// Returns the forces t dA on the undeformed surface, for bodies with small
+    /// displacements.
     PointForces
     dead_load() const;
 
   private:
-    /// c, J^-1 and theta of the points displaced to x.
+    /// Centroid c, J^-1 and theta (class description) at displaced points.
     struct Place
     {
       dealii::Tensor<1, 3> center;

@@ -33,12 +33,13 @@ namespace lamella
                const Vector                            &u,
                Vector                                  &f) const;
 
-    /// Returns R_k(u) w, the displacement of each point due to the change @p w.
+    /// Returns R_k(u) w, the displacement of each point due to the increment
+    /// @p w of the DoFs.
     std::vector<dealii::Tensor<1, 3>>
     changes(const Vector &u, const Vector &w) const;
 
-    /// Adds @p factor sum_k dR_k^T F_k to f, with dR_k the derivative of the
-    /// rows R_k at @p u in the direction @p w and the @p forces F_k.
+    /// Adds @p factor sum_k dR_k^T F_k to f, with the @p forces F_k and the
+    /// derivative dR_k of the rows R_k at @p u in the direction @p w.
     void
     add_rotated_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
                        const double                             factor,

@@ -12,13 +12,13 @@
 namespace lamella
 {
   /// A load on a body with finite rotations, whose nodal forces f(u) depend on
-  /// the displacement u. For small displacements it is the load of add_load().
+  /// the displacement u. f(0) is the load vector of add_load().
   class FollowerLoad
   {
   public:
     virtual ~FollowerLoad() = default;
 
-    /// Returns whether df/du has a skew part.
+    /// Returns whether the load stiffness df/du is not symmetric.
     virtual bool
     is_unsymmetric() const
     {

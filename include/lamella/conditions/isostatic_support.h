@@ -33,8 +33,8 @@ namespace lamella
     dealii::Tensor<1, 3> normal;
   };
 
-  /// Returns the normal displacement n . u at @p place as a functional of the
-  /// DoFs; none if the body does not contain the point.
+  /// Returns the normal displacement n . u at the contact point @p place as a
+  /// functional of the DoFs; empty if the body does not contain the point.
   std::optional<BodyFunctional>
   row_of(const PotentialContact &place, const Bodies &bodies);
 
@@ -53,8 +53,8 @@ namespace lamella
   void
   clear_isostatic_motions(std::vector<Support> &supports);
 
-  /// Returns the constraints of the isostatic support @p hold, which has the
-  /// index @p support in the list of supports.
+  /// Returns the constraints r(u) = 0 of the isostatic support @p hold, one per
+  /// removed rigid motion. @p support is its index among all supports.
   std::vector<PrescribedFunctional>
   rows_of_isostatic_support(const IsostaticSupport &hold,
                             const unsigned int      support,

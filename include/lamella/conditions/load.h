@@ -57,12 +57,12 @@ namespace lamella
 
     /// Resultant [force], and its moment about the origin [force x length].
     dealii::Tensor<1, 3> force, moment;
-    /// True if t is not constant; only then are the members below set.
+    /// True if t is not constant. Otherwise, the members below are not set.
     bool checked = false;
     /// Integral of |t| [force]; zero if t vanished at all integration points.
     double size = 0.;
-    /// Resultant by an independent rule with its error, and the error of the
-    /// adaptive integration [force].
+    /// Resultant by the midpoint rule with its error, and the error of the
+    /// adaptive integration [force] (Moments).
     dealii::Tensor<1, 3> independent;
     double               independent_error = 0., error = 0.;
     /// Largest number of bisections in the adaptive integration, and the point

@@ -15,8 +15,8 @@ namespace lamella
   /// (`Load factors`). Each load, support or obstacle with its own history
   /// (`Factors`) has a factor t_k. The load vector is
   ///   f(t) = t_0 f_0 + sum_k t_k f_k.
-  /// Temperatures have their own factor: 1, or less while the first step is
-  /// incremented.
+  /// Temperatures have their own factor, which rises to 1 in the increments of
+  /// the first load step.
   class LoadFactor
   {
   public:
@@ -56,7 +56,8 @@ namespace lamella
       return own.size();
     }
 
-    /// Returns the factors between @p from (@p way = 0) and this (@p way = 1).
+    /// Returns factors interpolated linearly between @p from (@p way = 0) and
+    /// this object (@p way = 1), for load increments.
     LoadFactor
     after(const LoadFactor &from, const double way) const
     {
@@ -84,7 +85,7 @@ namespace lamella
       return result;
     }
 
-    /// Returns this with the factor of temperatures of @p other.
+    /// Returns these factors, but with the temperature factor of @p other.
     LoadFactor
     with_thermal_factor_of(const LoadFactor &other) const
     {

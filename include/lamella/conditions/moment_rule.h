@@ -30,7 +30,7 @@ namespace lamella
     halves(const unsigned int d) const;
   };
 
-  /// Smallest and largest values of the components of loads passed to add().
+  /// Smallest and largest components of the loads f passed to add().
   struct ForceRange
   {
     dealii::Tensor<1, 3> low, high;

@@ -14,8 +14,8 @@
 
 namespace lamella
 {
-  /// The prescribed constraints of one body (each a row vector of weights of
-  /// its DoFs) as input of RowReduction.
+  /// The support constraints of one body, each a linear functional (row) of its
+  /// DoFs, as input of RowReduction.
   struct BodyConstraints
   {
     /// Selects those of @p rows that belong to @p body, which has the index @p
@@ -24,15 +24,15 @@ namespace lamella
                     const unsigned int                       index,
                     const std::vector<PrescribedFunctional> &rows);
 
-    /// Returns the indices of nonempty rows in groups. Rows that share a DoF
-    /// are in the same group.
+    /// Returns the indices of the nonempty rows, in groups that have no common
+    /// DoFs and can be eliminated independently.
     std::vector<std::vector<unsigned int>>
     groups() const;
 
     const Body                              &body;
     const std::vector<PrescribedFunctional> &prescribed;
-    /// Each row in the independent DoFs of the body (without DoFs that its
-    /// kinematic constraints eliminate); empty for rows of other bodies.
+    /// Each row in terms of the DoFs that kinematic constraints of the body do
+    /// not eliminate; empty for rows of other bodies.
     std::vector<LinearFunctional> functionals;
     /// Displacement per unit of each DoF (Body::dof_scales()).
     std::vector<double> sizes;
@@ -68,7 +68,8 @@ namespace lamella
       return pivot != dealii::numbers::invalid_dof_index;
     }
 
-    /// Returns whether the largest remaining entry may be a pivot.
+    /// Returns whether the row has no pivot yet and its largest entry is not
+    /// negligible.
     bool
     is_open() const;
 
@@ -78,8 +79,8 @@ namespace lamella
     double
     entry(const DofIndex dof) const;
 
-    /// Subtracts @p factor times @p other and removes the DoF @p eliminated.
-    /// Returns the DoFs that the row did not have before (fill-in).
+    /// Subtracts @p factor times @p other from this row and removes the DoF
+    /// @p eliminated. Returns the DoFs of new entries (fill-in).
     std::vector<DofIndex>
     subtract(const FunctionalEquation &other,
              const DofIndex            eliminated,
@@ -95,8 +96,9 @@ namespace lamella
     RowElimination(const std::vector<unsigned int> &group,
                    const BodyConstraints           &held);
 
-    /// Returns the difference of DoF indices if the rows @p group equal these
-    /// rows with shifted DoFs, as for equal supports of successive axis nodes.
+    /// Returns the difference s of DoF indices if the rows @p group equal the
+    /// rows of this object with each DoF i replaced by i + s, as for equal
+    /// supports of successive axis nodes. Empty if they do not.
     std::optional<DofIndex>
     find_shift(const std::vector<unsigned int> &group,
                const BodyConstraints           &held) const;

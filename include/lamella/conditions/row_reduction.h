@@ -25,10 +25,11 @@ namespace lamella
    * shortest is eliminated first, which limits fill-in. The result of a group
    * is reused for a group that differs by a shift along the axis only.
    *
-   * A row is linearly dependent if elimination leaves less than 1e-6 of its
-   * largest entry, with DoFs scaled by their displacements
-   * (Body::dof_scales()). Its right-hand side must then agree to 1e-6 of the
-   * largest value. Keeps a reference to the kinematic constraints of the body.
+   * A row counts as linearly dependent if all entries that remain after
+   * elimination are below 1e-6 of its largest original entry, with DoFs scaled
+   * by Body::dof_scales(). The remaining right-hand side must then be below
+   * 1e-6 of the largest prescribed value. Keeps a reference to the kinematic
+   * constraints of the body.
    */
   class RowReduction
   {
@@ -71,14 +72,15 @@ namespace lamella
     influence(const std::function<double(const unsigned int)> &weight) const;
 
   private:
-    /// Stores the result for a group; throws InputError for contradictions.
+    /// Stores the result of @p elimination, one group of rows. Throws
+    /// InputError if rows contradict each other.
     void
     keep(const RowElimination                    &elimination,
          const Body                              &body,
          const std::vector<PrescribedFunctional> &rows,
          const std::vector<std::string>          &support_names);
 
-    /// Kinematic constraints; with supports; particular().
+    /// Constraints of the theory alone, and together with supports; u_p.
     const Constraints           &kinematic;
     Constraints                  homogeneous;
     Vector                       particular_solution;

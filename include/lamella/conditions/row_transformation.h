@@ -13,7 +13,8 @@
 namespace lamella
 {
   /// Transforms linear and quadratic forms of the displacements u_k of points
-  /// to forms of the DoFs; three functionals per point give u_k in the DoFs.
+  /// to forms of the DoFs of a body. Three functionals per point, one per
+  /// component, express u_k by the DoFs.
   class RowTransformation
   {
   public:

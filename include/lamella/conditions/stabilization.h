@@ -24,10 +24,11 @@ namespace lamella
     std::string motion;
   };
 
-  /// Stiffness of stabilizing springs, for bodies with rigid motions that only
-  /// contact constrains, as a fraction of E A / L (such as 1e-6; 0: no
-  /// springs). The solution is repeated with springs relaxed until their forces
-  /// vanish (proximal point method, doc/theory/contact.md).
+  /// Stiffness of stabilizing springs as a fraction `share` of the axial
+  /// stiffness E A / L of the body (such as 1e-6; 0: no springs), for bodies
+  /// with rigid motions that only contact constrains. The solution is repeated
+  /// with relaxed springs until their forces vanish (proximal point method,
+  /// doc/theory/contact.md).
   struct Stabilization
   {
     double share = 0.;
@@ -47,9 +48,9 @@ namespace lamella
    * index) that the constraints @p rows leave free. The spring acts on
    *   r(u) = 4 / n sum_p q(X_p) . u(X_p),
    * with the n corners X_p of both ends (farthest_points()) and rigid motions q
-   * that are orthonormal in this product. The stiffness is @p
-   * stabilization.share times E A / L (normal modulus and area of the start
-   * section, distance of the ends).
+   * that are orthonormal in the inner product 4 / n sum_p q(X_p) . q'(X_p). The
+   * stiffness is @p stabilization.share times E A / L (normal modulus and area
+   * of the start section, distance of the ends).
    */
   std::vector<Spring>
   stabilizing_springs(const Body                              &body,

@@ -19,8 +19,8 @@ namespace lamella
   {
     /// Translations, and rotations about the center times the size [length].
     RigidMotion motion;
-    /// Description, such as "translation along x with rotation about y";
-    /// components below 1 % are omitted.
+    /// Description for messages, such as "translation along x with rotation
+    /// about y", without components below 1 %.
     std::string words;
 
     /// Returns the displacement at @p x, for small rotations of its @p body,
@@ -30,7 +30,7 @@ namespace lamella
   };
 
   /// Isostatic support of a body, which constrains the rigid motions that
-  /// nothing resists (conditions/isostatic_support.h).
+  /// neither other supports nor contacts resist (isostatic_support.h).
   struct IsostaticSupport
   {
     /// Index of the body in the scene.
@@ -58,9 +58,9 @@ namespace lamella
 
   /// Prescribed displacements (Dirichlet conditions),
   ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
-  /// with the load factor s, or a RigidRotation, linearized for bodies with
-  /// small rotations. RowReduction eliminates the constraints exactly. Either u
-  /// or normal is used.
+  /// with the load factor s, or the displacements of a RigidRotation,
+  /// linearized for bodies with small rotations. Either `u` or `normal` is
+  /// used. RowReduction eliminates the constraints exactly.
   struct Support
   {
     /// Name in `subsection Support NAME`.

@@ -59,7 +59,7 @@ namespace lamella
     std::vector<DofIndex>     first_dof;
     /// Nonzero blocks below the diagonal in each block column, ascending.
     std::vector<std::vector<Part>> parts;
-    /// Arrays of SupernodalFactor with the same names.
+    /// The members of SupernodalFactor with these names point to these arrays.
     std::vector<std::int64_t> column, first_row, first_entry, row, permutation;
 
   private:

@@ -13,17 +13,18 @@ namespace lamella
 {
   /// A row of the five axis matrices A_pq or of the five section matrices,
   /// whose Kronecker products are the stiffness of a beam. Each column has five
-  /// entries: those for (p, q) = (0, 0), (0, 1), (1, 0), (1, 1), the orders of
-  /// the derivatives, and that of transverse shear. Columns ascend.
+  /// entries: of the matrices (p, q) = (0, 0), (0, 1), (1, 0), (1, 1), where p
+  /// and q are orders of derivatives, and of the matrix of transverse shear.
+  /// Columns ascend.
   struct FactorRow
   {
     std::vector<unsigned int>          columns;
     std::vector<std::array<double, 5>> entries;
   };
 
-  /// Returns row @p r of five matrices with the same sparsity pattern.
-  /// @p matrix_number(m) returns matrix m. Columns that are not @p wanted are
-  /// omitted.
+  /// Returns row @p r of five matrices with the same sparsity pattern, m = 0 to
+  /// 4. @p matrix_number(m) returns matrix m. Columns j for which @p wanted(j)
+  /// is false are omitted.
   template <typename Factor, typename Wanted>
   FactorRow
   factor_row(const Factor      &matrix_number,

@@ -64,8 +64,8 @@ namespace lamella
   };
 
   /// Direct solver for a sequence of matrices with the same sparsity pattern,
-  /// which is analyzed only once. Used for the tangent matrices of Newton's
-  /// method in the solution strategy `full`, which assembles all bodies.
+  /// which is analyzed only once: the tangent matrices of Newton's method in
+  /// the solution strategy `full`, which assembles one matrix of all bodies.
   class RepeatedFactorization
   {
   public:

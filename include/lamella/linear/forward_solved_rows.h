@@ -31,8 +31,8 @@ namespace lamella
     const std::int64_t *permutation = nullptr;
   };
 
-  /// Forward solutions of constraint rows b_k, the rows of B: the columns of Y
-  /// = L^-1 P B^T, which give the compliance B A^-1 B^T = Y^T Y, since
+  /// Computes the compliance B A^-1 B^T = Y^T Y of constraint rows b_k, the
+  /// rows of B, from their forward solutions, the columns of Y = L^-1 P B^T:
   ///   A^-1 = P^T L^-T L^-1 P, so b_i A^-1 b_j = (L^-1 P b_i) . (L^-1 P b_j).
   ///
   /// A row b_k involves a few DoFs. Its column of Y is nonzero only in the
@@ -90,8 +90,8 @@ namespace lamella
     std::size_t
     parent(const std::size_t supernode) const;
 
-    /// Creates the blocks of new columns of Y, from column @p first on, with
-    /// the weights of @p rows.
+    /// Creates the blocks of the new columns of Y, numbered from @p first, and
+    /// stores P b_k of the @p rows b_k in them.
     void
     scatter(const std::vector<LinearFunctional> &rows,
             const unsigned int                   first);
@@ -106,7 +106,7 @@ namespace lamella
     update_ancestors(const std::size_t          supernode,
                      const std::vector<double> &change);
 
-    /// View of L, row of L of each row of A, supernode of each column of L.
+    /// View of L; row of L for each row of A; supernode of each column of L.
     SupernodalFactor         factor;
     std::vector<std::size_t> position, supernode_of;
     /// Blocks of each supernode, one per call of append().
@@ -115,8 +115,10 @@ namespace lamella
     unsigned int n_columns = 0;
   };
 
-  /// Returns SolvedRows that use ForwardSolvedRows with @p factor. @p backward
-  /// computes x = P^T L^-T x. The data of both must outlive the result.
+  /// Returns an object that computes compliances B A^-1 B^T and displacements
+  /// A^-1 B^T lambda for constraint rows B from the Cholesky factor L =
+  /// @p factor, by ForwardSolvedRows. @p backward replaces x by P^T L^-T x. The
+  /// data of both arguments must outlive the result.
   std::unique_ptr<SolvedRows>
   make_forward_solved(const SupernodalFactor       &factor,
                       std::function<void(Vector &)> backward);

@@ -60,8 +60,9 @@ namespace lamella
     return non_zeros * non_zeros / n;
   }
 
-  /// Optional callbacks during the construction of a solver, each called once,
-  /// first `assembled`, then `factor_sized`; for SolverKind::blocks vice versa.
+  /// Optional callbacks during the construction of a solver, each called once:
+  /// first `assembled`, then `factor_sized`. SolverKind::blocks calls
+  /// `factor_sized` first.
   struct SolverMonitor
   {
     /// Called on all processes after the assembly of the matrix.
@@ -70,7 +71,7 @@ namespace lamella
     FactorMonitor factor_sized;
   };
 
-  /// Statistics of a solver: its kind, memory and iterations so far.
+  /// Kind, memory and number of iterations of a linear solver so far.
   struct SolverStatistics
   {
     /// Kind of solver; never SolverKind::automatic if returned by a solver.
@@ -105,8 +106,8 @@ namespace lamella
   public:
     virtual ~SolvedRows() = default;
 
-    /// Appends @p rows and solves for all of them together, which is faster
-    /// than one by one. Throws NumericsError if an iteration does not converge.
+    /// Appends the constraint rows @p rows and solves A x = b for all of them
+    /// together. Throws NumericsError if an iteration does not converge.
     virtual void
     append(const std::vector<LinearFunctional> &rows) = 0;
 

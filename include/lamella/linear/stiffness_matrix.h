@@ -51,9 +51,9 @@ namespace lamella
     DofIndex n_dofs = 0;
     /// Contiguous range of DoFs whose matrix rows this process owns.
     dealii::IndexSet owned;
-    /// Calls its second argument for each block of the unconstrained stiffness.
-    /// If the first argument is false, the blocks have no values. In a
-    /// distributed assembly, each process has other blocks. Called repeatedly.
+    /// Function that calls its second argument for each block of the
+    /// unconstrained stiffness. If the first argument is false, the blocks have
+    /// no values. In a distributed assembly, each process has different blocks.
     std::function<void(const bool,
                        const std::function<void(const StiffnessBlock &)> &)>
       for_each_block;

@@ -11,8 +11,8 @@
 
 namespace lamella
 {
-  /// Mesh data for Triangulation::create_triangulation(), with the elements of
-  /// the Gmsh file from which cells and lines were created.
+  /// Mesh data for Triangulation::create_triangulation(). `elements` and
+  /// `lines` have the element of the Gmsh file for each cell and each line.
   struct GmshMesh
   {
     std::vector<dealii::Point<2>>          vertices;

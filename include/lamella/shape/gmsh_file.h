@@ -43,7 +43,8 @@ namespace lamella
       /// Absolute tag of the physical group of the element; 0 if it has none.
       int          group = 0;
       unsigned int line  = 0;
-      /// Indices in GmshFile::nodes; only set for the four named types.
+      /// Indices in GmshFile::nodes; only set for points, lines, triangles and
+      /// quadrilaterals.
       std::array<unsigned int, 4> nodes{};
     };
 
@@ -54,8 +55,8 @@ namespace lamella
     std::vector<Element> elements;
   };
 
-  /// Throws InputError `PATH = FILE: line LINE: RULE. REMEDY` for @p entry,
-  /// whose text is the file name.
+  /// Throws InputError `PATH = FILE: line LINE: RULE. REMEDY`. PATH is the name
+  /// of @p entry and FILE its text, the file name.
   [[noreturn]] void
   refuse_line(const Entry       &entry,
               const unsigned int line,
@@ -63,8 +64,8 @@ namespace lamella
               const std::string &remedy = "");
 
   /// Parses @p text, a mesh in Gmsh's text format 4.1 (written since 2019) or
-  /// 2.2. The result is consistent: numbers are finite, nodes and elements are
-  /// numbered once, and elements refer to existing nodes. Sections of the file
+  /// 2.2. All numbers in the result are finite, numbers of nodes and elements
+  /// are unique, and elements refer to existing nodes. Sections of the file
   /// that a plane mesh does not need (`$Comments`, `$Periodic`) are skipped.
   /// Throws InputError for @p entry, with line number, at the first error.
   GmshFile

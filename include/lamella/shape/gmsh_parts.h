@@ -15,11 +15,11 @@
 namespace lamella
 {
   /// Iterator over the nonblank lines of a Gmsh file. Parses the words of the
-  /// current line and reports errors with its line number. The text must
+  /// current line. Error messages have the number of this line. The text must
   /// outlive this object.
   struct GmshLines
   {
-    /// Remedy in most error messages.
+    /// Advice to the user at the end of most error messages.
     static constexpr const char *anew =
       "Write the file anew with 'gmsh -2 NAME.geo -format msh41 -o NAME.msh'.";
 
@@ -28,7 +28,8 @@ namespace lamella
       , entry(entry)
     {}
 
-    /// Returns @p word for messages: quoted, abridged, printable.
+    /// Returns @p word of the file as it is printed in messages: quoted,
+    /// shortened, without unprintable characters.
     static std::string
     shown(const std::string_view word);
 
@@ -36,7 +37,8 @@ namespace lamella
     bool
     next();
 
-    /// Throws InputError with the number of the current line.
+    /// Throws InputError with the number of the current line: @p rule says what
+    /// is wrong, @p remedy what the user can do.
     [[noreturn]] void
     fault(const std::string &rule, const std::string &remedy = anew) const;
 
@@ -74,15 +76,16 @@ namespace lamella
   /// A section of a Gmsh file, from `$NAME` to `$EndNAME`.
   struct GmshPart
   {
-    /// Returns word @p i of the line, a number of @p things. Throws InputError
-    /// if this section has fewer lines than @p lines_each for each of them.
+    /// Returns word @p i of the line, the number of @p things (e.g. nodes) that
+    /// follow. Throws InputError if this section has fewer than @p lines_each
+    /// lines for each of them.
     std::int64_t
     announced(const std::size_t  i,
               const std::string &things,
               const unsigned int lines_each = 1) const;
 
-    /// Advances to the next line. Throws InputError, which names the expected
-    /// item @p due, if the section has no more lines.
+    /// Advances to the next line. Throws InputError if the section has no more
+    /// lines; its message says that the item @p due is missing.
     void
     next_line(const std::string &due);
 
@@ -140,7 +143,7 @@ namespace lamella
     expect_first(const std::string &name) const;
 
     /// Returns the section @p name, which begins at the current line, and
-    /// advances to its end. Sections that are not @p wanted are not checked.
+    /// advances to its end. If @p wanted is false, the section is not checked.
     GmshPart
     part_to_end(const std::string &name, const bool wanted);
 

@@ -37,7 +37,7 @@ namespace lamella
     /// Returns @p name. Throws InputError for @p entry if it is no material.
     std::string
     material(const Entry &entry, const std::string &name) const;
-    /// Returns material and fiber angle of a section of one material.
+    /// Returns material and fiber angle of a section of a single material.
     OrientedMaterial
     oriented_material() const;
 
