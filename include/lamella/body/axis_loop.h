@@ -22,9 +22,9 @@ namespace lamella
   /// determine section forces W_0 (conjugate to q) and W_1 (to q') and nodal
   /// forces
   ///   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy.
-  /// The functions of an element are those of any of its nodes; a missing
-  /// amplitude is zero. Each process integrates the elements Axis::own_cells().
-  /// Keeps references to the arguments of its constructor.
+  /// The functions of an element are all functions of its nodes; an amplitude
+  /// that a node lacks is zero. Each process integrates the elements
+  /// Axis::own_cells(). Keeps references to the arguments of its constructor.
   class AxisLoop
   {
   public:

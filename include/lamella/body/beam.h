@@ -10,27 +10,25 @@
 
 namespace lamella
 {
-  /**
-   * A beam in the Carrera Unified Formulation, with section functions Phi_alpha
-   * and axial shape functions N_i:
-   *   u(x, y, z) = sum N_i(y) Phi_alpha(x, z) u_(i,alpha)     (Eqs. 1 and 7),
-   * with the stiffness of Eq. 12 as a sum of Kronecker products,
-   *   K = A_NN (x) S_00 + A_NdN (x) S_01 + A_dNN (x) S_10 + A_dNdN (x) S_11
-   * (and, for assumed transverse shear strains, (A_shear - A_NN) (x) S_shear).
-   * EBBT (Euler-Bernoulli) is TBT (Timoshenko) with Kirchhoff's constraint.
-   *
-   * N_i is the shape function of axis node i (Axis); Phi_alpha is a vector
-   * function on the section, formed from the functions F_tau of the paper
-   * (Section). With D = D_s + D_y d/dy of Eq. 5 the strain is
-   *   epsilon = sum (N_i D_s Phi_alpha + N_i' D_y Phi_alpha) u_(i,alpha),
-   * so K needs only integrals A_pq over the axis (of products of N_i or N_i')
-   * and S_pq over the section (of D_p Phi_alpha . C D_q Phi_beta). The 3 x 3
-   * blocks of K are the nuclei k^(ij tau s) of the paper.
-   *
-   * Processes share rows of K by axis nodes, volume integrals by axis elements.
-   * A "cell" of Location is axis element * (number of section cells) + section
-   * cell, with unit coordinates (xi, along the axis element, eta).
-   */
+  /// A beam in the Carrera Unified Formulation, with section functions
+  /// Phi_alpha and axial shape functions N_i:
+  ///   u(x, y, z) = sum N_i(y) Phi_alpha(x, z) u_(i,alpha)     (Eqs. 1 and 7),
+  /// with the stiffness as a sum of Kronecker products (x),
+  ///   K = A_NN (x) S_00 + A_NdN (x) S_01 + A_dNN (x) S_10 + A_dNdN (x) S_11
+  /// (and, for assumed transverse shear strains, (A_shear - A_NN) (x) S_shear).
+  /// EBBT (Euler-Bernoulli) is TBT (Timoshenko) with Kirchhoff's constraint.
+  ///
+  /// N_i is the shape function of axis node i (Axis); Phi_alpha is a vector
+  /// function on the section (Section). D_s has the derivatives by x and z, D_y
+  /// that by y. The strain is
+  ///   epsilon = sum (N_i D_s Phi_alpha + N_i' D_y Phi_alpha) u_(i,alpha),
+  /// so K needs only the integrals A_pq over the axis of products of N_i or
+  /// N_i', and S_pq over the section (Section). The 3 x 3 blocks of K are the
+  /// fundamental nuclei of Carrera. Eqs. are those of Nagaraj et al. 2020.
+  ///
+  /// Processes share rows of K by axis nodes, volume integrals by axis
+  /// elements. A "cell" of Location is axis element * (number of section cells)
+  /// + section cell, with unit coordinates (xi, along the axis element, eta).
   class Beam : public Body
   {
   public:
@@ -51,8 +49,9 @@ namespace lamella
          const Placement                              &placement,
          const std::vector<std::vector<unsigned int>> &fields_of_node);
 
-    /// Constructs such a beam with section modes (linear combinations of
-    /// section functions, in @p space); theory() begins with @p theory.
+    /// Constructs a beam with node-dependent kinematics and with the modes of
+    /// @p space, linear combinations of section functions. theory() begins with
+    /// the text @p theory.
     Beam(const std::string                            &name,
          std::shared_ptr<const SectionSpace>           space,
          std::shared_ptr<const Axis>                   axis,
@@ -60,7 +59,8 @@ namespace lamella
          const std::vector<std::vector<unsigned int>> &fields_of_node,
          const std::string                            &theory);
 
-    /// Returns the theory; of TE-N also the number of dependent polynomials.
+    /// Returns the name of the theory; for TE-N with the number of dropped
+    /// polynomials, if any (TaylorElement).
     std::string
     theory() const override;
     /// Returns the sum of the numbers of section functions of all axis nodes.
@@ -79,8 +79,8 @@ namespace lamella
         sum += dof_map.fields(node).size();
       return sum;
     }
-    /// Returns the nonzeros of A_pq times those of S_pq, exact if all nodes
-    /// have all functions.
+    /// Returns the number of nonzeros of A_pq times that of S_pq, which is
+    /// exact if all nodes have all functions.
     double
     stiffness_entries() const override;
     dealii::IndexSet
@@ -117,15 +117,17 @@ namespace lamella
 
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
-    /// Returns a solver for a matrix with dense blocks per axis node if @p
-    /// requested is `automatic`, on one process and with dense section matrices
-    /// (SectionSpace); otherwise Body::solver_of().
+    /// Returns the solver of factorize_blocks(), with a block per axis node, if
+    /// @p requested is `automatic`, there is one process, and all nodes have
+    /// dense functions (SectionSpace); otherwise the solver of
+    /// Body::solver_of().
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      requested,
               const SolverMonitor  &monitor) const override;
-    /// Returns the energy and the largest rotation at integration points.
+    /// Returns the strain energy and the largest rotation of all integration
+    /// points.
     Deformation
     deformation(const Vector &u) const override;
     std::unique_ptr<SecondOrder>
@@ -171,11 +173,13 @@ namespace lamella
     ply_at(const Location::Place &place) const override;
     Cells
     cells() const override;
-    /// Returns along the axis the degree of the elements (one less for EBBT, as
-    /// the rotation is -w'), in the section the degree of LE-N, otherwise zero.
+    /// Returns along the axis the degree of the elements (for EBBT one less, as
+    /// the rotation is -w'), in the section the degree N of LE-N, zero for
+    /// other theories.
     std::array<unsigned int, 3>
     recovery_degrees() const override;
-    /// Returns in the section the lowest LE degree of the nodes of the element.
+    /// Returns recovery_degrees(), but in the section the lowest LE degree of
+    /// the nodes of the axis element of @p cell.
     std::array<unsigned int, 3>
     recovery_degrees_of(const unsigned int cell) const override;
 
@@ -188,13 +192,14 @@ namespace lamella
     /// constraints do not outnumber DoFs.
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
-    /// Returns for an end the fewest points that determine its displacement,
-    /// three for EBBT and TBT.
+    /// Returns for an end the smallest set of points that determines its
+    /// displacement, e.g. three for EBBT and TBT.
     std::vector<Location>
     constraint_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
-    /// Returns the facets of ends, one per section cell, then lateral facets.
+    /// Returns the facets of the ends, one per section cell, followed by the
+    /// facets of lateral surfaces.
     std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const override;
     /// Returns the facets with node numbers (section node) * (number of axis
@@ -215,7 +220,8 @@ namespace lamella
     cut(const double       position,
         const unsigned int n,
         const Vector      &u) const override;
-    /// Returns in the section min(trace degree, max(degree, 3)) intervals.
+    /// Returns in the section min(trace_degree(), max(degree(), 3)) intervals,
+    /// with the degrees of CrossSectionElement.
     GridIntervals
     output_degrees() const override;
     /// Calls @p use with cells numbered (own axis element) * (section cells) +
@@ -278,7 +284,8 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const;
 
-    /// Returns sample_at() for all @p points at each axis point of @p places.
+    /// Returns sample_at() for all section points @p points at each axis point
+    /// of @p places.
     virtual std::vector<FieldSample>
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
@@ -297,7 +304,8 @@ namespace lamella
     thermal_forces(const std::vector<std::vector<double>> &stations) const;
 
     /// Calls @p use for integration points of the section with minus the
-    /// thermal strain per kelvin, and its stress times the integration weight.
+    /// thermal strain per kelvin, and its stress C epsilon times integration
+    /// weight.
     void
     for_each_thermal_point(
       const std::function<void(const SectionPoint &point,
@@ -357,7 +365,7 @@ namespace lamella
                 const std::vector<double> &etas,
                 const Vector              &u) const;
 
-    /// Displacement and completed strain (Eq. 4) at a point, in body axes.
+    /// Displacement and strain, with StrainCompletion, at a point in body axes.
     struct PointState
     {
       dealii::Tensor<1, 3> displacement;
@@ -375,7 +383,8 @@ namespace lamella
     Voigt
     expansion_at(const SectionPoint &point) const;
 
-    /// Returns displacement, strain and stress of @p state, scene and ply axes.
+    /// Returns the FieldSample with displacement and strain of @p state at
+    /// @p point, which is at @p x in the scene.
     FieldSample
     field_sample(PointState              state,
                  const SectionPoint     &point,
@@ -385,7 +394,8 @@ namespace lamella
     std::vector<SectionForces>
     thermal_forces() const;
 
-    /// A section point with data of samples that do not depend on y.
+    /// A section point with those data of output samples that do not depend on
+    /// y.
     struct GridPoint;
 
     /// Returns a regular grid of points on @p section_cell, xi running fastest.
@@ -401,8 +411,8 @@ namespace lamella
                 Voigt                       strain,
                 const dealii::Point<3>     &x) const;
 
-    /// Sets the samples of @p cell for amplitudes @p states; @p points are
-    /// lines of n_xi + 1 points.
+    /// Sets the samples of @p cell for the amplitudes @p states at the section
+    /// points @p points, a grid with @p n_xi + 1 points along xi.
     void
     sample_grid(const std::vector<GridPoint> &points,
                 const unsigned int            n_xi,

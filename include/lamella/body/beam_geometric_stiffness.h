@@ -12,18 +12,17 @@
 
 namespace lamella
 {
-  /**
-   * The geometric stiffness K_G of a beam with stress s, in body axes,
-   *   v . K_G w = int s_ij v_k,i w_k,j dV.
-   * Stresses and displacement gradients are evaluated at Barlow points, where
-   * stresses are most accurate: Gauss points, as many as the degree along each
-   * axis element (stations) and one fewer per direction than for the stiffness
-   * in each section cell. With amplitudes q_a of section functions Phi_a,
-   *   u_,x = sum_a q_a Phi_a,x,  u_,y = sum_a q_a' Phi_a,
-   *   u_,z = sum_a q_a Phi_a,z,
-   * and the forces apply the transpose of this map to s_ij u_,j. Keeps a
-   * reference to the beam. Each process has the stations of its elements.
-   */
+  /// The geometric stiffness K_G of a beam with stress s, in body axes,
+  ///   v . K_G w = int s_ij v_k,i w_k,j dV.
+  /// Stresses and displacement gradients are evaluated at Barlow points, where
+  /// stresses are most accurate: Gauss points, as many as the degree along each
+  /// axis element (stations) and one fewer per direction than for the stiffness
+  /// in each section cell. With amplitudes q_a of section functions Phi_a,
+  ///   u_,x = sum_a q_a Phi_a,x,  u_,y = sum_a q_a' Phi_a,
+  ///   u_,z = sum_a q_a Phi_a,z,
+  /// and the forces apply the transpose of this map to s_ij u_,j. Keeps a
+  /// reference to the beam. Each process computes the stations of the axis
+  /// elements that it owns.
   class BeamGeometricStiffness
   {
   public:
@@ -37,7 +36,7 @@ namespace lamella
     Coefficients
     coefficients(const Vector &w) const;
 
-    /// Sets s to the stress for the amplitudes @p q, with thermal stress.
+    /// Sets the stress s to that for the amplitudes @p q, with thermal stress.
     void
     set_stress(const Coefficients &q);
 

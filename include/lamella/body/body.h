@@ -197,26 +197,24 @@ namespace lamella
   /// Rigid motion: three translations [length] and three rotations [rad].
   using RigidMotion = std::array<double, 6>;
 
-  /**
-   * Interface of a discretized elastic body: DoFs, stiffness, points and
-   * surfaces, without boundary conditions. Positions are in scene axes.
-   * Displacements are arguments; the body stores none. A "row" is a linear
-   * functional of the DoFs, such as a displacement component at a point.
-   * Equation numbers are those of Nagaraj et al. 2020.
-   *
-   * In the principle of virtual work (Eqs. 8 to 12) the internal work is
-   *   delta L_int = delta u . K u,   K = int B^T C B dV,
-   * where the functionals epsilon = B u at a point are rows(..,
-   * Quantity::strain). A force P at the point X contributes to the load vector
-   * f by the functionals r_c of the displacement components u_c(X),
-   *   f_k += sum_c P_c r_c,k   with   u_c(X) = sum_k r_c,k u_k
-   * A prescribed displacement is r_c(u) = value. A gap is the difference of the
-   * displacement functionals of two bodies along a normal (Eq. 16).
-   *
-   * All processes hold the same body and complete vectors of n_dofs() entries.
-   * Collective functions must be called by all processes with the same
-   * arguments. The product u . f is a work, whatever the units of the DoFs.
-   */
+  /// Interface of a discretized elastic body: DoFs, stiffness, points and
+  /// surfaces, without boundary conditions. Positions are in scene axes.
+  /// Displacements are arguments; the body stores none. A "row" is a linear
+  /// functional of the DoFs, such as a displacement component at a point.
+  /// Equation numbers are those of Nagaraj et al. 2020.
+  ///
+  /// In the principle of virtual work (Eqs. 8 to 12) the internal work is
+  ///   delta L_int = delta u . K u,   K = int B^T C B dV,
+  /// where the functionals epsilon = B u at a point are rows(..,
+  /// Quantity::strain). A force P at the point X contributes to the load vector
+  /// f by the functionals r_c of the displacement components u_c(X),
+  ///   f_k += sum_c P_c r_c,k   with   u_c(X) = sum_k r_c,k u_k
+  /// A prescribed displacement is r_c(u) = value. A gap is the difference of
+  /// the displacement functionals of two bodies along a normal (Eq. 16).
+  ///
+  /// All processes hold the same body and complete vectors of n_dofs() entries.
+  /// Collective functions must be called by all processes with the same
+  /// arguments. The product u . f is a work, whatever the units of the DoFs.
   class Body
   {
   public:

@@ -11,17 +11,15 @@
 
 namespace lamella
 {
-  /**
-   * The map X(s, t) from the unit square to a facet of a body surface, as
-   * polynomials for fast evaluation:
-   *   X(s, t) = sum_ij L_i(s) L_j(t) X_ij
-   * with the Lagrange polynomials L_i of GaussLobattoBasis on [0, 1] and the
-   * nodes X_ij of the facet. Degrees are those of the displacement on the
-   * facet, or 1 along straight directions. A surface integral is
-   *   int f dA = int_0^1 int_0^1 f(X(s, t)) |d_s x d_t| ds dt,
-   * with d_s = dX/ds and d_t = dX/dt. Positions are undeformed, except for
-   * moved(). A map does not refer to its body.
-   */
+  /// The map X(s, t) from the unit square to a facet of a body surface, as
+  /// polynomials for fast evaluation:
+  ///   X(s, t) = sum_ij L_i(s) L_j(t) X_ij
+  /// with the Lagrange polynomials L_i of GaussLobattoBasis on [0, 1] and the
+  /// nodes X_ij of the facet. Degrees are those of the displacement on the
+  /// facet, or 1 along straight directions. A surface integral is
+  ///   int f dA = int_0^1 int_0^1 f(X(s, t)) |d_s x d_t| ds dt,
+  /// with d_s = dX/ds and d_t = dX/dt. Positions are undeformed, except for
+  /// moved(). A map does not refer to its body.
   class FacetMap
   {
   public:

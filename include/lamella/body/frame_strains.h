@@ -47,22 +47,20 @@ namespace lamella
     std::array<dealii::Tensor<2, n>, n_functions> second;
   };
 
-  /**
-   * Strains of a beam section (axis y) as functions of the quaternion Q of its
-   * rotation R, its derivative Q' along y, and r':
-   *   Gamma = R^T (e_y + r') - e_y,
-   *   kappa = vec(R^T R') = 2 vec(Q* Q') / |Q|^2,
-   * with shears Gamma_x, Gamma_z, curvatures kappa_x, kappa_z and twist kappa_y
-   * [1 / length]; the seventh strain is kappa_y^2 / 2. Gamma_y, kappa_x and
-   * kappa_z are replaced by
-   *   Gamma_y + (Gamma_x^2 + Gamma_z^2) / 2,
-   *   kappa_x - kappa_y Gamma_x,   kappa_z - kappa_y Gamma_z.
-   * With (x^2 + z^2) kappa_y^2 / 2 these add the stretch of axial fibers that
-   * shear and twist incline to the normal of the section,
-   *   [(Gamma_x + kappa_y z)^2 + (Gamma_z - kappa_y x)^2] / 2,
-   * which matters for sandwiches with a soft core and for twisted strips. @p dQ
-   * and @p dr are the derivatives of Q and r along y.
-   */
+  /// Strains of a beam section (axis y) as functions of the quaternion Q of its
+  /// rotation R, its derivative Q' along y, and r':
+  ///   Gamma = R^T (e_y + r') - e_y,
+  ///   kappa = vec(R^T R') = 2 vec(Q* Q') / |Q|^2,
+  /// with shears Gamma_x, Gamma_z, curvatures kappa_x, kappa_z and twist
+  /// kappa_y [1 / length]; the seventh strain is kappa_y^2 / 2. Gamma_y,
+  /// kappa_x and kappa_z are replaced by
+  ///   Gamma_y + (Gamma_x^2 + Gamma_z^2) / 2,
+  ///   kappa_x - kappa_y Gamma_x,   kappa_z - kappa_y Gamma_z.
+  /// With (x^2 + z^2) kappa_y^2 / 2 these add the stretch of axial fibers that
+  /// shear and twist incline to the normal of the section,
+  ///   [(Gamma_x + kappa_y z)^2 + (Gamma_z - kappa_y x)^2] / 2,
+  /// which matters for sandwiches with a soft core and for twisted strips.
+  /// @p dQ and @p dr are the derivatives of Q and r along y.
   using FrameStrains = Derivatives<7, 11>;
   FrameStrains
   frame_strains(const Quaternion           &Q,

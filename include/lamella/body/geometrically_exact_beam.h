@@ -13,33 +13,31 @@
 
 namespace lamella
 {
-  /**
-   * A geometrically exact beam: finite rotations of its sections, small strains
-   * and small warping. A point X of a section with center X_c moves to
-   *   x = X_c + r + R (X - X_c + Phi a).
-   * with the displacement r(y) of the center, the rotation R(y) of the section,
-   * and the amplitudes a(y) of its warping functions Phi. In section axes,
-   * strains are small and linear in the generalized strains
-   *   e = (Gamma, kappa, kappa_y^2 / 2, a, a')                 (FrameStrains),
-   * so the stress resultants s = D e, conjugate to e, have a constant matrix D,
-   * that of a linear Beam (SectionOperator). With Saint-Venant warping
-   * functions this is Simo's beam with the exact section stiffness.
-   * TwistStretch adds the terms of kappa_y^2 / 2 (Wagner's stiffening of
-   * twisted strips). The flattening of bent tubes and wide strips is neglected;
-   * Deformation::shape_change estimates its effect.
-   *
-   * In a displacement vector u, a node has r and a rotation vector of angle 0
-   * to pi, scaled as RigidField. In increments du, the rotation vector is a
-   * spin about body axes after the rotation in u, and forces have conjugate
-   * moments; retract() computes u updated by du. Functionals of displacements
-   * depend on u (rows_at()).
-   *
-   * Nodal quaternions are interpolated along an element. Reduced integration,
-   * one Gauss point fewer than nodes, avoids locking.
-   *
-   * EBBT is TBT with a shear stiffness of 10^4 times the axial stiffness, as a
-   * penalty. Sections that cannot twist must rotate in one plane.
-   */
+  /// A geometrically exact beam: finite rotations of its sections, small
+  /// strains and small warping. A point X of a section with center X_c moves to
+  ///   x = X_c + r + R (X - X_c + Phi a).
+  /// with the displacement r(y) of the center, the rotation R(y) of the
+  /// section, and the amplitudes a(y) of its warping functions Phi. In section
+  /// axes, strains are small and linear in the generalized strains
+  ///   e = (Gamma, kappa, kappa_y^2 / 2, a, a')                 (FrameStrains),
+  /// so the stress resultants s = D e, conjugate to e, have a constant matrix
+  /// D, that of a linear Beam (SectionOperator). With Saint-Venant warping
+  /// functions this is Simo's beam with the exact section stiffness.
+  /// TwistStretch adds the terms of kappa_y^2 / 2 (Wagner's stiffening of
+  /// twisted strips). The flattening of bent tubes and wide strips is
+  /// neglected; Deformation::shape_change estimates its effect.
+  ///
+  /// In a displacement vector u, a node has r and a rotation vector of angle 0
+  /// to pi, scaled as RigidField. In increments du, the rotation vector is a
+  /// spin about body axes after the rotation in u, and forces have conjugate
+  /// moments; retract() computes u updated by du. Functionals of displacements
+  /// depend on u (rows_at()).
+  ///
+  /// Nodal quaternions are interpolated along an element. Reduced integration,
+  /// one Gauss point fewer than nodes, avoids locking.
+  ///
+  /// EBBT is TBT with a shear stiffness of 10^4 times the axial stiffness, as a
+  /// penalty. Sections that cannot twist must rotate in one plane.
   class GeometricallyExactBeam : public Beam
   {
   public:

@@ -21,12 +21,13 @@
 
 namespace lamella
 {
-  /// Mesh refinement of a solid: how often hexahedra are divided into eight.
+  /// Mesh refinement of a solid, by dividing hexahedra into eight.
   struct SolidRefinement
   {
     /// Number of refinements of all hexahedra.
     unsigned int everywhere = 0;
-    /// Further refinements, `times`, of hexahedra that intersect a ball.
+    /// Further refinements of the hexahedra that intersect a ball; `times` is
+    /// their number.
     struct Ball
     {
       dealii::Point<3> center;

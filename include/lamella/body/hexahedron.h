@@ -45,20 +45,18 @@ namespace lamella
     dealii::Tensor<2, 3> middle;
   };
 
-  /**
-   * The isoparametric hexahedron of degree 1 or 2 with full integration. DoF 3
-   * i + c is the component c at its node i.
-   *
-   * For degree 1, incompatible modes of Taylor, Beresford and Wilson (1976),
-   * which pass the patch test, prevent locking in bending:
-   *   u = sum N_i u_i + sum_k (1 - xi_k^2) a_k.
-   * Gradients of the modes are (det J_0 / det J) J_0^-T grad (1 - xi_k^2) with
-   * the Jacobian J_0 at the center. The nine amplitudes a are condensed on each
-   * element: a = A u with A = -K_aa^-1 K_au.
-   *
-   * Geometry and shape functions are computed by deal.II on one cell, which
-   * each call maps to the given nodes: not thread-safe.
-   */
+  /// The isoparametric hexahedron of degree 1 or 2 with full integration. DoF 3
+  /// i + c is the component c at its node i.
+  ///
+  /// For degree 1, incompatible modes of Taylor, Beresford and Wilson (1976),
+  /// which pass the patch test, prevent locking in bending:
+  ///   u = sum N_i u_i + sum_k (1 - xi_k^2) a_k.
+  /// Gradients of the modes are (det J_0 / det J) J_0^-T grad (1 - xi_k^2) with
+  /// the Jacobian J_0 at the center. The nine amplitudes a are condensed on
+  /// each element: a = A u with A = -K_aa^-1 K_au.
+  ///
+  /// Geometry and shape functions are computed by deal.II on one cell, which
+  /// each call maps to the given nodes: not thread-safe.
   class Hexahedron
   {
   public:

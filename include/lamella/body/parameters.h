@@ -42,18 +42,16 @@ namespace lamella
     SolidRefinement refinement;
   };
 
-  /**
-   * The entries of `subsection Body NAME` and its subsection `Kinematics`. The
-   * former (defaults in parentheses, scene axes, units of the scene) are
-   *   Section          a name of the scene's sections
-   *   Origin           of the section at the start of the axis   (0, 0, 0)
-   *   Axis, Up         direction of y; direction whose normal part is z (y, z)
-   *   Length           of the axis
-   *   Stabilization    fraction of E A / L, 0 to 0.01            (0)
-   *   Isostatic support  true or false                          (false)
-   * `Kinematics` has the entries of TheoryParameters, AxisParameters and
-   * SolidParameters; entries that the theory does not need are ignored.
-   */
+  /// The entries of `subsection Body NAME` and its subsection `Kinematics`. The
+  /// former (defaults in parentheses, scene axes, units of the scene) are
+  ///   Section          a name of the scene's sections
+  ///   Origin           of the section at the start of the axis   (0, 0, 0)
+  ///   Axis, Up         direction of y; direction whose normal part is z (y, z)
+  ///   Length           of the axis
+  ///   Stabilization    fraction of E A / L, 0 to 0.01            (0)
+  ///   Isostatic support  true or false                          (false)
+  /// `Kinematics` has the entries of TheoryParameters, AxisParameters and
+  /// SolidParameters; entries that the theory does not need are ignored.
   struct BodyParameters
   {
     /// Declares the entries in the current subsection of @p prm.
@@ -72,15 +70,14 @@ namespace lamella
           const std::vector<std::string> &sections);
   };
 
-  /**
-   * Constructs the bodies of @p descriptions with the section @p meshes. Solids
-   * may use @p memory_limit bytes (0: memory of the machine). Beams with the
-   * same mesh and theory share a Section. Nodes of SV-N, and of bodies with
-   * `Theories`, have all section functions until choose_fields() selects some
-   * of them. Throws InputError for a body longer than 1e7 times the extent of
-   * its section (rigid motions are then indistinguishable), for a beam with
-   * fewer axis nodes than processes, and as HexahedralMesh. Collective.
-   */
+  /// Constructs the bodies of @p descriptions with the section @p meshes.
+  /// Solids may use @p memory_limit bytes (0: memory of the machine). Beams
+  /// with the same mesh and theory share a Section. Nodes of SV-N, and of
+  /// bodies with `Theories`, have all section functions until choose_fields()
+  /// selects some of them. Throws InputError for a body longer than 1e7 times
+  /// the extent of its section (rigid motions are then indistinguishable), for
+  /// a beam with fewer axis nodes than processes, and as HexahedralMesh.
+  /// Collective.
   Bodies
   make_bodies(const std::vector<BodyDescription> &descriptions,
               const SectionMeshes                &meshes,

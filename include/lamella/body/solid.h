@@ -162,7 +162,8 @@ namespace lamella
     /// Returns the DoFs of @p cell in the order of Hexahedron.
     std::vector<DofIndex>
     dofs_of(const unsigned int cell) const;
-    /// Return elastic law of @p cell and ply axes at @p x, in body axes.
+    /// Return the elastic law of @p cell and its ply axes at the point @p x,
+    /// all in body axes.
     ElasticLaw
     law(const unsigned int cell, const dealii::Point<3> &x) const
     {
@@ -189,7 +190,8 @@ namespace lamella
   private:
     friend class SolidSecondOrder;
 
-    /// Hexahedra with equal matrices: one of them, and those of this process.
+    /// A set of hexahedra with equal matrices: the number of one hexahedron of
+    /// the set, and the hexahedra of this process.
     struct Kind
     {
       unsigned int              cell = 0;

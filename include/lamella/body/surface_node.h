@@ -7,17 +7,17 @@
 
 namespace lamella
 {
-  /// Accumulates tributary area int N dA and mean normal, along int N n dA, of
-  /// a surface node with shape function N over its facets.
+  /// Computes the tributary area int N dA of a surface node with shape function
+  /// N, and its mean normal along int N n dA, as sums over facets.
   class SurfaceNode
   {
   public:
-    /// Sets the location to that of @p at, a point of a facet at the node, and
-    /// marks a corner if normals differ.
+    /// Sets the location of the node to that of @p at, a facet point at the
+    /// node. Marks a corner if normals of facets differ by 20 degrees or more.
     void
     meet(const SurfacePoint &at);
 
-    /// Adds the area @p share [length^2] with the normal @p normal.
+    /// Adds the area @p share [length^2] of a facet with the normal @p normal.
     void
     add(const double share, const dealii::Tensor<1, 3> &normal)
     {

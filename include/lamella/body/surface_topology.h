@@ -13,16 +13,14 @@
 
 namespace lamella
 {
-  /**
-   * Facets of a surface and numbers of their nodes, for continuous functions on
-   * the surface such as mortar multipliers. Facets share a node if their
-   * elements do; nodes that merely coincide (lips of a slit) are different.
-   *
-   * Each facet has two Gauss-Lobatto grids, s running fastest: `grid` with
-   * (degree_s + 1) x (degree_t + 1) nodes, used by contact, and `trace` of the
-   * trace degrees, which determines the displacement. Each grid has its own
-   * node numbers, from 0.
-   */
+  /// Facets of a surface and numbers of their nodes, for continuous functions
+  /// on the surface such as mortar multipliers. Facets share a node if their
+  /// elements do; nodes that merely coincide (lips of a slit) are different.
+  ///
+  /// Each facet has two Gauss-Lobatto grids, s running fastest: `grid` with
+  /// (degree_s + 1) x (degree_t + 1) nodes, used by contact, and `trace` of the
+  /// trace degrees, which determines the displacement. Each grid has its own
+  /// node numbers, from 0.
   struct SurfaceTopology
   {
     struct Facet
@@ -55,7 +53,8 @@ namespace lamella
         const std::vector<std::uint64_t> &grid,
         const std::vector<std::uint64_t> &trace);
 
-    /// Returns the number of the grid node at @p place, if a node is there.
+    /// Returns the number of the grid node at the point @p place; empty if
+    /// there is no node.
     std::optional<unsigned int>
     grid_node(const Location::Place &place) const;
 

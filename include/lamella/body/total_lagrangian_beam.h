@@ -8,23 +8,23 @@
 
 namespace lamella
 {
-  /**
-   * A beam with finite rotations in the total Lagrangian formulation, with the
-   * kinematics of Beam. Green's strain and the second Piola-Kirchhoff stress
-   * give section forces W (FiniteStrainSectionOperator) and nodal forces
-   *   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
-   * over the undeformed axis. Displacements are linear in the DoFs, so supports
-   * and dead loads are those of a Beam.
-   *
-   * Output has Green's strain E and as stress R^T sigma R, the Cauchy stress in
-   * axes that rotate with the material. For output, E_yy and transverse shear
-   * strains are fitted by quadratic polynomials along each element. Limited to
-   * B4 elements and theories without assumed strains (LE, TE-2 and higher).
-   */
+  /// A beam with finite rotations in the total Lagrangian formulation, with the
+  /// kinematics of Beam. Green's strain and the second Piola-Kirchhoff stress
+  /// give section forces W (FiniteStrainSectionOperator) and nodal forces
+  ///   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
+  /// over the undeformed axis. Displacements are linear in the DoFs, so
+  /// supports and dead loads are those of a Beam.
+  ///
+  /// Output has Green's strain E and as stress R^T sigma R, the Cauchy stress
+  /// in axes that rotate with the material. For output, E_yy and transverse
+  /// shear strains are fitted by quadratic polynomials along each element.
+  /// Limited to B4 elements and theories without assumed strains (LE, TE-2 and
+  /// higher).
   class TotalLagrangianBeam : public Beam
   {
   public:
-    /// Throws InputError for other axis elements or theories.
+    /// Constructs the beam. Throws InputError unless axis elements are B4 and
+    /// the theory is LE or TE-N, N > 1.
     TotalLagrangianBeam(const std::string             &name,
                         std::shared_ptr<const Section> section,
                         std::shared_ptr<const Axis>    axis,

@@ -17,7 +17,7 @@ namespace lamella
   class TotalLagrangianSolid : public Solid
   {
   public:
-    /// Throws InputError for degree 1.
+    /// Constructs the solid. Throws InputError for @p degree 1.
     TotalLagrangianSolid(const std::string                 &name,
                          std::shared_ptr<const SectionMesh> section,
                          const AxisMesh                    &axis,

@@ -49,23 +49,21 @@ namespace lamella
     dealii::Point<dim> place;
   };
 
-  /**
-   * Integrates the loads f on @p cells by Gauss rules of degree + 3 points per
-   * parameter. Each cell is a box at first. The box of largest error is
-   * bisected, along the parameter that reduces the error most, until the sum of
-   * errors is below 1e-9 of Moments::size. A box is also bisected if values on
-   * a finer midpoint grid are outside the range of values at its Gauss points.
-   * The integration ends after 1e6 evaluations, with the remaining error in
-   * Moments::error.
-   *
-   * If @p constant is true, all f are assumed smooth: no midpoint grid is
-   * evaluated and no box is bisected.
-   *
-   * The error of a box is estimated by Gauss rules of degree + 3 and degree + 4
-   * points, by the halves of the box if these rules differ, and by values just
-   * inside its edges. A box is bisected at most 45 times along a parameter
-   * (resolution of doubles).
-   */
+  /// Integrates the loads f on @p cells by Gauss rules of degree + 3 points per
+  /// parameter. Each cell is a box at first. The box of largest error is
+  /// bisected, along the parameter that reduces the error most, until the sum
+  /// of errors is below 1e-9 of Moments::size. A box is also bisected if values
+  /// on a finer midpoint grid are outside the range of values at its Gauss
+  /// points. The integration ends after 1e6 evaluations, with the remaining
+  /// error in Moments::error.
+  ///
+  /// If @p constant is true, all f are assumed smooth: no midpoint grid is
+  /// evaluated and no box is bisected.
+  ///
+  /// The error of a box is estimated by Gauss rules of degree + 3 and degree +
+  /// 4 points, by the halves of the box if these rules differ, and by values
+  /// just inside its edges. A box is bisected at most 45 times along a
+  /// parameter (resolution of doubles).
   template <int dim>
   Moments<dim>
   adaptive_moments(const std::vector<typename Moments<dim>::Cell> &cells,

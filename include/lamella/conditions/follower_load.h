@@ -12,7 +12,7 @@
 namespace lamella
 {
   /// A load on a body with finite rotations, whose nodal forces f(u) depend on
-  /// the displacement u. f(0) is the load vector of add_load().
+  /// the displacement u. f(0) is the load vector for small displacements.
   class FollowerLoad
   {
   public:
@@ -58,23 +58,23 @@ namespace lamella
   bool
   depends_on_state(const Load &load, const Body &body);
 
-  /**
-   * Returns the FollowerLoad of @p load on its region @p region of @p body:
-   * - for a follower pressure p(X) per deformed area, with material coordinates
-   *   s, t and test function v, integrated over each facet by Gauss points:
-   *     f . v = -integral p v . (x_,s x x_,t) ds dt;
-   * - for a couple M, tractions t on the current surface:
-   *     t = theta x (x - c),   J theta = M,
-   *   with centroid c and area tensor J of the current points x, weighted by
-   *   undeformed area (Couple); M keeps its direction at any rotation;
-   * - for any other load, forces of fixed direction.
-   * Throws InputError as add_load() does, and if a pressure varies more within
-   * an element than the Gauss points resolve.
-   */
+  /// Returns the FollowerLoad of @p load on its region @p region of @p body:
+  /// - for a follower pressure p(X) per deformed area, with material
+  ///   coordinates s, t and test function v, integrated over each facet by
+  ///   Gauss points:
+  ///     f . v = -integral p v . (x_,s x x_,t) ds dt;
+  /// - for a couple M, tractions t on the current surface:
+  ///     t = theta x (x - c),   J theta = M,
+  ///   with centroid c and area tensor J of the current points x, weighted by
+  ///   undeformed area (Couple); M keeps its direction at any rotation;
+  /// - for any other load, forces of fixed direction.
+  /// Throws InputError as add_load() does, and if a pressure varies more within
+  /// an element than the Gauss points resolve.
   std::unique_ptr<FollowerLoad>
   follower_load(const Load &load, const Region &region, const Body &body);
 
-  /// Returns the thermal load on @p body (Body::add_thermal_load_at()).
+  /// Returns the thermal load on @p body as a FollowerLoad with the forces of
+  /// Body::add_thermal_load_at().
   std::unique_ptr<FollowerLoad>
   turning_heat(const Body &body);
 

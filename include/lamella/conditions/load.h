@@ -96,15 +96,13 @@ namespace lamella
     std::vector<std::string> notes;
   };
 
-  /**
-   * Adds the load vector of @p load at load factor 1 to f, which has a block
-   * per body. Forces on constrained DoFs are included. With a displacement v,
-   *   f . v = sum or integral of force . v,
-   * so the external virtual work is delta L_ext = f . delta u (Eq. 10). A
-   * torque does no work in a theory without rotation about the axis; the result
-   * then has a note. Throws InputError for regions outside of their body and
-   * for expressions that are invalid or not finite.
-   */
+  /// Adds the load vector of @p load at load factor 1 to f, which has a block
+  /// per body. Forces on constrained DoFs are included. With a displacement v,
+  ///   f . v = sum or integral of force . v,
+  /// so the external virtual work is delta L_ext = f . delta u (Eq. 10). A
+  /// torque does no work in a theory without rotation about the axis; the
+  /// result then has a note. Throws InputError for regions outside of their
+  /// body and for expressions that are invalid or not finite.
   LoadResultant
   add_load(const Load &load, const Bodies &bodies, BlockVector &f);
 

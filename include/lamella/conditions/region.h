@@ -70,20 +70,18 @@ namespace lamella
       {Region::Kind::body, "body"}};
   };
 
-  /**
-   * Returns locations that determine the displacement of @p body on @p region.
-   *
-   *   Kind     locations
-   *   point    one for each position in `at`
-   *   line     Body::line_points() of the segment: as many per element as its
-   *            polynomial degree along the line requires
-   *   surface  Body::constraint_points()
-   *   body     Body::body_points()
-   *
-   * RowReduction removes redundant constraints. Throws InputError, which names
-   * the entry or subsection @p path, if a point or a line is not in the body or
-   * the body has no such surface.
-   */
+  /// Returns locations that determine the displacement of @p body on @p region.
+  ///
+  ///   Kind     locations
+  ///   point    one for each position in `at`
+  ///   line     Body::line_points() of the segment: as many per element as its
+  ///            polynomial degree along the line requires
+  ///   surface  Body::constraint_points()
+  ///   body     Body::body_points()
+  ///
+  /// RowReduction removes redundant constraints. Throws InputError, which names
+  /// the entry or subsection @p path, if a point or a line is not in the body
+  /// or the body has no such surface.
   std::vector<Location>
   region_locations(const Body        &body,
                    const Region      &region,

@@ -13,24 +13,22 @@
 
 namespace lamella
 {
-  /**
-   * Elimination of the linear constraints R u = d of one body, after its
-   * kinematic constraints: u = G v + u_p with the unconstrained DoFs v.
-   * Gauss-Jordan elimination with rank detection, in each group of rows that
-   * share DoFs, eliminates one DoF (pivot) per independent row:
-   *   R u = P u_P + Q u_Q,   u_P = P^-1 d - P^-1 Q u_Q,   u_P the pivots,
-   * exact to rounding, without a penalty. Coarse DoFs are eliminated first,
-   * which keeps the basis hierarchical. A pivot is at least a tenth of the
-   * largest entry of its row; among rows with pivots of similar size, the
-   * shortest is eliminated first, which limits fill-in. The result of a group
-   * is reused for a group that differs by a shift along the axis only.
-   *
-   * A row counts as linearly dependent if all entries that remain after
-   * elimination are below 1e-6 of its largest original entry, with DoFs scaled
-   * by Body::dof_scales(). The remaining right-hand side must then be below
-   * 1e-6 of the largest prescribed value. Keeps a reference to the kinematic
-   * constraints of the body.
-   */
+  /// Elimination of the linear constraints R u = d of one body, after its
+  /// kinematic constraints: u = G v + u_p with the unconstrained DoFs v.
+  /// Gauss-Jordan elimination with rank detection, in each group of rows that
+  /// share DoFs, eliminates one DoF (pivot) per independent row:
+  ///   R u = P u_P + Q u_Q,   u_P = P^-1 d - P^-1 Q u_Q,   u_P the pivots,
+  /// exact to rounding, without a penalty. Coarse DoFs are eliminated first,
+  /// which keeps the basis hierarchical. A pivot is at least a tenth of the
+  /// largest entry of its row; among rows with pivots of similar size, the
+  /// shortest is eliminated first, which limits fill-in. The result of a group
+  /// is reused for a group that differs by a shift along the axis only.
+  ///
+  /// A row counts as linearly dependent if all entries that remain after
+  /// elimination are below 1e-6 of its largest original entry, with DoFs scaled
+  /// by Body::dof_scales(). The remaining right-hand side must then be below
+  /// 1e-6 of the largest prescribed value. Keeps a reference to the kinematic
+  /// constraints of the body.
   class RowReduction
   {
   public:

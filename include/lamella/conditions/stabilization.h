@@ -43,15 +43,13 @@ namespace lamella
   std::vector<SurfacePoint>
   farthest_points(const Body &body, const std::string &surface);
 
-  /**
-   * Returns one spring for each rigid motion of @p body (which has the index @p
-   * index) that the constraints @p rows leave free. The spring acts on
-   *   r(u) = 4 / n sum_p q(X_p) . u(X_p),
-   * with the n corners X_p of both ends (farthest_points()) and rigid motions q
-   * that are orthonormal in the inner product 4 / n sum_p q(X_p) . q'(X_p). The
-   * stiffness is @p stabilization.share times E A / L (normal modulus and area
-   * of the start section, distance of the ends).
-   */
+  /// Returns one spring for each rigid motion of @p body (which has the index
+  /// @p index) that the constraints @p rows leave free. The spring acts on
+  ///   r(u) = 4 / n sum_p q(X_p) . u(X_p),
+  /// with the n corners X_p of both ends (farthest_points()) and rigid motions
+  /// q that are orthonormal in the inner product 4 / n sum_p q(X_p) . q'(X_p).
+  /// The stiffness is @p stabilization.share times E A / L (normal modulus and
+  /// area of the start section, distance of the ends).
   std::vector<Spring>
   stabilizing_springs(const Body                              &body,
                       const unsigned int                       index,

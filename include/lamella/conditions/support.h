@@ -147,15 +147,13 @@ namespace lamella
   std::pair<PrescribedFunctional, double>
   row_at(PrescribedFunctional prescribed, const Body &body, const Vector &u);
 
-  /**
-   * Returns the rigid motions of @p body (which has the index @p index) that
-   * the constraints @p rows leave free: the null space of R E, with R the
-   * matrix of the rows and E the rigid motions, by a singular value
-   * decomposition with a threshold of 1e-8 of the largest singular value.
-   * Body::omitted_rigid_motions() count as constrained.
-   *
-   * The motions are in echelon form, rotations first, for readable messages.
-   */
+  /// Returns the rigid motions of @p body (which has the index @p index) that
+  /// the constraints @p rows leave free: the null space of R E, with R the
+  /// matrix of the rows and E the rigid motions, by a singular value
+  /// decomposition with a threshold of 1e-8 of the largest singular value.
+  /// Body::omitted_rigid_motions() count as constrained.
+  ///
+  /// The motions are in echelon form, rotations first, for readable messages.
   std::vector<FreeMotion>
   free_rigid_motions(const Body                              &body,
                      const unsigned int                       index,
