@@ -59,8 +59,8 @@ namespace lamella
          const std::vector<std::vector<unsigned int>> &fields_of_node,
          const std::string                            &theory);
 
-    /// Returns the name of the theory; for TE-N with the number of dropped
-    /// polynomials, if any (TaylorElement).
+    /// Returns theory and axis elements, such as `LE-2, 20 B4`; for TE-N also
+    /// the number of dropped polynomials (TaylorElement), if any.
     std::string
     theory() const override;
     /// Returns the sum of the numbers of section functions of all axis nodes.
@@ -118,16 +118,14 @@ namespace lamella
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
     /// Returns the solver of factorize_blocks(), with a block per axis node, if
-    /// @p requested is `automatic`, there is one process, and all nodes have
-    /// dense functions (SectionSpace); otherwise the solver of
-    /// Body::solver_of().
+    /// @p requested is `automatic`, on one process, with dense functions at all
+    /// nodes (SectionSpace); otherwise that of Body::solver_of().
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      requested,
               const SolverMonitor  &monitor) const override;
-    /// Returns the strain energy and the largest rotation of all integration
-    /// points.
+    /// Returns strain energy, and largest rotation of all integration points.
     Deformation
     deformation(const Vector &u) const override;
     std::unique_ptr<SecondOrder>
@@ -146,9 +144,8 @@ namespace lamella
       return beam_section->plies();
     }
 
-    /// Thermal load per length on amplitudes of section functions, integral
-    /// D_s^T C epsilon_0 dA, and on axial derivatives, integral D_y^T C
-    /// epsilon_0 dA.
+    /// Thermal load per length on amplitudes of section functions, int D_s^T C
+    /// epsilon_0 dA, and on their axial derivatives, int D_y^T C epsilon_0 dA.
     struct SectionThermalLoad
     {
       Vector on_values, on_derivatives;
@@ -174,8 +171,7 @@ namespace lamella
     Cells
     cells() const override;
     /// Returns along the axis the degree of the elements (for EBBT one less, as
-    /// the rotation is -w'), in the section the degree N of LE-N, zero for
-    /// other theories.
+    /// the rotation is -w'), in the section the degree N of LE-N, else zero.
     std::array<unsigned int, 3>
     recovery_degrees() const override;
     /// Returns recovery_degrees(), but in the section the lowest LE degree of
@@ -284,8 +280,8 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const;
 
-    /// Returns sample_at() for all section points @p points at each axis point
-    /// of @p places.
+    /// Returns sample_at() at all @p points of the section at each of
+    /// @p places.
     virtual std::vector<FieldSample>
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
@@ -304,8 +300,7 @@ namespace lamella
     thermal_forces(const std::vector<std::vector<double>> &stations) const;
 
     /// Calls @p use for integration points of the section with minus the
-    /// thermal strain per kelvin, and its stress C epsilon times integration
-    /// weight.
+    /// thermal strain per kelvin, and its stress times the integration weight.
     void
     for_each_thermal_point(
       const std::function<void(const SectionPoint &point,
@@ -372,8 +367,8 @@ namespace lamella
       Voigt                strain;
     };
 
-    /// Returns displacement and strain at section point @p point, axis point @p
-    /// on_axis.
+    /// Returns displacement and strain at @p point at the axis point
+    /// @p on_axis.
     PointState
     point_state(const SectionPoint &point,
                 const AxisPoint    &on_axis,
@@ -394,8 +389,7 @@ namespace lamella
     std::vector<SectionForces>
     thermal_forces() const;
 
-    /// A section point with those data of output samples that do not depend on
-    /// y.
+    /// A section point with the output data that do not depend on y.
     struct GridPoint;
 
     /// Returns a regular grid of points on @p section_cell, xi running fastest.
@@ -439,8 +433,8 @@ namespace lamella
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
-    /// Returns the location at @p eta in the axis element, @p unit in the
-    /// section.
+    /// Returns the location at @p eta in [0, 1] and @p unit in the section
+    /// cell.
     Location
     location(const dealii::Point<3> &position,
              const unsigned int      axis_cell,

@@ -557,8 +557,8 @@ namespace lamella
     virtual unsigned int
     line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Returns ordered points from @p a to @p b that determine the
-    /// displacement: line_degree() + 1 Gauss-Lobatto points per interval of
+    /// Returns points from @p a to @p b that determine the displacement in
+    /// order: line_degree() + 1 Gauss-Lobatto points per interval of
     /// line_breaks().
     std::vector<dealii::Point<3>>
     line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;

@@ -394,8 +394,7 @@ namespace lamella
     void
     add_strains(const SectionState &state, Deformation &deformation) const;
 
-    /// Returns the strain at @p point for the section state @p state, in
-    /// section axes.
+    /// Returns the strain at @p point for @p state, in section axes.
     Voigt
     strain_at(const SectionPoint &point, const SectionState &state) const;
 

@@ -26,8 +26,7 @@ namespace lamella
   {
     /// Number of refinements of all hexahedra.
     unsigned int everywhere = 0;
-    /// Further refinements of the hexahedra that intersect a ball; `times` is
-    /// their number.
+    /// Further refinements, `times` in number, of hexahedra in or on a ball.
     struct Ball
     {
       dealii::Point<3> center;

@@ -162,8 +162,7 @@ namespace lamella
     /// Returns the DoFs of @p cell in the order of Hexahedron.
     std::vector<DofIndex>
     dofs_of(const unsigned int cell) const;
-    /// Return the elastic law of @p cell and its ply axes at the point @p x,
-    /// all in body axes.
+    /// Return elastic law and ply axes of @p cell at @p x, all in body axes.
     ElasticLaw
     law(const unsigned int cell, const dealii::Point<3> &x) const
     {
@@ -226,8 +225,8 @@ namespace lamella
     std::vector<Location>
     locate(const dealii::Point<3> &point, const double tolerance) const;
 
-    /// Returns unit coordinates and distance of the point of @p cell closest to
-    /// x.
+    /// Returns unit coordinates and distance of the point of @p cell nearest
+    /// @p x.
     std::pair<dealii::Point<3>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;
 

@@ -53,8 +53,7 @@ namespace lamella
         const std::vector<std::uint64_t> &grid,
         const std::vector<std::uint64_t> &trace);
 
-    /// Returns the number of the grid node at the point @p place; empty if
-    /// there is no node.
+    /// Returns the number of the grid node at the point @p place, if any.
     std::optional<unsigned int>
     grid_node(const Location::Place &place) const;
 

@@ -18,8 +18,7 @@ namespace lamella
   /// Output has Green's strain E and as stress R^T sigma R, the Cauchy stress
   /// in axes that rotate with the material. For output, E_yy and transverse
   /// shear strains are fitted by quadratic polynomials along each element.
-  /// Limited to B4 elements and theories without assumed strains (LE, TE-2 and
-  /// higher).
+  /// Limited to B4 elements and to LE or TE-N, N > 1.
   class TotalLagrangianBeam : public Beam
   {
   public:
@@ -54,8 +53,7 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
 
-    /// Calls @p use with a block per axis element (of this process) and section
-    /// cell.
+    /// Calls @p use with a block per own axis element and section cell.
     void
     for_each_tangent_block(
       const Vector                                      &u,

@@ -59,8 +59,7 @@ namespace lamella
     CoupleRotation
     rotation_of(const std::vector<dealii::Point<3>> &x) const;
 
-    /// Returns the forces t dA on the undeformed surface, for bodies with small
-    /// displacements.
+    /// Returns the forces t dA on the undeformed surface (small displacements).
     PointForces
     dead_load() const;
 

@@ -33,8 +33,7 @@ namespace lamella
                const Vector                            &u,
                Vector                                  &f) const;
 
-    /// Returns R_k(u) w, the displacement of each point due to the increment
-    /// @p w of the DoFs.
+    /// Returns R_k(u) w, the displacements due to the DoF increment @p w.
     std::vector<dealii::Tensor<1, 3>>
     changes(const Vector &u, const Vector &w) const;
 

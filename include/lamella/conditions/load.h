@@ -71,10 +71,10 @@ namespace lamella
     dealii::Point<3> place;
   };
 
-  /// Returns the point forces of @p load at load factor 1 on @p region of @p
-  /// body, by adaptive integration on lines and surfaces (adaptive_moments()).
-  /// Throws InputError as add_load() does, and for pressures on points or
-  /// lines.
+  /// Returns the point forces of @p load at load factor 1 on @p region of
+  /// @p body, by adaptive integration on lines and surfaces
+  /// (adaptive_moments()). Throws InputError as add_load(), and for pressures
+  /// on points or lines.
   PointForces
   point_forces(const Load &load, const Region &region, const Body &body);
 

@@ -68,7 +68,7 @@ namespace lamella
       return pivot != dealii::numbers::invalid_dof_index;
     }
 
-    /// Returns whether the row has no pivot yet and its largest entry is not
+    /// Returns whether the row has no pivot, and an entry that is not
     /// negligible.
     bool
     is_open() const;

@@ -134,7 +134,7 @@ namespace lamella
   /// point: up to three per point for displacement components, one per point
   /// for a normal displacement, one per rigid motion of an isostatic support.
   /// They may be linearly dependent (RowReduction). Throws InputError for
-  /// regions outside of their body, and normal displacements on surfaces with
+  /// regions outside of a body, and normal displacements on surfaces with
   /// corners.
   std::vector<PrescribedFunctional>
   prescribed_functionals(const std::vector<Support> &supports,

@@ -8,8 +8,7 @@
 namespace lamella
 {
   /// The LU factorization P A = L U of a dense n x n matrix with partial
-  /// pivoting, by LAPACK. The factorization takes 2 n^3 / 3 operations, a
-  /// solution 2 n^2.
+  /// pivoting, by LAPACK, in 2 n^3 / 3 operations. A solution takes 2 n^2.
   class DenseLU
   {
   public:
@@ -47,8 +46,7 @@ namespace lamella
   /// d_i x_i^2. Rows and columns are scaled by 1 / sqrt d_i, where d_i > 0 is
   /// the magnitude of the diagonal entry. A is singular if a pivot of the
   /// scaled matrix is below @p rounding times the largest pivot; singular
-  /// values (LAPACK's gesdd) below @p rounding times the largest are then
-  /// treated as zero.
+  /// values below @p rounding times the largest are then treated as zero.
   std::vector<double>
   solve_dependent(const std::vector<double> &matrix,
                   const std::vector<double> &d,

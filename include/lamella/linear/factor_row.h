@@ -13,9 +13,9 @@ namespace lamella
 {
   /// A row of the five axis matrices A_pq or of the five section matrices,
   /// whose Kronecker products are the stiffness of a beam. Each column has five
-  /// entries: of the matrices (p, q) = (0, 0), (0, 1), (1, 0), (1, 1), where p
-  /// and q are orders of derivatives, and of the matrix of transverse shear.
-  /// Columns ascend.
+  /// entries: of the matrices (p, q) = (0, 0), (0, 1), (1, 0), (1, 1), the
+  /// orders of derivatives, and of the matrix of transverse shear. Columns
+  /// ascend.
   struct FactorRow
   {
     std::vector<unsigned int>          columns;

@@ -106,8 +106,8 @@ namespace lamella
   public:
     virtual ~SolvedRows() = default;
 
-    /// Appends the constraint rows @p rows and solves A x = b for all of them
-    /// together. Throws NumericsError if an iteration does not converge.
+    /// Appends @p rows b_k and solves A x = b_k for all of them together.
+    /// Throws NumericsError if an iteration does not converge.
     virtual void
     append(const std::vector<LinearFunctional> &rows) = 0;
 
@@ -129,10 +129,9 @@ namespace lamella
 
 
 
-  /// A solver for linear systems with a symmetric positive definite matrix A,
-  /// direct or iterative. Every process stores whole vectors. If the matrix is
-  /// distributed, all processes must call each function with the same
-  /// arguments.
+  /// A direct or iterative solver for a symmetric positive definite matrix A.
+  /// Every process stores whole vectors. If the matrix is distributed, all
+  /// processes must call each function with the same arguments.
   ///
   /// The solver owns its data and must outlive its SolvedRows. Rounding errors
   /// of the assembled matrix can be removed by iterative refinement with

@@ -78,8 +78,8 @@ namespace lamella
     for_each_entry(
       const std::function<void(DofIndex, DofIndex, double)> &use) const = 0;
 
-    /// Returns the whole diagonal. If the matrix is distributed, must be called
-    /// by all processes.
+    /// Returns the whole diagonal. All processes must call it if A is
+    /// distributed.
     virtual Vector
     diagonal() const = 0;
 

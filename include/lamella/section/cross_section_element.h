@@ -17,8 +17,7 @@
 
 namespace lamella
 {
-  /// Values and gradients of the expansion functions F_tau that are nonzero at
-  /// a point of a cell.
+  /// Values and gradients of the nonzero functions F_tau at a point of a cell.
   struct FunctionValues
   {
     /// Position x, z of the body, Jacobian d(x, z) / d(xi, eta) [length].
@@ -57,11 +56,10 @@ namespace lamella
   ///
   /// The first three functions are 1, (x - x_c) / h and (z - z_c) / h, with the
   /// centroid (x_c, z_c) and a reference length h. Rigid motions of the section
-  /// are thus separate DoFs, so that rounding errors do not spoil the bending
-  /// energy of slender beams (doc/theory/stable-basis.md). The warping
-  /// functions tau > 2 are defined by TaylorElement (equivalent single layer)
-  /// and LagrangeElement (layer-wise). Cells are images of the unit square (xi,
-  /// eta).
+  /// are thus separate DoFs, which keeps rounding errors small in slender beams
+  /// (doc/theory/stable-basis.md). The warping functions tau > 2 are defined by
+  /// TaylorElement (equivalent single layer) and LagrangeElement (layer-wise).
+  /// Cells are images of the unit square (xi, eta).
   class CrossSectionElement
   {
   public:
@@ -198,8 +196,8 @@ namespace lamella
     linear_functions(const dealii::Point<2>     &position,
                      const dealii::Tensor<2, 2> &jacobian) const;
 
-    /// Integrals int N n ds and int N ds of a nodal function N over a side with
-    /// outward normal n.
+    /// Integrals int N n ds, int N ds of a nodal function N over a side with
+    /// normal n.
     struct SideShare
     {
       dealii::Tensor<1, 2> scaled_normal;

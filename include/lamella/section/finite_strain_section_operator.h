@@ -13,8 +13,7 @@ namespace lamella
 {
   /// Computes section forces and tangent stiffness of a total Lagrangian beam
   /// by integration over a section. The displacement gradient (H_i: derivative
-  /// by coordinate i) follows from the section functions Phi with coefficients
-  /// q(y),
+  /// by x_i) follows from section functions Phi with coefficients q(y),
   ///   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z.
   /// With Green's strain E, the second Piola-Kirchhoff stress S = C E (small
   /// strains) and the undeformed section, the energy, the forces W and the

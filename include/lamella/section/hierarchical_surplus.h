@@ -17,8 +17,7 @@ namespace lamella
   /// theory LE-p: the part of v that the lower degree q < p cannot represent,
   ///   (1 - L_q) v,
   /// where L_q v interpolates v in each cell at the Gauss-Lobatto points of
-  /// degree q. The coefficients c' of the surplus follow from the coefficients
-  /// c of v by
+  /// degree q. Its coefficients c' follow from the coefficients c of v by
   ///   E c' = (1 - L_q) c at the nodes,
   /// where the matrix E maps coefficients to nodal values. It is factorized
   /// once. Keeps a reference to the section.
@@ -61,8 +60,7 @@ namespace lamella
     const Section &section;
     /// Factorization of E, the matrix from coefficients to nodal values.
     dealii::SparseDirectUMFPACK from_nodes;
-    /// Functionals (1 - L_q) v at the nodes, three per node, for q = 1 ...
-    /// degree() - 1.
+    /// Functionals (1 - L_q) v, three per node, for q = 1 ... degree() - 1.
     std::vector<std::vector<LinearFunctional>> beyond;
   };
 } // namespace lamella

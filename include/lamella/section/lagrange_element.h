@@ -18,9 +18,9 @@ namespace lamella
   /// The layer-wise Lagrange expansion LE-p of a cross-section (Eq. 3):
   /// deal.II's FE_Q<2>(p) on the section mesh, i.e. L4, L9 and L16 for p = 1,
   /// 2, 3, with Gauss-Lobatto nodes. Displacements are continuous, transverse
-  /// strains may jump at ply interfaces. The geometry is isoparametric, so the
-  /// functions 1, x, z are in the span of the nodal functions. There are three
-  /// kinds of basis.
+  /// strains may jump at ply interfaces. The geometry is isoparametric, so
+  /// nodal functions represent 1, x and z exactly. There are three kinds of
+  /// basis.
   ///
   /// In the *nodal* basis, 1, (x - x_c)/h, (z - z_c)/h replace the nodal
   /// functions of three nodes that are not on a line.

@@ -137,9 +137,8 @@ namespace lamella
   };
 
   /// Returns the Saint-Venant warping functions of the theory SV as columns:
-  /// the coefficients a of the six states minus their rigid motions (see
-  /// Warping), orthonormal in S_00. Zero and linearly dependent columns are
-  /// dropped.
+  /// the coefficients a of the states minus rigid motions (Warping),
+  /// orthonormal in S_00, without zero and linearly dependent columns.
   FieldColumns
   saint_venant_warpings(const SaintVenant &states, const Warping &warping);
 

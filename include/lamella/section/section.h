@@ -80,8 +80,8 @@ namespace lamella
   /// EBBT and TBT have five functions, without torsion. Other theories have
   /// nine linear functions, then each further F_tau times each unit vector.
   /// Matrices are dense for Taylor expansions and sparse for layer-wise ones,
-  /// except for the rows of linear functions. Immutable; shares the ownership
-  /// of the mesh.
+  /// except for rows of linear functions. Immutable; shares ownership of the
+  /// mesh.
   class Section
   {
   public:
@@ -287,7 +287,7 @@ namespace lamella
     /// Selects sample points at which the largest rotation is computed.
     void
     make_sample_points();
-    /// Creates the sparsity pattern: functions couple if both are nonzero on a
+    /// Creates the sparsity pattern, with entries for functions of a common
     /// cell.
     void
     make_pattern();

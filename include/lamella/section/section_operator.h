@@ -30,9 +30,8 @@ namespace lamella
   FieldParts
   field_parts(const unsigned int n_fields, const unsigned int n_stations);
 
-  /// Generalized forces of a section at points (stations) of the axis,
-  /// conjugate to coefficients of section functions, and strain energy per
-  /// length.
+  /// Generalized forces conjugate to coefficients of section functions, and
+  /// strain energy per length, at points (stations) of the axis.
   struct SectionForces
   {
     explicit SectionForces(const unsigned int n_fields   = 0,
@@ -91,9 +90,9 @@ namespace lamella
       return list;
     }
 
-    /// Returns the generalized forces W_0 (with its transverse shear part
-    /// separate) and W_1 and the energy for the coefficients @p q [length] and
-    /// q' [no unit].
+    /// Returns W_0, with its transverse shear part separate (FieldPart), W_1
+    /// and the energy per length for the coefficients @p q [length] and q' [no
+    /// unit].
     virtual SectionForces
     forces(const FieldParts &q) const = 0;
 

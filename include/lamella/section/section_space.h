@@ -20,9 +20,8 @@ namespace lamella
 
   /// All functions that nodes of a beam may use: first the section functions of
   /// a Section, then modes. A mode is a linear combination of section
-  /// functions: a Saint-Venant warping, a section function from a harmonic
-  /// load, or a boundary-layer mode. Neighboring nodes may use different
-  /// functions.
+  /// functions: a Saint-Venant warping, a response to a harmonic load, or a
+  /// boundary-layer mode. Different nodes may use different functions.
   ///
   /// A *dense* list has only the six rigid functions and modes, so its cost
   /// does not depend on the number of section functions. The matrices of these

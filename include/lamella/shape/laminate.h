@@ -59,8 +59,7 @@ namespace lamella
   /// Q_k is the plane-stress stiffness of ply k in the body's axes, z the
   /// distance from the mid-plane. e and k are strains and curvatures of the
   /// mid-plane, N and M forces and moments per width. Units are force/length
-  /// for A, force for B, force times length for D. Used for comparisons and
-  /// notes only.
+  /// for A, force for B, force times length for D.
   struct LaminateStiffness
   {
     dealii::Tensor<2, 3> A, B, D;
@@ -76,8 +75,8 @@ namespace lamella
     double GA = 0.;
   };
 
-  /// Computes the stiffnesses of a laminate of the @p plies, bottom to top, and
-  /// the @p width b.
+  /// Computes the stiffnesses of a laminate of @p plies, bottom to top, of
+  /// @p width b.
   LaminateStiffness
   laminate_stiffness(const std::vector<Ply> &plies, const double width);
 } // namespace lamella

@@ -80,8 +80,7 @@ namespace lamella
   {
     /// Radius [length].
     double radius = 0.;
-    /// Angle of the point P in degrees from +x towards +z, from 30 to 150; 90
-    /// is the top.
+    /// Angle of P in degrees from +x towards +z, from 30 to 150 (90: top).
     double graded_towards = 90.;
     /// Width of the finest cells [length]; in a scene by default radius / 8.
     double finest_cell = 0.;
@@ -196,8 +195,7 @@ namespace lamella
   /// Largest number of cells of a section, to detect typing errors.
   constexpr double max_section_cells = 50000.;
 
-  /// Description of a section in a scene, from which make_section_mesh()
-  /// creates the mesh.
+  /// Shape of a section in a scene; make_section_mesh() creates its mesh.
   using SectionShape =
     std::variant<Laminate, HalfDisc, Ellipse, ThinWalled, Tube, SectionFile>;
 
