@@ -201,7 +201,7 @@ namespace lamella
   /// surfaces, without boundary conditions. Positions are in scene axes.
   /// Displacements are arguments; the body stores none. A "row" is a linear
   /// functional of the DoFs, such as a displacement component at a point.
-  /// Equation numbers are those of Nagaraj et al. 2020.
+  /// Equations are those of Nagaraj et al. 2020.
   ///
   /// In the principle of virtual work (Eqs. 8 to 12) the internal work is
   ///   delta L_int = delta u . K u,   K = int B^T C B dV,
@@ -268,8 +268,8 @@ namespace lamella
 
     /// Returns the level of @p dof in the hierarchical basis
     /// (doc/theory/stable-basis.md): 0 for rigid motions and nodal bases,
-    /// higher for finer DoFs. Supports eliminate DoFs of low level first, which
-    /// keeps elimination stable.
+    /// higher for finer DoFs. Supports eliminate DoFs of low level first, for
+    /// stability.
     virtual unsigned int
     dof_level(const DofIndex) const
     {
@@ -332,8 +332,7 @@ namespace lamella
     virtual Vector
     retract(const Vector &u, const Vector &change) const;
 
-    /// Returns the largest nodal rotation of an increment [rad]. This default
-    /// implementation, for bodies without rotational DoFs, returns 0.
+    /// Returns the largest nodal rotation of an increment [rad]; by default 0.
     virtual double
     largest_spin(const Vector &) const
     {
@@ -557,8 +556,8 @@ namespace lamella
     virtual unsigned int
     line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Returns points from @p a to @p b that determine the displacement in
-    /// order: line_degree() + 1 Gauss-Lobatto points per interval of
+    /// Returns ordered points from @p a to @p b that determine the
+    /// displacement: line_degree() + 1 Gauss-Lobatto points between two
     /// line_breaks().
     std::vector<dealii::Point<3>>
     line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;

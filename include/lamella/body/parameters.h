@@ -75,9 +75,8 @@ namespace lamella
   /// with the same mesh and theory share a Section. Nodes of SV-N, and of
   /// bodies with `Theories`, have all section functions until choose_fields()
   /// selects some of them. Throws InputError for a body longer than 1e7 times
-  /// the extent of its section (rigid motions are then indistinguishable), for
-  /// a beam with fewer axis nodes than processes, and as HexahedralMesh.
-  /// Collective.
+  /// the extent of its section (beyond double precision), for a beam with fewer
+  /// axis nodes than processes, and as HexahedralMesh. Collective.
   Bodies
   make_bodies(const std::vector<BodyDescription> &descriptions,
               const SectionMeshes                &meshes,

@@ -68,7 +68,7 @@ namespace lamella
       return pivot != dealii::numbers::invalid_dof_index;
     }
 
-    /// Returns whether the row has no pivot, and an entry that is not
+    /// Returns whether the row has no pivot but an entry that is not
     /// negligible.
     bool
     is_open() const;
@@ -96,9 +96,8 @@ namespace lamella
     RowElimination(const std::vector<unsigned int> &group,
                    const BodyConstraints           &held);
 
-    /// Returns the difference s of DoF indices if the rows @p group equal the
-    /// rows of this object with each DoF i replaced by i + s, as for equal
-    /// supports of successive axis nodes. Empty if they do not.
+    /// Returns s if the rows @p group equal the rows of this object with each
+    /// DoF i replaced by i + s, as for equal supports of successive axis nodes.
     std::optional<DofIndex>
     find_shift(const std::vector<unsigned int> &group,
                const BodyConstraints           &held) const;

@@ -26,8 +26,8 @@ namespace lamella
   ///
   /// A row counts as linearly dependent if all entries that remain after
   /// elimination are below 1e-6 of its largest original entry, with DoFs scaled
-  /// by Body::dof_scales(). The remaining right-hand side must then be below
-  /// 1e-6 of the largest prescribed value. Keeps a reference to the kinematic
+  /// by Body::dof_scales(). Its remaining right-hand side must be below 1e-6 of
+  /// the largest prescribed value. Keeps a reference to the kinematic
   /// constraints of the body.
   class RowReduction
   {

@@ -61,8 +61,7 @@ namespace lamella
   }
 
   /// Optional callbacks during the construction of a solver, each called once:
-  /// first `assembled`, then `factor_sized`. SolverKind::blocks calls
-  /// `factor_sized` first.
+  /// first `assembled` (for SolverKind::blocks last), then `factor_sized`.
   struct SolverMonitor
   {
     /// Called on all processes after the assembly of the matrix.

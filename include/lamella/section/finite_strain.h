@@ -37,8 +37,8 @@ namespace lamella
   dealii::Tensor<2, 3>
   first_stress(const Gradient &H, const Voigt &second);
 
-  /// Returns Green's strain at the present iterate as the linearization at the
-  /// previous Newton iterate predicts it,
+  /// Returns Green's strain as predicted by linearization at the previous
+  /// Newton iterate,
   ///   E_ij - sum_c dH_ic dH_jc / 2,
   /// where E is Green's strain of @p H and @p dH the last correction of H.
   Voigt

@@ -142,9 +142,9 @@ namespace lamella
     coarse_section_grid(const unsigned int degree) const override;
 
   private:
-    /// A basis function on a cell, a combination of the nodal functions N_i of
-    /// its member `nodes` (numbers within the cell). z is the coordinate along
-    /// a column, z_c its value at the centroid, h_z the length of a column:
+    /// A basis function on a cell, from the nodal functions N_i of the local
+    /// node numbers `nodes`. z is the coordinate along a column, z_c its value
+    /// at the centroid, h_z the length of a column:
     ///   nodal         N_i
     ///   column        G = sum N_i over the column's nodes on the cell
     ///   column_slope  G (z - z_c) / h_z
@@ -162,8 +162,8 @@ namespace lamella
       std::vector<unsigned int> nodes;
     };
 
-    /// A hierarchical function, `sign` l_i(xi) l_j(eta), (i, j) = `indices`,
-    /// with the polynomials l_k of the class description.
+    /// A function `sign` l_i(xi) l_j(eta), (i, j) = `indices`, see
+    /// LagrangeElement.
     struct Product
     {
       unsigned int                number;
@@ -195,8 +195,8 @@ namespace lamella
       return basis == Basis::hierarchical;
     }
 
-    /// Returns three of @p nodes, not on a line, whose nodal functions the
-    /// functions 1, x, z replace.
+    /// Returns three of @p nodes, not on a line, whose functions 1, x, z
+    /// replace.
     std::array<unsigned int, 3>
     replaced_nodes(const std::vector<dealii::Point<2>> &nodes) const;
 

@@ -9,8 +9,7 @@
 
 namespace lamella
 {
-  /// A section operator that computes the forces W_0, W_1 from coefficients q,
-  /// q' (see SectionOperator) by a dense matrix S,
+  /// A section operator that multiplies coefficients q, q' by a dense matrix S,
   ///   [W_0; W_1] = [S_00, S_01; S_10, S_11] [q; q'],
   /// which is Section::moments() for TE-N, N > 1, and SectionSpace::dense_S()
   /// for lists of rigid functions and modes. With assumed shear strains, TE-N

@@ -250,8 +250,7 @@ namespace lamella
     /// Returns the section matrix S_pq, the stiffness between values (p, q = 0)
     /// and axial derivatives (1) of amplitudes of section functions. Units:
     /// S_00 force / length^2, S_01 force / length, S_11 force. Includes TBT's
-    /// shear factor and StrainCompletion. All S_pq have the same sparsity
-    /// pattern.
+    /// shear factor and StrainCompletion. All S_pq have one pattern.
     const Matrix &
     S(const unsigned int p, const unsigned int q) const
     {

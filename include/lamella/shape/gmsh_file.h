@@ -43,7 +43,7 @@ namespace lamella
       /// Absolute tag of the physical group of the element; 0 if it has none.
       int          group = 0;
       unsigned int line  = 0;
-      /// Indices in GmshFile::nodes; only set for the four types above.
+      /// Node indices for points, lines, triangles and quadrilaterals.
       std::array<unsigned int, 4> nodes{};
     };
 

@@ -14,9 +14,8 @@
 
 namespace lamella
 {
-  /// Iterator over the nonblank lines of a Gmsh file. Parses the words of the
-  /// current line. Error messages have the number of this line. The text must
-  /// outlive this object.
+  /// Iterator over the nonblank lines of a Gmsh file, for parsing with the line
+  /// number in error messages. The text must outlive this object.
   struct GmshLines
   {
     /// Advice to the user at the end of most error messages.
@@ -28,8 +27,8 @@ namespace lamella
       , entry(entry)
     {}
 
-    /// Returns @p word of the file as it is printed in messages: quoted,
-    /// shortened, without unprintable characters.
+    /// Returns @p word for messages: quoted, shortened, only printable
+    /// characters.
     static std::string
     shown(const std::string_view word);
 
