@@ -15,10 +15,11 @@ namespace lamella
 {
   /// A geometrically exact beam: finite rotations of its sections, small
   /// strains and small warping. A point X of a section with center X_c moves to
-  ///   x = X_c + r + R (X - X_c + Phi a).
+  ///   x = X_c + r + R (X - X_c + Phi a)
   /// with the displacement r(y) of the center, the rotation R(y) of the
   /// section, and the amplitudes a(y) of its warping functions Phi. In section
-  /// axes, strains are small and linear in the generalized strains
+  /// axes, strains are small and linear in the generalized strains (axial and
+  /// shear strain Gamma, curvatures and twist kappa)
   ///   e = (Gamma, kappa, kappa_y^2 / 2, a, a')                 (FrameStrains),
   /// so the stress resultants s = D e, conjugate to e, have a constant matrix
   /// D, that of a linear Beam (SectionOperator). With Saint-Venant warping
@@ -390,7 +391,7 @@ namespace lamella
                   const unsigned int                spin,
                   dealii::LAPACKFullMatrix<double> &K);
 
-    /// Updates the maxima in @p deformation by the strains of @p state.
+    /// Updates the largest strains in @p deformation by those of @p state.
     void
     add_strains(const SectionState &state, Deformation &deformation) const;
 

@@ -90,8 +90,8 @@ namespace lamella
     std::size_t
     parent(const std::size_t supernode) const;
 
-    /// Creates the blocks of the new columns of Y, numbered from @p first, and
-    /// stores P b_k of the @p rows b_k in them.
+    /// Stores P b_k of the @p rows b_k in new blocks, for columns from
+    /// @p first.
     void
     scatter(const std::vector<LinearFunctional> &rows,
             const unsigned int                   first);

@@ -9,8 +9,7 @@ namespace lamella
 {
   /// SolvedRows of solvers without a factor L of A (MUMPS, conjugate
   /// gradients). Stores only the compliance B A^-1 B^T of constraint rows B, so
-  /// displacement() solves again. m rows take m solutions and 4 m^2 bytes per
-  /// process.
+  /// displacement() solves again. m rows take m solutions and 4 m^2 bytes.
   class RowProducts : public SolvedRows
   {
   public:

@@ -17,7 +17,8 @@ namespace lamella
   /// theory LE-p: the part of v that the lower degree q < p cannot represent,
   ///   (1 - L_q) v,
   /// where L_q v interpolates v in each cell at the Gauss-Lobatto points of
-  /// degree q. Its coefficients c' follow from the coefficients c of v by
+  /// degree q. Coefficients c' of the surplus follow from the coefficients c of
+  /// v by
   ///   E c' = (1 - L_q) c at the nodes,
   /// where the matrix E maps coefficients to nodal values. It is factorized
   /// once. Keeps a reference to the section.
@@ -29,7 +30,7 @@ namespace lamella
     static bool
     is_possible(const Section &section);
 
-    /// Constructs the surplus for @p section of LE-p, p > 1, is_possible().
+    /// Factorizes E for @p section of LE-p, p > 1. Requires is_possible().
     explicit HierarchicalSurplus(const Section &section);
 
     unsigned int
@@ -48,7 +49,7 @@ namespace lamella
     /// functionals of the coefficients.
     std::array<LinearFunctional, 3>
     displacement(const unsigned int cell, const dealii::Point<2> &unit) const;
-    /// Returns their interpolants of degree @p q in the cell as functionals.
+    /// Returns the interpolant of degree @p q in the cell of displacement().
     std::array<LinearFunctional, 3>
     interpolated(const unsigned int      cell,
                  const dealii::Point<2> &unit,

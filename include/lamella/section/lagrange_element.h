@@ -162,8 +162,7 @@ namespace lamella
       std::vector<unsigned int> nodes;
     };
 
-    /// A function `sign` l_i(xi) l_j(eta), (i, j) = `indices`, see
-    /// LagrangeElement.
+    /// The function sign l_i(xi) l_j(eta) of LagrangeElement, (i, j) = indices.
     struct Product
     {
       unsigned int                number;

@@ -122,8 +122,7 @@ namespace lamella
     /// Computes the two shear states from the curvature states.
     void
     find_shear_states();
-    /// Computes the matrix F of stress resultants and the matrix Q of mutual
-    /// energies of the six states.
+    /// Computes the matrices F of stress resultants and Q of mutual energies.
     void
     find_resultants(dealii::FullMatrix<double> &forces,
                     dealii::FullMatrix<double> &energies) const;
