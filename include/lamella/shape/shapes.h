@@ -80,7 +80,7 @@ namespace lamella
   {
     /// Radius [length].
     double radius = 0.;
-    /// Angle of P in degrees from +x towards +z, from 30 to 150 (90: top).
+    /// Angle of the point P in degrees from +x to +z, 30 to 150; 90 is the top.
     double graded_towards = 90.;
     /// Width of the finest cells [length]; in a scene by default radius / 8.
     double finest_cell = 0.;
