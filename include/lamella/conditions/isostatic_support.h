@@ -11,18 +11,18 @@
 
 namespace lamella
 {
-  /// Isostatic support of a body, `Isostatic support = true`: it removes the
-  /// rigid motions that supports leave free, so that displacements are relative
-  /// to the middle of the body.
-  ///
-  /// For each rigid motion q that neither a support nor the normal force of a
-  /// contact resists, there is one constraint
-  ///   r(u) = 1 / n sum_p q(X_p) . u(X_p) = 0,
-  /// with the n points X_p of the section at mid-length that are furthest from
-  /// its centroid. These constraints set the mean displacement and rotation of
-  /// the section to zero, without strain. Their reactions balance tangential
-  /// contact forces; loads must be balanced already
-  /// (check_isostatic_balance()).
+  // Isostatic support of a body, `Isostatic support = true`: it removes the
+  // rigid motions that supports leave free, so that displacements are relative
+  // to the middle of the body.
+  //
+  // For each rigid motion q that neither a support nor the normal force of a
+  // contact resists, there is one constraint
+  //   r(u) = 1 / n sum_p q(X_p) . u(X_p) = 0,
+  // with the n points X_p of the section at mid-length that are furthest from
+  // its centroid. These constraints set the mean displacement and rotation of
+  // the section to zero, without strain. Their reactions balance tangential
+  // contact forces; loads must be balanced already
+  // (check_isostatic_balance()).
 
   /// A point of a body at which a contact force along a normal may act.
   struct PotentialContact
