@@ -10,8 +10,9 @@
 
 namespace lamella
 {
-  /// Returns true if @p zones, embedded or not, suffice for the section @p held
-  /// (stresses near it require fields of its own degree).
+  /// Returns true if the boundary-layer modes @p zones may be used for the
+  /// section @p held. Modes of a section of lower degree (is_embedded) do not
+  /// suffice if stresses are requested near the end.
   bool
   are_sufficient(const std::vector<BoundaryLayerZone> &zones,
                  const ConstrainedSection             &held);
@@ -64,13 +65,13 @@ namespace lamella
     {
       std::shared_ptr<const Section> section;
       FieldColumns                   warpings;
-      /// Constraint of the section, with the axis element of the end segment.
+      /// Constraint of the section.
       ConstrainedSection             held;
       std::vector<BoundaryLayerZone> zones;
     };
 
-    /// Returns the index of the zones of a section of lower degree with the
-    /// same body and constraints, or known.size() if there are none.
+    /// Returns the index in `known` of zones of a section of lower degree with
+    /// the same body and constraints, or known.size() if there are none.
     std::size_t
     poorer(const Section &section, const ConstrainedSection &held) const;
 

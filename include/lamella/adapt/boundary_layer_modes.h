@@ -12,8 +12,8 @@
 
 namespace lamella
 {
-  /// Measured constants of boundary_layer_modes(); H and B are the smaller and
-  /// larger extent of the section (doc/theory/saint-venant-fields.md).
+  /// Measured constants of boundary_layer_modes(). H and B are the smaller and
+  /// larger side of the section (doc/theory/saint-venant-fields.md).
   struct BoundaryLayerRules
   {
     /// Length of the end segment over B.
@@ -27,9 +27,9 @@ namespace lamella
     std::vector<double> zones{0., 1., 3.};
     /// Distance over B by which modes of a zone extend into the next zone.
     double overlap = 0.5;
-    /// Amplitude below which modes are omitted; Saint-Venant states have 1.
+    /// Modes with a smaller amplitude are omitted; Saint-Venant states have 1.
     double tolerance = 1e-3;
-    /// Fraction of their largest value below which modes have decayed.
+    /// Modes below this fraction of their largest value have decayed.
     double rest = 1e-2;
     /// Largest number of DoFs of an end segment; above it there are no modes.
     double max_dofs = 1e5;
@@ -37,7 +37,8 @@ namespace lamella
     double sampled = 1.;
   };
 
-  /// Constraint of a whole section, with the body's side; no rows at free ends.
+  /// Constraint of a whole section, with the side on which the body continues.
+  /// A free end has no rows.
   struct ConstrainedSection
   {
     /// Rows r of the constraints r(u) = 0 in the fields of the section.
@@ -57,10 +58,10 @@ namespace lamella
     has_same_element_length(const ConstrainedSection &other) const;
   };
 
-  /// Returns the constraints of the section at interaction @p t of
-  /// @p interactions (LocalInteraction::constrains_section) on a body with
-  /// @p axis: the rows of all interactions that constrain this section, once
-  /// for each side on which the body is.
+  /// Returns the constraints of the section at interaction number @p t of @p
+  /// interactions (LocalInteraction::constrains_section) on a body with @p
+  /// axis: the rows of all interactions that constrain this section, once for
+  /// each side on which the body continues.
   std::vector<ConstrainedSection>
   constrained_sections(const std::vector<LocalInteraction> &interactions,
                        const unsigned int                   t,
@@ -71,8 +72,9 @@ namespace lamella
   ///   v + sum_j c_j a_j,
   /// with the section function v from the constant thermal load h_s
   /// (SaintVenant::response_to_constant()) and the six Saint-Venant states
-  /// (a_j, b_j). With the thermal load h_y on axial derivatives, the end
-  /// traction is
+  /// (a_j, b_j), displacements a_j and axial derivatives b_j. With the section
+  /// stiffness matrices S_10, S_11 (SaintVenant) and the thermal load h_y on
+  /// axial derivatives, the end traction is
   ///   r = S_10 v - h_y + sum_j c_j (S_10 a_j + S_11 b_j).
   /// The c_j are such that the section forces of r are zero.
   struct HeatedSection

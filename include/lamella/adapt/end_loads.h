@@ -16,9 +16,10 @@ namespace lamella
   free_motions(const Beam                              &piece,
                const std::vector<PrescribedFunctional> &rows);
 
-  /// Returns the loads of boundary_layer_modes() at the node @p far_node of the
-  /// end segment @p piece, at the distance @p arm from the constrained end.
-  /// They do no work on free rigid @p motions and are orthonormal in energy.
+  /// Returns the loads of boundary_layer_modes(): tractions of Saint-Venant
+  /// states at the node @p far_node of the end segment @p piece, at the
+  /// distance @p arm from the constrained end. The loads do no work on the free
+  /// rigid @p motions and are orthonormal in energy.
   std::vector<Vector>
   end_loads(const SaintVenant         &states,
             const Beam                &piece,

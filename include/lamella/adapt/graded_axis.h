@@ -13,33 +13,38 @@
 
 namespace lamella
 {
-  /// Parameters of `Axis elements = auto`; lengths over the smaller extent H.
+  /// Parameters of `Axis elements = auto`. Lengths are multiples of H, the
+  /// smaller side of the section.
   struct GradingRules
   {
     /// Element length at a clamp, and at the edge or the line of a contact.
     double clamp = 0.15, contact = 0.125;
     /// Element length at point and line supports and loads, and load edges.
     double edge = 0.25;
-    /// Largest element length in contact, up to max_inside elements.
+    /// Largest element length where contact is possible, for at most
+    /// `max_inside` such elements.
     double inside = 0.5, max_inside = 40.;
-    /// Growth of element length per length (neighbors differ by about 1.8).
+    /// Increase of the element length per distance from a refinement point;
+    /// neighboring elements differ by a factor of about 1.8.
     double growth = 0.6;
     /// Smallest number of elements on an axis.
     unsigned int least = 4;
     /// Number of elements in a span with distributed load, between supports or
-    /// changes of the load's sign. B4 is exact at element ends. Within an
-    /// element of length h, a uniform load q leaves the error q h^4 / (384 E
-    /// I), which is n^-4 of the deflection between clamps: 0.077 % for n = 6,
-    /// 0.024 % for 8, 0.01 % for 10, 0.005 % for 12.
+    /// changes of the load's sign. B4 (cubic) elements are exact at their ends.
+    /// Within an element of length h, a uniform load q leaves the error q h^4 /
+    /// (384 E I) (bending stiffness E I), relative to the deflection between
+    /// clamps 0.077 % for 6 elements, 0.024 % for 8, 0.01 % for 10.
     double elements_per_span = 10.;
-    /// Distance over element length below which refinement points merge.
+    /// Refinement points closer than this multiple of the element length merge.
     double merge_distance = 0.5;
-    /// Number of samples of 1 / s between two refinement points, with the
-    /// element length s (trapezoidal rule). If the integral exceeds an integer
-    /// by less than `rounding_allowance`, no element is added.
+    /// The number of elements between two refinement points is the integral of
+    /// 1 / s, with the element length s, by the trapezoidal rule with `samples`
+    /// points. If it exceeds an integer by less than `rounding_allowance`, no
+    /// element is added.
     unsigned int samples            = 400;
     double       rounding_allowance = 0.05;
-    /// Difference of gaps over H within one contact area.
+    /// Points whose gaps differ by less than this fraction of H belong to the
+    /// same contact area.
     double gap_tolerance = 1e-3;
     /// Number of equal elements for the contact search: per length H, and the
     /// least and largest number on an axis.
@@ -48,15 +53,16 @@ namespace lamella
   };
 
   /// Returns the element ends of an axis of length @p length, graded to the
-  /// refinement points @p places with positions y_k. With the element length
+  /// refinement points @p places, without 0 and @p length. Point k at y_k
+  /// requires elements of length size_k. The element length is
   ///   s(y) = min_k (c size_k + growth |y - y_k|),
   ///   c = growth / (exp(growth) - 1),
-  /// limited by length / least and, in the segments @p loaded, by span /
-  /// elements_per_span, the segment between two refinement points has N
-  /// elements. N is the integral of dy / s over it, rounded up (to an even
-  /// number if loaded, for halved()), times @p refinement_factor. Each element
-  /// has 1 / N of the integral. Points closer than merge_distance times their
-  /// element length are merged. Excludes 0 and @p length.
+  /// at most length / least and, in the segments @p loaded, span /
+  /// elements_per_span (GradingRules). Between two refinement points there are
+  /// N elements, each with 1 / N of the integral of dy / s. N is this integral,
+  /// rounded up (to an even number if loaded, for halved()), times @p
+  /// refinement_factor. Points closer than merge_distance times their element
+  /// length are merged.
   std::vector<double>
   graded_breaks(const double                     length,
                 const std::vector<ShortElement> &places,
@@ -65,7 +71,7 @@ namespace lamella
                 const std::vector<LoadedPart>   &loaded            = {});
 
   /// Bisects elements of @p axis until those at @p y, which becomes an element
-  /// end, have the length @p size, or half their length if it is 0. Neighbors
+  /// end, are at most @p size long; for size 0, bisects them once. Neighbors
   /// are bisected to satisfy GradingRules::growth.
   void
   refine_at(AxisMesh           &axis,

@@ -24,34 +24,39 @@ namespace lamella
   /// (doc/theory/saint-venant-fields.md).
   struct FieldRules
   {
-    /// Smallest wave number over the larger extent of the section, and the same
-    /// for thin walls, which deform over long distances.
+    /// Smallest wave number times the larger side of the section; the second
+    /// value is for thin walls, which deform over long distances.
     double lowest_wave = 0.25, lowest_wave_of_walls = 0.05;
-    /// Fraction of its bounding box below which a section has thin walls.
+    /// A section that fills less than this fraction of its bounding box has
+    /// thin walls.
     double thin_walls = 0.5;
-    /// Largest wave number near interactions over h_e, and elsewhere over H.
+    /// Largest wave number near interactions, times h_e, and elsewhere, times
+    /// H.
     double highest_wave = 10., highest_wave_far = 4.;
     /// Smallest ratio of the largest to the smallest wave number.
     double min_wave_ratio = 2.;
     /// Tolerances of Warping::basis() for fields near interactions and
-    /// elsewhere. The former times (reference_waves / N)^2 for larger N.
+    /// elsewhere. For N > reference_waves wave numbers, the first is multiplied
+    /// by (reference_waves / N)^2.
     double       near_tolerance = 3e-2, far_tolerance = 1e-2;
     unsigned int reference_waves = 6;
-    /// Negligible independent part of a unit load vector of a node's heat.
+    /// Thermal load vectors of unit length whose part independent of the others
+    /// is smaller are omitted.
     double heat_tolerance = 1e-3;
     /// Parameters of find_interactions().
     InteractionRules interactions = {};
-    /// Distance from an interaction, over H, within which nodes have its
-    /// fields; the same for clamps, over the larger extent.
+    /// Nodes have the fields of an interaction within this multiple of H, and
+    /// of a clamp within this multiple of the larger side.
     double influence_length = 2., influence_length_of_clamp = 1.5;
     /// Cache of boundary-layer modes at clamps, shared by the models of one
-    /// scene. If there are none, tractions S_10 w and S_11 w of the six
-    /// Saint-Venant warpings w are load vectors.
+    /// scene. Without cache, tractions S_10 w and S_11 w of the six
+    /// Saint-Venant warpings w (section stiffnesses S of SaintVenant) are load
+    /// vectors.
     std::shared_ptr<BoundaryLayerModes> ends =
       std::make_shared<BoundaryLayerModes>();
     /// Parameters of the choice of models (plan()).
     PlanRules plan = {};
-    /// Names of bodies with all fields, as fewer could not be solved.
+    /// Names of bodies with all fields, since models with fewer failed.
     std::vector<std::string> unsolved = {};
   };
 

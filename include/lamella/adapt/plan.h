@@ -61,8 +61,8 @@ namespace lamella
          has_pieces = false;
     /// True if the scene could not be solved without all fields.
     bool is_unsolved = false;
-    /// Mean number per node of load vectors that supports (no clamps)
-    /// constrain, and of fields, if known.
+    /// Mean number per node of load vectors constrained by supports (no
+    /// clamps), and number of fields that SV-N needs; empty if unknown.
     std::optional<double>       held;
     std::optional<unsigned int> wanted;
   };

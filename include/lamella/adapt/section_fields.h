@@ -17,8 +17,9 @@
 
 namespace lamella
 {
-  /// The fields of one section, for all bodies with this section and theory, in
-  /// groups of equal section load vectors or zones of boundary-layer modes.
+  /// The fields of one section, shared by all bodies with this section and
+  /// theory. Fields are in groups: section functions from equal load vectors,
+  /// or the boundary-layer modes of a zone near an end.
   class SectionFields
   {
   public:
@@ -36,8 +37,9 @@ namespace lamella
     unsigned int
     group_of(const LocalInteraction &interaction);
 
-    /// Returns the groups of a free end or of a clamped section @p held: the
-    /// zones of its boundary-layer modes, or the tractions of @p interaction.
+    /// Returns the groups of a free end or of a clamped section @p held: its
+    /// zones of boundary-layer modes or, without modes, tractions of @p
+    /// interaction.
     std::vector<unsigned int>
     groups_of(const LocalInteraction                &interaction,
               const std::vector<ConstrainedSection> &held);
@@ -60,7 +62,7 @@ namespace lamella
       return groups[group].is_held ? groups[group].loads.size() : 0;
     }
 
-    /// Returns the field numbers of a node near the groups @p near.
+    /// Returns the field numbers of a node that is near the groups @p near.
     const std::vector<unsigned int> &
     list(const std::set<unsigned int> &near);
 
@@ -87,7 +89,8 @@ namespace lamella
       bool                is_held = false;
       /// Section functions from the loads, and from the smooth loads.
       std::vector<Vector> near, far;
-      /// Extent of a zone whose boundary-layer modes are in `near`; else 0.
+      /// Extent of a zone with its boundary-layer modes in `near`; 0 for
+      /// others.
       double influence_length = 0.;
       /// True if the group constrains a whole section.
       bool holds = false;

@@ -13,18 +13,20 @@ namespace lamella
   /// (doc/theory/saint-venant-fields.md).
   struct InteractionRules
   {
-    /// Independent part of a unit load vector below which it is omitted.
+    /// Unit load vectors whose part independent of the others is smaller are
+    /// omitted.
     double independent = 0.02;
-    /// Fraction of the largest load vector below which nodes are ignored.
+    /// Nodes with less than this fraction of the largest load are ignored.
     double min_weight_share = 0.05;
-    /// Axial fraction of the weight below which the axial part is omitted.
+    /// The axial part of a contact normal below this fraction is omitted.
     double along_axis = 0.7;
-    /// Relative change of temperature along H below which heat is no load;
-    /// equal to FieldRules::far_tolerance.
+    /// A smaller relative change of temperature along the section height H is
+    /// no load; equal to FieldRules::far_tolerance.
     double heat_change_tolerance = 1e-2;
   };
 
-  /// Segment of an axis, with its shortest adjacent element [length].
+  /// Segment of a beam's axis, with the length of its shortest element
+  /// [length].
   struct AxisPart
   {
     double begin, end, element;
@@ -61,13 +63,14 @@ namespace lamella
                   const std::vector<bool> &requested,
                   const InteractionRules  &rules);
 
-  /// Returns the independent ones of the load vectors @p loads, normalized.
+  /// Returns an independent subset of the load vectors @p loads, normalized.
   std::vector<Vector>
   independent_loads(const std::vector<SectionLoad> &loads,
                     const unsigned int              n_fields,
                     const InteractionRules         &rules);
 
-  /// Returns the area-weighted mean and transverse linear part of @p loads.
+  /// Returns two sets of load vectors that replace @p loads on distant nodes:
+  /// the area-weighted mean, and the part linear in the section coordinates.
   std::vector<Vector>
   smooth_loads(const std::vector<SectionLoad> &loads,
                const unsigned int              n_fields);

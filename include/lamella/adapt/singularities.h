@@ -12,20 +12,20 @@
 
 namespace lamella
 {
-  /// Returns the reason why strains and stresses diverge under refinement at
-  /// @p position (scene axes) of body number @p body: a sentence without a full
+  /// Returns the reason why strains and stresses diverge under refinement at @p
+  /// position (scene axes) of body number @p body: a sentence without a full
   /// stop, empty if no reason is known. Known reasons are
-  ///   loads         on a point and along a line: stresses grow as 1/r^2 and
-  ///   1/r clamps        an end constrained along the axis and along the normal
-  ///   n of
-  ///                 a free side there: r^-0.29 for a Poisson's ratio of 0.3
-  ///                 (Williams, J. Appl. Mech. 19 (1952) 526-528). Constrained
-  ///                 in one of these directions only, the end is a symmetry
-  ///                 plane
-  ///   contacts      an end of a body on another body that continues, in the
-  ///                 undeformed scene: the edge of a punch
-  ///   corners       of the section, re-entrant or at ends of different plies
-  ///                 (singular_corners()), if the section can deform.
+  /// - loads on a point and along a line: stresses grow as 1/r^2 and 1/r with
+  ///   the distance r;
+  /// - clamps: an end constrained along the axis and along the normal of a free
+  ///   side there. Stresses grow as r^-0.29 for a Poisson's ratio of 0.3
+  ///   (Williams, J. Appl. Mech. 19 (1952) 526-528). An end constrained in one
+  ///   of these directions only is a symmetry plane;
+  /// - contacts: an end of a body on another body that continues, in the
+  ///   undeformed scene: the edge of a punch;
+  /// - corners of the section, re-entrant or at ends of different plies
+  ///   (singular_corners()), if the section can deform.
+  ///
   /// Not considered: loads that do not excite a singularity, such as bending at
   /// the corner of an L; supported points; and edges of obstacles.
   std::string

@@ -22,10 +22,10 @@ namespace lamella
   std::vector<unsigned int>
   list_of_degree(const Section &section, const unsigned int degree);
 
-  /// Combined requirements of all segments that meet at a node.
+  /// Combined requirements of all axis segments that meet at a node.
   struct Wanted
   {
-    /// Highest degree of LE, or 0; whether any, and all, segments are SV.
+    /// Highest degree of LE, or 0; true if any segment is SV, if all are SV.
     unsigned int degree = 0;
     bool         any_SV = false, plain = true;
   };

@@ -19,8 +19,9 @@ namespace lamella
   /// Returns the axis elements to be bisected to reduce the errors of @p goals.
   /// For each goal, elements with the largest |error| per DoF are selected
   /// until the selected errors are at least the fraction @p share of the sum of
-  /// |error|, and those of the remaining elements at most the fraction @p left
-  /// of the tolerance. Empty without LocalErrors or if a contact pairs nodes.
+  /// |error|, and the sum over the remaining elements is at most the fraction
+  /// @p left of the tolerance. Empty without LocalErrors or if a contact pairs
+  /// nodes.
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,
@@ -28,9 +29,9 @@ namespace lamella
                   const double                   share);
 
   /// Returns @p scene with those axis elements merged that contribute little to
-  /// the error of each of @p goals. A merged pair of neighbors with lengths
-  /// h_1, h_2, errors e_1, e_2 and degree p along the axis is expected to have
-  /// the error of a smooth solution,
+  /// the errors of @p goals. A merged pair of neighbors with lengths h_1, h_2,
+  /// errors e_1, e_2 and degree p along the axis is expected to have the error
+  /// of a smooth solution,
   ///   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
   /// where e is multiplied by 2^(-2 p) if only errors of pairs are known
   /// (LocalErrors::of_pairs). Pairs, also of merged elements, are merged in

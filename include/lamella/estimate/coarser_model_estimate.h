@@ -21,11 +21,12 @@ namespace lamella
   /// Parameters of CoarserModelEstimate.
   struct CoarserModelRules
   {
-    /// Smallest degree with bars: LE-1 does not bound the error of LE-2.
+    /// Smallest degree of LE with bars; LE-1 does not bound the error of LE-2.
     unsigned int min_degree = 3;
-    /// Lower bound of the last change over the previous one.
+    /// The last change counts as at least this fraction of the previous one.
     double min_share_of_previous = 1. / 8.;
-    /// Lower bound of the error over the sum of |contributions| of nodes.
+    /// The error is at least this fraction of the sum of |nodes'
+    /// contributions|.
     double min_share_of_sizes = 1. / 4.;
   };
 
@@ -36,13 +37,14 @@ namespace lamella
   /// axis (coarser_model_bar(), CoarserModelRules).
   ///
   /// All other goals: the goal is J_0 in the run, J_1 on half of the elements
-  /// with one degree less, and J_2 on a quarter with two degrees less. With the
-  /// surpluses s of goals that have them,
+  /// with one degree less, and J_2 on a quarter with two degrees less. The last
+  /// change is
   ///   d = max(|s_section| + |s_axis|, |J_0 - J_1|)
-  /// and e is the same for the previous levels; the error is at least |J_1 -
-  /// J_2| / 8. Each model has its own contact constraints and active set, so
-  /// errors of the run's active set are included. ContactShares adds penalties
-  /// and load steps.
+  /// with the surpluses s (zero for goals without), and the change before is e,
+  /// the same for the two previous levels. The bar is coarser_model_bar() of d
+  /// and e, the error at least |J_1 - J_2| / 8. Each model has its own contact
+  /// constraints and active set, so errors of the run's active set are
+  /// included. ContactShares adds penalties and load steps.
   class CoarserModelEstimate
   {
   public:
@@ -75,7 +77,8 @@ namespace lamella
     by_models(const NamedQuantity               &goal,
               const std::optional<SurplusParts> &own) const;
     using Shares = std::vector<std::pair<std::string, double>>;
-    /// Returns the contributions of sources to @p bar, signed by last change.
+    /// Returns the contributions of sources to @p bar, with the signs of
+    /// changes.
     Shares
     shares_of(const NamedQuantity               &goal,
               const ErrorBar                    &bar,

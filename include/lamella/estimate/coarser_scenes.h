@@ -13,9 +13,9 @@ namespace lamella
 {
   /// Returns @p axis with about half as many elements. Neighbors are merged in
   /// pairs within each segment of the axis; of an odd number, three are merged
-  /// at the longest element. If each segment is a single element, as on graded
-  /// axes, segments end at the points toward which elements get shorter from
-  /// both sides. All element ends are element ends of @p axis.
+  /// at the longest element. On graded axes, where each segment is one element,
+  /// segments end at the points toward which elements get shorter. All element
+  /// ends are element ends of @p axis.
   AxisMesh
   halved(const AxisMesh &axis);
 

@@ -38,7 +38,7 @@ namespace lamella
     std::map<std::string, Model> models;
   };
 
-  /// Solves other models of the scene of a run for comparison.
+  /// Solves coarser and finer models of a run's scene for comparison with it.
   class ComparisonModels
   {
   public:
@@ -47,10 +47,10 @@ namespace lamella
                      std::ostream     &out,
                      ModelCache       &cache);
 
-    /// Returns the model of @p scene, from the cache if it was solved before.
-    /// Otherwise solves it and prints the line @p what. If given, @p look is
-    /// called with the solved simulation, and the model is solved again. Throws
-    /// what Simulation throws. Collective.
+    /// Returns the solved model of @p scene, from the cache if it was solved
+    /// before. Otherwise solves it and prints the line @p what. If @p look is
+    /// given, the model is always solved, and @p look called with the
+    /// simulation. Throws what Simulation throws. Collective.
     Model
     solved(const Scene                                   &scene,
            const std::string                             &what,

@@ -13,8 +13,8 @@
 
 namespace lamella
 {
-  /// Measured factors from a change by contact to a bar
-  /// (doc/theory/friction.md).
+  /// Measured factors by which the changes of a goal due to penalties and load
+  /// steps are multiplied in its error bar (doc/theory/friction.md).
   struct ContactShareRules
   {
     /// Factor for the change by exact contact, possibly from a coarser model.
@@ -22,15 +22,15 @@ namespace lamella
     /// Factor for the change by twice as many substeps: the remaining error is
     /// 1 (first order) to 3.4 times it (order 1/2, growing contact).
     double of_path = 4.;
-    /// Factor for this change in the error estimate, for first order.
+    /// Factor for the change by more substeps in the error estimate.
     double left_of_path = 2.;
   };
 
   /// Changes of the goals of a run due to penalties and load steps.
   ///
-  /// Penalties: the last state is solved again with exact contact, on the
-  /// factorized stiffness of the run and with its own active set. A goal J
-  /// changes by
+  /// Penalties: the last state (displacements u, contact forces lambda) is
+  /// solved again with exact contact, on the factorized stiffness of the run
+  /// and with its own active set. A goal J changes by
   ///   J'_u . (u_exact - u) + J'_lambda . (lambda_exact - lambda).
   /// For a goal without a derivative, and with friction, it is the change by
   /// exact contact in a coarser model (compare()). Zero without penalties.
@@ -69,7 +69,8 @@ namespace lamella
     std::vector<double> force;
     /// Dual solution with all constraints that are active in either state.
     std::unique_ptr<const GoalDual> dual;
-    /// Results of the coarser model; with exact contact; with more substeps.
+    /// Results of the coarser model as given, with exact contact, with
+    /// substeps.
     std::optional<ResultNumbers> poor, exact, shorter;
   };
 } // namespace lamella

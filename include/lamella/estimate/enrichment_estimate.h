@@ -16,30 +16,34 @@ namespace lamella
   /// Parameters of EnrichmentEstimate.
   struct EnrichmentRules
   {
-    /// Number of wave numbers by which the model with fewer fields is reduced.
+    ///     Number of wave numbers that the coarser model of SV-N has less than
+    ///     the run.
     unsigned int fewer_waves = 3;
-    /// Section order below which runs to a tolerance are compared with a finer
-    /// section, as order 1 does not bound the error of order 2.
+    /// Smallest section order for which a run to a tolerance is compared with a
+    /// lower order. Smaller orders are compared with a higher one.
     unsigned int min_order = 3;
-    /// Factors from a change to a bar: for coarser fields and sections; for
-    /// halved axes, whose error decreases at least by half; for finer models.
+    /// Factors by which the change of a goal is multiplied in its error bar:
+    /// for models with coarser fields or sections; for halved axes, whose error
+    /// decreases at least by half; for finer models.
     double of_fields = 2., of_axis = 1., enriched_factor = 2.;
-    /// Largest sum of |changes| over the scale for which there is a bar.
+    /// There is no bar if the sum of |changes| exceeds this fraction of the
+    /// scale.
     double max_change_share = 0.1;
   };
 
-  /// Error bars of the goals of a run with bodies of SV-N, from three models
-  /// that differ from the run in one error source each and have the same
-  /// boundary-layer modes. Runs to a tolerance use the finer models in
-  /// parentheses:
-  ///   axis      half of the elements (twice as many)
-  ///   fields    three wave numbers less (four more)
-  ///   section   one order or degree less (one more if the order is below
-  ///             EnrichmentRules::min_order).
-  /// A bar is the sum of |change| times the factors in EnrichmentRules. Finer
-  /// models give much shorter bars if fields converge fast; coarser models cost
-  /// half as much. The estimated error is the sum of the changes by finer
-  /// models only. ContactShares adds penalties and load steps.
+  /// Error bars of the goals of a run with bodies of SV-N. The run is compared
+  /// with three models, each of which differs from it in one source of error.
+  /// Runs to a tolerance use the finer models in parentheses:
+  /// - axis: half of the elements (twice as many);
+  /// - fields: three wave numbers less (four more);
+  /// - section: one order or degree less (one more if the order is below
+  ///   EnrichmentRules::min_order).
+  ///
+  /// All models have the same boundary-layer modes. A bar is the sum of
+  /// |change| times the factors in EnrichmentRules. Finer models give much
+  /// shorter bars if fields converge fast; coarser models cost half as much.
+  /// The estimated error is the sum of the changes by finer models only.
+  /// ContactShares adds penalties and load steps.
   class EnrichmentEstimate
   {
   public:
@@ -47,7 +51,7 @@ namespace lamella
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Solves the other models; arguments as of CoarserModelEstimate().
+    /// Solves the comparison models; arguments as of CoarserModelEstimate().
     EnrichmentEstimate(const Simulation &run,
                        std::ostream     &out,
                        ModelCache       &cache);
@@ -56,7 +60,7 @@ namespace lamella
     goals() const;
 
   private:
-    /// Results of a model that differs in one source, with its factor.
+    /// Results of a comparison model with its factor in the bar.
     struct Other
     {
       Source        source;

@@ -12,21 +12,22 @@ namespace lamella
   /// doc/theory/error-bars.md are correct; most are several times too long.
   struct BarRules
   {
-    /// Largest ratio of successive changes for which the error is extrapolated.
+    /// Largest ratio of successive changes for which a bar is trusted.
     double max_remaining_share = 2. / 3.;
-    /// Fraction of the scale below which the spread of the values is the error.
+    /// A bar is trusted if values differ by less than this fraction of the
+    /// scale.
     double small = 1e-2;
-    /// Fraction of the scale below which differences are rounding.
+    /// Differences below this fraction of the scale are rounding errors.
     double digits = 1e-8;
     /// Ratio of successive changes above which a value is reported to diverge.
     double growth = 0.9;
-    /// Bar over |change|, and over the sum of |changes| by source.
+    /// Factors in the bar of |change| and of the sum of |changes| by source.
     double of_change = 2., of_shares = 0.5;
-    /// Smallest error after a refinement pass over the refined bars before.
+    /// Fraction of the previous bar that a refined source keeps at least.
     double of_pass = 1. / 8.;
   };
 
-  /// Values of a quantity from a run, a finer and a still finer model.
+  /// Values of a quantity from a run, a finer model and a still finer model.
   struct Refinements
   {
     double run = 0., richer = 0., richest = 0.;
@@ -38,7 +39,7 @@ namespace lamella
     double rounding = 0.;
   };
 
-  /// Returns the end of the sentence "it changes by so many per cent".
+  /// Returns the text with which reasons for a diverging value end.
   std::string
   describe_growth();
 
@@ -62,9 +63,9 @@ namespace lamella
   ///   estimate  eta = v_2 - v_0
   ///   bar       max(2 |eta|, 1/2 sum |shares|, rounding, 1e-8 scale).
   /// If each refinement multiplies the error by q, then v_2 - v_1 = q (v_1 -
-  /// v_0), and eta leaves q^2 of the error. The bar is trusted if q <= 2/3, or
-  /// if all three values agree to 1e-2 of the scale. Agreement to 1e-8 is
-  /// rounding. A value that changes by as much again in the same direction is
+  /// v_0), and v_2 still has q^2 of the error of v_0. The bar is trusted if q
+  /// <= 2/3, or if all three values agree to 1e-2 of the scale. A value whose
+  /// second change has the sign of the first and at least 0.9 of its size is
   /// reported to diverge. (Becker and Rannacher, Acta Numerica 10, 2001.)
   ErrorBar
   error_bar(const Refinements &values, const BarRules &rules = {});

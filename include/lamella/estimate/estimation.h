@@ -27,8 +27,9 @@ namespace lamella
   /// Thresholds of Estimation.
   struct EstimationRules
   {
-    /// Smallest fraction of a tolerance for which a source is significant;
-    /// without tolerances, of the sum of all changes.
+    /// The most accurate model refines a source of error if its change of a
+    /// goal is at least this fraction of the tolerance or, without tolerances,
+    /// of the sum of all changes.
     double min_tolerance_share = 0.1, min_total_share = 0.02;
   };
 
@@ -36,17 +37,18 @@ namespace lamella
   ///   M_0          the run
   ///   M_1 .. M_k   each with one source of error reduced relative to a
   ///                previous model M_j: axis, fields, section, contact
-  ///   M_r          axis, fields and section refined once more.
+  ///   M_r       axis, fields and section refined once more.
   /// The change by a source is J(M_i) - J(M_j). With J_1 = J(M_0) + sum of the
   /// changes, the bar is error_bar() of J(M_0), J_1 and J_1 + J(M_r) - J(M_j).
   /// M_j is the previous model, so that the changes sum to J(M_k) - J(M_0).
-  /// With tolerances it is the last model whose change is at least a tenth of a
-  /// tolerance for some goal, and M_r refines only such sources, or the
+  /// With tolerances, M_j is the last model that changed some goal by at least
+  /// a tenth of its tolerance, and M_r refines only such sources, or the
   /// largest.
   ///
   /// Each model has its own contact constraints and active set, so errors of
   /// the run's active set are included and quantities may be nonlinear.
-  /// Localization gives the axis change by elements. Collective.
+  /// Localization divides the change by the axis among its elements.
+  /// Collective.
   class Estimation
   {
   public:
@@ -67,7 +69,7 @@ namespace lamella
     /// Returns the run as model M_0.
     Model
     first_model() const;
-    /// A refinement by one source from one model to another, by their numbers.
+    /// A refinement by one source, with the numbers of the models in `models`.
     struct Step
     {
       Source       source;
@@ -77,7 +79,7 @@ namespace lamella
     /// Solves the models M_1 .. M_k and M_r.
     void
     solve_hierarchy();
-    /// Solves M_r: refines a model in significant_sources().
+    /// Solves M_r: a model refined in significant_sources().
     void
     solve_richest_model();
     void
@@ -114,7 +116,7 @@ namespace lamella
     std::vector<Step>  steps;
     /// Numbers of the models from which the next model, and M_r, are refined.
     unsigned int base = 0, before_richest = 0;
-    /// Local errors of each of quantities(); empty if unknown.
+    /// Local errors of each goal; empty if unknown.
     std::vector<std::optional<LocalErrors>> local;
     /// Reason why there is no finer model; empty if there is one.
     std::string failure;

@@ -20,12 +20,12 @@ namespace lamella
   };
 
   /// Returns the goals of @p run, whose last step must have been solved, with
-  /// the error bars that the scene requests (ErrorBars): by the first possible
-  /// method of CoarserModelEstimate, EnrichmentEstimate and HalvedAxisEstimate;
-  /// otherwise, and for `richer`, by Estimation. Bars of the first three
-  /// methods are at least twice support_refinement_changes(). Goals with
-  /// tolerances have bars at any cost. Prints a line per model to @p out;
-  /// @p cache stores the models. Collective.
+  /// the error bars that the scene requests (ErrorBars): by the first of
+  /// CoarserModelEstimate, EnrichmentEstimate and HalvedAxisEstimate that is
+  /// available; otherwise, and for `richer`, by Estimation. Bars of the first
+  /// three classes are at least twice support_refinement_changes(). Goals with
+  /// tolerances have bars at any cost. Prints a line per model to @p out; @p
+  /// cache stores the models. Collective.
   GoalBars
   error_bars_of(const Simulation &run, std::ostream &out, ModelCache &cache);
 } // namespace lamella

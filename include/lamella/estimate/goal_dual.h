@@ -13,34 +13,36 @@
 namespace lamella
 {
   /// Dual (adjoint) solutions of goals with the factorization of a solved
-  /// model. With the stiffness K, the rows B of the constraints that are active
-  /// at the last step, and their compliance a,
+  /// model. With the stiffness K, the matrix B and the compliances a of the
+  /// constraints that are active at the last step, the dual solution z, nu
+  /// satisfies
   ///   K z - B^T nu = J'_u,   B z + a nu = -J'_lambda,
   /// so that a load f and gaps s change the goal J by f . z - nu . s.
   class GoalDual
   {
   public:
-    /// Displacement DoFs, and forces of the active constraints.
+    /// A vector of displacements with a vector of active constraints' forces.
     struct Pair
     {
       BlockVector u;
       Vector      force;
     };
 
-    /// Displacement field that is 1 in a direction (0, 1, 2) at a support,
-    /// given by its number, for the force of this support.
+    /// Returns a displacement field that is 1 in a direction (0, 1, 2) at a
+    /// support, both given by number, to extract the force of this support.
     using Influence =
       std::function<BlockVector(const unsigned int, const unsigned int)>;
 
     /// Keeps a reference to the solved @p model; @p influence defaults to
     /// influence_of_support(). All functions are collective.
     explicit GoalDual(const Simulation &model, Influence influence = {});
-    /// Provides derivatives by the forces of @p rows, without solve().
+    /// Provides derivatives by the forces of constraints @p rows; no solve().
     GoalDual(const Simulation &model, std::vector<unsigned int> rows);
 
-    /// Returns the derivatives J'_u, and J'_lambda by the active constraints.
-    /// Empty for a jump, a moment, pressure, width and strips of a contact, and
-    /// with friction. Recovered stresses: that of element stresses.
+    /// Returns the derivatives J'_u by displacements and J'_lambda by forces of
+    /// active constraints. Empty for moments, jumps, with friction, and for
+    /// pressure, width and strips of contacts. For recovered stresses, returns
+    /// the derivative of element stresses.
     std::optional<Pair>
     derivative(const NamedQuantity &goal) const;
 

@@ -18,12 +18,12 @@ namespace lamella
   /// Parameters of HalvedAxisEstimate.
   struct HalvedAxisRules
   {
-    /// Bounds for a trusted bar: a finer section changes a goal by at most
+    /// A bar is trusted if a finer section changes the goal by at most
     /// `max_remaining_share` of the previous change, or `small` of the scale.
     double max_remaining_share = 0.8, small = 1e-2;
-    /// Smallest bar over the change by the previous degree.
+    /// The bar is at least this fraction of the change by the previous degree.
     double min_share_of_previous = 1. / 8.;
-    /// Cost limits of `auto` bars: a fraction of the multiplications of the
+    /// Limits of multiplications for `auto` bars: a fraction of those of the
     /// run, and a number (about a second) that is always allowed.
     double max_share_of_run = 0.5, free_operations = 5e9;
   };
@@ -38,17 +38,18 @@ namespace lamella
   /// Error bars of runs for which there are no coarser models of the same
   /// theory: LE-1 and LE-2, EBBT, TBT, TE-N and SV. The comparison models have
   /// half of the elements (or a quarter: HalvedAxisPlan) and
-  ///   H_p  the run's theories and degrees;
-  ///   H_r  LE with one degree more, other theories replaced by LE of the
-  ///   degree
-  ///        of HalvedAxisPlan;
-  ///   H_l  one degree less than H_p if all bodies are LE, else than H_r.
+  /// - H_p: the run's theories and degrees;
+  /// - H_r: LE with one degree more, other theories replaced by LE of the
+  ///   degree of HalvedAxisPlan;
+  /// - H_l: one degree less than H_p if all bodies are LE, else than H_r.
+  ///
   /// With s = J(H_r) - J(H_p) for the goal J, the bar is
   ///   2 |s| + |J(run) - J(H_p)|,
   /// and at least |J(H_p) - J(H_l)| / 8 if all bodies are LE, else |J(H_r) -
   /// J(H_l)|. The error estimate is s (combination technique). If there is no
   /// finer section (degree 0), as for large rotations, the bar is 2 |J(run) -
-  /// J(H_p)|, the error of the axis. See also ContactShares.
+  /// J(H_p)|, the error of the axis. ContactShares adds penalties and load
+  /// steps.
   class HalvedAxisEstimate
   {
   public:

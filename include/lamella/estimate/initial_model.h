@@ -10,8 +10,8 @@ namespace lamella
 {
   /// Returns the first model of a run to a tolerance if @p scene does not set
   /// its Theory: plan() applied to SV-6. If @p why is not null, a sentence is
-  /// added for each body that begins with another theory. Nothing is solved;
-  /// contact is paired with TE-1. Throws what building a scene throws.
+  /// added for each body whose theory is not SV-6. Nothing is solved; contact
+  /// is paired with TE-1. Throws what building a scene throws.
   Scene
   initial_model(Scene                     scene,
                 std::vector<std::string> *why   = nullptr,

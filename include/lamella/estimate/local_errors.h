@@ -13,19 +13,21 @@
 
 namespace lamella
 {
-  /// Returns @p errors divided equally among the elements of @p finer inside.
+  /// Returns @p errors with the error of each element divided equally among the
+  /// elements of @p finer that it contains.
   LocalErrors
   distribute_to_finer(const LocalErrors &errors, const Simulation &finer);
 
-  /// Error of a goal by elements, by dual-weighted residuals. u_H are the
-  /// displacements of the coarser model on the nodes of the finer one. With K,
-  /// the rows B and the forces lambda of the finer model, and the dual solution
-  /// z, nu of the goal J,
-  ///   K z - B^T nu = J'_u,   B z + a nu = -J'_lambda   (active constraints),
-  /// the difference of the goal between both models is, to rounding,
+  /// Error of a goal by elements, from dual-weighted residuals. u_H are the
+  /// displacements of the coarser model, interpolated to the nodes of the finer
+  /// one. The finer model has displacements u_h, stiffness K, loads t f,
+  /// contact forces lambda, and active constraints with matrix B, gaps g and
+  /// compliances a. The dual solution z, nu of the goal J (GoalDual) satisfies
+  ///   K z - B^T nu = J'_u,   B z + a nu = -J'_lambda.
+  /// The difference of the goal between both models is, to rounding,
   ///   J(u_h) - J(u_H) = r . z - nu . s,
   ///   r = t f + B^T l - f_int(u_H),   s = -(g(u_H) + a l),
-  /// for any contact forces l; here lambda, scaled to the resultants of the
+  /// for any contact forces l; used are lambda, scaled to the resultants of the
   /// coarser model. Except for contact, r is orthogonal to the interpolant I z
   /// in the coarser model. The error of an element is therefore the sum of r_k
   /// (z - I z)_k over its nodes k, one half of it for nodes of two elements.
@@ -43,8 +45,9 @@ namespace lamella
     /// Computes the residual on the finer model. Collective, as is errors().
     Localization(const Simulation &coarse, const Simulation &fine);
 
-    /// Returns the errors of @p goal, whose values in both models differ by
-    /// @p change. Empty if GoalDual::derivative() is. Costs one finer solution.
+    /// Returns the errors of @p goal, whose values in both models differ by @p
+    /// change; empty if the goal has no GoalDual::derivative(). Costs one
+    /// solution with the finer stiffness.
     std::optional<LocalErrors>
     errors(const NamedQuantity &goal, const double change) const;
 
@@ -59,7 +62,7 @@ namespace lamella
     BlockVector
     interpolate_to_coarse(const BlockVector &u) const;
 
-    /// Adds element errors of @p body from the products @p share by DoFs.
+    /// Adds errors of elements of @p body from the summands @p share of r . z.
     void
     add_elements(const unsigned int body,
                  const Vector      &share,

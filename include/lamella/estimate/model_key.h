@@ -10,11 +10,11 @@
 namespace lamella
 {
   /// Returns a string that identifies the model of @p scene: the text of all
-  /// entries as read (Scene::resolved), and each member that may have changed
-  /// later: theory, pieces, axis, refinement and stabilization of the bodies,
-  /// divisions of sections, and the law of each contact, with all digits.
-  /// Models with equal keys have equal results at the last load factor. A new
-  /// member of these structures does not compile until it is included.
+  /// entries as read (Scene::resolved), and with all digits each member that
+  /// may have changed since: theory, axis segments, axis, refinement and
+  /// stabilization of bodies, divisions of sections, and contact laws. Models
+  /// with equal keys have equal results at the last load factor. A new member
+  /// of these structures does not compile until it is included.
   std::string
   key_of(const Scene &scene);
 } // namespace lamella

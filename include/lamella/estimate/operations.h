@@ -15,11 +15,14 @@ namespace lamella
   operations(const Simulation &run);
 
   /// Returns the estimated number of multiplications for the finer models of
-  /// Estimation, in which SV-10 replaces LE-N (CostRules): of_block m^3 per
-  /// axis node with m = PlanRules::fields_of_responses, for `axes` times the
-  /// nodes; products and eigenvectors of section functions, two per wave number
-  /// and load vector; and the end segments for boundary-layer modes, over the
-  /// run's factorization (nodes_of_pieces()). Infinite if not for all.
+  /// Estimation, in which SV-10 replaces LE-N, in the run's factorizations:
+  /// - of_block m^3 (CostRules) per axis node with m fields
+  ///   (PlanRules::fields_of_responses), for `axes` times the nodes of the run;
+  /// - products and eigenvectors of section functions, two per wave number and
+  ///   load vector;
+  /// - end segments for boundary-layer modes (nodes_of_pieces()).
+  ///
+  /// Infinite unless SV-10 can replace LE-N in all bodies.
   double
   operations_of_bars(const Simulation &run,
                      const PlanRules  &rules = {},

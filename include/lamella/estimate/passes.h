@@ -16,11 +16,12 @@ namespace lamella
   /// Parameters of a run to a tolerance.
   struct PassRules
   {
-    /// Fraction of a goal's largest error left to sources that are not refined.
+    /// Sources of error are refined, largest first, until the error by the
+    /// remaining sources is below this fraction of the goal's tolerance.
     double max_unrefined_share = 0.5;
-    /// A goal is dropped after `patience` refinement passes without a bar in
-    /// which it changes by more than its tolerance, or after `slow_passes`
-    /// passes in which bar over tolerance did not decrease by `min_progress`.
+    /// A goal is not refined any further after `patience` passes without a bar
+    /// in which it changes by more than its tolerance, or after `slow_passes`
+    /// passes in which its bar did not decrease to `min_progress` of itself.
     unsigned int patience = 2, slow_passes = 3;
     double       min_progress = 0.5;
     /// Largest ratio of section errors from one degree to the next for which
@@ -28,15 +29,16 @@ namespace lamella
     double max_degree_ratio = 0.5;
     /// Largest number of refinement passes.
     unsigned int max_passes = 8;
-    /// Fractions of a tolerance for the errors of remaining and of merged
-    /// elements; smallest fraction of the total error in bisected elements.
+    /// Bisection leaves at most the first fraction of a tolerance to other
+    /// elements; merging adds at most the second. Bisected elements have at
+    /// least the third fraction of the total error.
     double max_remaining_share = 0.25, max_merged_share = 0.05,
            min_bisected_share = 0.65;
-    /// Permitted relative difference between the loads of successive passes.
+    /// Largest relative difference between the total loads of two passes.
     double loads_agree = 1e-7;
   };
 
-  /// A pass of a run to a tolerance: a model with its error bars.
+  /// A refinement pass: one model with its theories, cost and error bars.
   struct Pass
   {
     unsigned int            dofs    = 0;
@@ -53,7 +55,7 @@ namespace lamella
     std::optional<std::vector<ElementError>> marked = {};
   };
 
-  /// Results of a goal in two previous passes, and last two refinements.
+  /// Results of a goal in two previous passes, and the last two refinements.
   struct PassHistory
   {
     const GoalResult     &first, &before;
@@ -62,9 +64,9 @@ namespace lamella
 
   /// Shortens the error bar of @p goal by its changes d_1 and d in the last two
   /// passes, if both refined the same sources R and all bars are trusted. Let b
-  /// be the sum of the absolute bar contributions of R before the pass, and q
-  /// the larger of d / b and d / d_1. If q <= 2/3, the contribution of R is
-  /// reduced to
+  /// be the sum of the absolute bar contributions of R before the last pass,
+  /// and q the larger of d / b and d / d_1. If q <= 2/3, the contribution of R
+  /// is reduced to
   ///   max(d, 2 d q / (1 - q), b / 8) + errors of elements not bisected.
   void
   shorten(GoalResult        &goal,
@@ -76,13 +78,13 @@ namespace lamella
   raise_share(GoalResult &goal, const Source source, const double least);
 
   /// The refinement passes of a run to a tolerance, and the choice of the next
-  /// refinement. Goals of the last pass are
-  ///   met      within their tolerance, and changed since the previous pass by
-  ///            no more than the bar of that pass;
-  ///   dropped  not refined any further: a quantity without a limit, as at a
-  ///            point load, would need unlimited refinement (PassRules);
-  ///   open     all others. The next pass refines for those with a bar, or for
-  ///            all if none has a bar.
+  /// refinement. After the last pass a goal is
+  /// - met: within its tolerance, and changed since the previous pass by no
+  ///   more than the bar of that pass;
+  /// - dropped: not refined any further (PassRules), as its value may have no
+  ///   limit, for example at a point load;
+  /// - open: neither met nor dropped. The next pass refines for open goals that
+  ///   have a bar, or for all open goals if none has a bar.
   class Passes
   {
   public:

@@ -12,7 +12,7 @@
 
 namespace lamella
 {
-  /// The goals of a solved run: values, reference sizes and rounding of errors.
+  /// The goals of a solved run with their values, scales and rounding errors.
   class RunGoals
   {
   public:
@@ -39,8 +39,8 @@ namespace lamella
       return values;
     }
 
-    /// Returns the reason if @p quantity, a strain or stress of a probe or a
-    /// measure of these, is singular at its point; else empty, also for boxes.
+    /// Returns why @p quantity, a strain or stress at a probe or a measure of
+    /// these, is singular there; empty if it is not, and for boxes.
     std::string
     singularity_reason(const NamedQuantity &quantity) const;
 
@@ -56,8 +56,8 @@ namespace lamella
     rounding_of(const NamedQuantity &quantity) const;
 
     /// Returns the result of goal number @p number with @p bar. A singular goal
-    /// is not compared with its tolerance; a zero goal without active contact
-    /// does not meet it.
+    /// is not compared with its tolerance. A zero goal without active contact
+    /// does not meet its tolerance.
     GoalResult
     with_error_bar(const unsigned int number, const ErrorBar &bar) const;
 

@@ -13,8 +13,8 @@ namespace lamella
   /// Parameters of support_refinement_changes().
   struct SupportRefinementRules
   {
-    /// Element length over the larger section side above which an element is
-    /// too long to resolve the disturbance at a support.
+    /// Elements at a support are bisected if longer than this multiple of the
+    /// larger section side: too long to resolve the disturbance at the support.
     double longest = 0.5;
     /// Number of bisections of such an element at the support.
     unsigned int times = 2;

@@ -23,26 +23,27 @@ namespace lamella
     double by_nodes = 0.;
   };
 
-  /// Surpluses by error source, and `last` of the axis by elements.
+  /// Surpluses of a goal by error source, and Surplus::last of the axis by
+  /// elements.
   struct SurplusParts
   {
     Surplus     section, axis;
     LocalErrors along_axis;
   };
 
-  /// Hierarchical surpluses of a run: changes of its goals from coarser models,
-  /// without solution of these models. With the dual solution z of a goal on
-  /// the run's factorization (GoalDual) and the interpolation L into a coarser
-  /// space (BeamSurplus),
+  /// Hierarchical surpluses of a run: changes of its goals J from coarser
+  /// models, without solution of these models. Let u_p be the solution with
+  /// degree p, a(., .) the bilinear form of the stiffness K, z_p the dual
+  /// solution of a goal (GoalDual), and L the interpolation into a coarser
+  /// space (BeamSurplus). Then
   ///   J(u_p) - J(u_(p-1)) = a(u_p - u_(p-1), (1 - L) z_p)
   ///                       ~ a((1 - L) u_p, (1 - L) z_p):
   /// first by orthogonality, then since the surplus (1 - L) u approximates the
   /// change of u. For z = u it is an upper bound; otherwise the strengthened
-  /// Cauchy inequality bounds it by the factor 1 / (1 - gamma^2) (Bank and
-  /// Smith, SIAM J. Numer. Anal. 30 (1993) 921-935; Deuflhard, Leinen and
-  /// Yserentant, IMPACT Comput. Sci. Eng. 1 (1989) 3-35).
+  /// Cauchy inequality with constant gamma bounds it by the factor 1 / (1 -
+  /// gamma^2) (Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921-935).
   ///
-  /// In active constraints with rows B, (1 - L) u has the jump B (1 - L) u,
+  /// In active constraints with matrix B, (1 - L) u has the jump B (1 - L) u,
   /// which the change of u does not have. The forces phi = -(C + a)^-1 B (1 -
   /// L) u, with the compliance C of the constraints and a of the contact law,
   /// remove the jump and add -phi . B (1 - L) z to the surplus. The error of
@@ -63,8 +64,8 @@ namespace lamella
     of(const BlockVector &z) const;
 
   private:
-    /// Parts of a vector: beyond one degree less, and of the remainder beyond
-    /// two degrees less, for section and axis.
+    /// Parts of a displacement vector that the next coarser level cannot
+    /// represent, and parts of the remainder that the level before cannot.
     struct Parts
     {
       BlockVector section, section_before, axis, axis_before;
@@ -72,7 +73,7 @@ namespace lamella
     Parts
     parts_of(const BlockVector &v) const;
 
-    /// Forces of a part v of u: K v in bodies, phi in active constraints.
+    /// Forces of a part v of the displacements: K v, and phi of constraints.
     struct PartForces
     {
       BlockVector bodies;
@@ -86,7 +87,7 @@ namespace lamella
     /// Returns the sum of |contributions| of nodes and constraints to work().
     double
     sizes(const PartForces &part_forces, const BlockVector &z) const;
-    /// Returns work() by elements; elements of a merged span share its work.
+    /// Returns work() by elements; elements merged in a coarser level share it.
     LocalErrors
     by_elements(const PartForces &part_forces, const BlockVector &z) const;
     /// Adds contributions of spans of @p body from @p products by DoFs.
@@ -99,7 +100,8 @@ namespace lamella
     jumps(const BlockVector &v) const;
 
     const Simulation &run;
-    /// Surplus of each body, and the halves and quarters of its elements.
+    /// Surpluses of beams, and their spans of half and a quarter of the
+    /// elements.
     std::vector<std::unique_ptr<const BeamSurplus>> of_beams;
     std::vector<std::vector<AxisSpan>>              halves, quarters;
     /// Forces of the parts of the displacements.

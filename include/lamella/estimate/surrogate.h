@@ -12,10 +12,10 @@ namespace lamella
 {
   /// Returns the error of each goal of @p run if SV-N replaces LE: |J(LE) -
   /// J(SV-N)| on the sections and axes of @p run, for the bodies that are LE in
-  /// @p run and SV-N in @p next. Empty if there are none. Comparisons of SV-N
-  /// with different wave numbers do not detect, for example, the slow warping
-  /// of thin walls near a twisting load. Prints a line to @p out; @p cache
-  /// stores the model. Throws what Simulation throws. Collective.
+  /// @p run and SV-N in @p next. Empty if there are none. This detects errors,
+  /// such as of the slow warping of thin walls near a twisting load, which SV-N
+  /// with other wave numbers does not. Prints a line to @p out; @p cache stores
+  /// the model. Throws what Simulation throws. Collective.
   std::vector<double>
   surrogate_error(const Simulation &run,
                   const Scene      &next,

@@ -17,16 +17,16 @@ namespace lamella
   /// Run to a tolerance: solves successively refined models of one scene until
   /// the error bars of all goals are within their tolerances. Each refinement
   /// pass
-  ///   1. solves the model and computes the error bars of its goals
-  ///      (error_bars_of());
-  ///   2. writes its results, so that an interrupted run leaves the results of
-  ///      its last complete pass;
-  ///   3. ends the run if all goals are met, or refines the model in each
-  ///   source
-  ///      of error that is significant for open goals (Passes), along the axis
-  ///      in selected elements (marked_elements()).
-  /// The first model is the scene as given (if it has no theory SV, with
-  /// contacts SV-6 or LE-3; if it has no elements graded axes).
+  /// - solves the model and computes the error bars of its goals
+  ///   (error_bars_of());
+  /// - writes its results, so that an interrupted run leaves the results of its
+  ///   last complete pass;
+  /// - ends the run if all goals are met. Otherwise it refines each source of
+  ///   error that is significant for open goals (Passes), along the axis in
+  ///   selected elements (marked_elements()).
+  ///
+  /// The first model is the scene as given. A scene without theory begins with
+  /// SV, or with contacts SV-6 or LE-3; without elements it has graded axes.
   ///
   /// The run also ends if the next model would exceed a budget, cannot be
   /// solved, or would not improve any goal. The results are then those of the
@@ -52,17 +52,18 @@ namespace lamella
     }
 
   private:
-    /// Stores the element ends of the first scene @p first, never merged.
+    /// Stores the element ends of the first scene @p first; these are never
+    /// merged.
     void
     store_element_ends(const Scene &first);
     /// Returns the simulation of `scene`, with messages to @p progress.
     std::unique_ptr<Simulation>
     next_model(std::ostream &progress);
-    /// Solves `scene`, computes its error bars and sets the goals.
+    /// Solves `scene` and computes the error bars of its goals.
     void
     make_pass();
     /// Throws NumericsError if a pass after the first has no error bar at all
-    /// since no other model could be solved: the previous results are better.
+    /// since no comparison model could be solved.
     void
     check_any_bar(const std::vector<GoalResult> &goals) const;
     /// Throws NumericsError unless the sums of the loads of @p next agree with
@@ -98,8 +99,8 @@ namespace lamella
 
     Scene scene;
     /// True for each body that begins with equal elements by default
-    /// (initial_model()). Below: element ends that are never merged, for all
-    /// other bodies those of the first pass.
+    /// (initial_model()). All other bodies keep the element ends of the first
+    /// pass, `kept`.
     std::vector<bool>                starts_with_equal_elements;
     std::vector<std::vector<double>> kept;
     std::ostream                    &out;

@@ -11,7 +11,7 @@
 
 namespace lamella
 {
-  /// Contribution of an axis element of a beam to the error of a goal.
+  /// Contribution of one element along a beam's axis to the error of a goal.
   struct ElementError
   {
     /// Number of the body, and axial coordinates of the element [length].
@@ -28,20 +28,21 @@ namespace lamella
   struct LocalErrors
   {
     std::vector<ElementError> elements;
-    /// True if the run is the finer model: each element has half of the
+    /// True if the run is the finer model. An element then has half of the
     /// contribution of the coarser element that contains it.
     bool of_pairs = false;
     /// Contribution of contact: gaps of the finer model's active constraints at
     /// coarser displacements, and differences of contact forces.
     double contact = 0.;
-    /// Remainder of the difference; rounding if the models are nested.
+    /// Rest of the difference; only rounding if the models are nested.
     double remainder = 0.;
   };
 
   /// Error tolerance of a goal, as given in a scene.
   struct Tolerance
   {
-    /// Positive: a fraction of GoalResult::scale, or absolute [goal's unit].
+    /// Largest error: a fraction of GoalResult::scale, or if `is_absolute` a
+    /// value in the unit of the goal.
     double size        = 0.;
     bool   is_absolute = false;
   };
@@ -67,19 +68,20 @@ namespace lamella
     double scale = 0.;
     /// Tolerance, if the scene gives one.
     std::optional<Tolerance> tolerance;
-    /// Signed contributions of sources to the bar (finer models: estimate).
+    /// Signed contribution of each source to the bar (Estimation: to
+    /// `estimate`).
     std::vector<std::pair<std::string, double>> shares;
     /// Contribution of the axis by elements; empty if unknown.
     std::optional<LocalErrors> local;
 
-    /// Returns true if relative errors do not refer to the value itself.
+    /// Returns true if the value is near zero, so that `scale` is not |value|.
     bool
     is_near_zero() const
     {
       return scale != std::abs(value);
     }
 
-    /// Returns the largest error that the tolerance, which must exist, permits.
+    /// Returns the largest permitted error; the goal must have a tolerance.
     double
     allowed_error() const
     {

@@ -20,7 +20,8 @@
 
 namespace lamella
 {
-  /// Geometry of a laminate: a beam with a rectangle of rectangular cells.
+  /// Geometry of a laminate: a beam whose section is a rectangle of rectangular
+  /// cells, with one or more layers of cells per ply.
   struct LaminateBox
   {
     /// Frame at the lower left corner of the start: x across, z through plies.
@@ -34,9 +35,10 @@ namespace lamella
   LaminateBox
   laminate_box(const Body &body, const std::string &path);
 
-  /// Defect of the integration of equilibrium [force/length^2]: the difference
-  /// from the traction on the upper face, the largest transverse stress (norms
-  /// of {xz, yz, zz}), and the largest in-plane stress.
+  /// Defect of the integration of equilibrium over the height [force/length^2]:
+  /// the difference `error` between the integrated stresses and the traction on
+  /// the upper face, the largest transverse stress `largest` (norms of {xz, yz,
+  /// zz}), and the largest in-plane stress `in_plane`.
   struct EquilibriumDefect
   {
     double error = 0., largest = 0., in_plane = 0.;
@@ -45,7 +47,7 @@ namespace lamella
     void
     add(const EquilibriumDefect &other);
 
-    /// Returns error / largest, or 0 if below 1e-6 of in-plane stresses.
+    /// Returns error / largest; 0 for errors below 1e-6 of in-plane stresses.
     double
     relative() const;
   };
@@ -119,7 +121,7 @@ namespace lamella
     reset_defect();
 
   private:
-    /// Indices of the stress components (Eq. 4).
+    /// Indices of the stress components in FieldSample vectors.
     static constexpr unsigned int xx = 0, yy = 1, zz = 2, xy = 3, xz = 4,
                                   yz = 5;
 
@@ -135,11 +137,12 @@ namespace lamella
       unsigned int ply;
     };
 
-    /// A function of z in a column, by values at the nodes of its layers, layer
-    /// by layer; first the component xz, then yz, or zz alone.
+    /// A function of the height z in a column: values at the nodes of each
+    /// layer, layer by layer, for the components xz, then yz, or for zz alone.
     using Profile = dealii::Vector<double>;
 
-    /// Transverse stresses in the column over a point of the lower face.
+    /// Transverse stresses in the column over a point of the lower face:
+    /// profiles of {xz, yz} and of zz.
     struct Column
     {
       std::vector<Layer> layers;
@@ -157,11 +160,12 @@ namespace lamella
       std::vector<std::vector<double>> weights;
     };
 
-    /// Integrands of a column.
+    /// Integrands of the equilibrium equations in a column.
     struct Sources
     {
-      /// tau,z of {xz, yz} with its derivatives along y up to the third;
-      /// -sigma_zz,zz; second and third derivative of gamma.
+      /// `shear`: tau,z of {xz, yz} with its derivatives along y up to the
+      /// third; `normal`: -sigma_zz,zz; `strain`: second and third derivative
+      /// of gamma.
       std::array<Profile, 4> shear;
       Profile                normal;
       std::array<Profile, 2> strain;
@@ -182,7 +186,8 @@ namespace lamella
     column_at(const double x, const double y);
     Column
     make_column(const double x, const double y);
-    /// Subtracts @p missed from @p column in proportion to the height.
+    /// Subtracts the defect @p missed from @p column in proportion to the
+    /// height.
     void
     distribute(const dealii::Tensor<1, 3> &missed, Column &column) const;
     /// Returns {sigma_xz, sigma_yz, sigma_zz} of @p column at the height @p z,
@@ -199,7 +204,7 @@ namespace lamella
     stencil(const unsigned int d, const dealii::Point<3> &through) const;
     Sources
     sources(const std::vector<Layer> &layers, const double x, const double y);
-    /// phi of a free side and its derivative by x.
+    /// Function phi of the class comment at a free side, and its slope by x.
     struct FreeEdgeDecay
     {
       double value, slope;
@@ -216,7 +221,8 @@ namespace lamella
     free_edge_corrections(const std::vector<Layer> &layers,
                           const double              x,
                           const double              y);
-    /// Returns e at a free side, with its derivatives.
+    /// Returns the stress e of the class comment at a free side, with
+    /// derivatives.
     const std::vector<dealii::Tensor<1, 5>> &
     free_edge_stress(const unsigned int        side,
                      const std::vector<Layer> &layers,
@@ -230,7 +236,7 @@ namespace lamella
                 const Stencil                         &along_x,
                 const Stencil                         &along_y,
                 Sources                               &all);
-    /// sigma_xx, yy, xy and gamma_xz, yz of the element.
+    /// Values sigma_xx, sigma_yy, sigma_xy, gamma_xz, gamma_yz of an element.
     using Sampled = std::array<double, 5>;
     /// Derivatives of Sampled, by order along x and along y.
     using Derivatives = std::array<std::array<dealii::Tensor<1, 5>, 5>, 3>;
@@ -250,14 +256,15 @@ namespace lamella
     integral(const std::vector<Layer>  &layers,
              const Profile             &f,
              const std::vector<double> &start) const;
-    /// Returns the plane stresses {xy, yy} of the strains @p displacement.
+    /// Returns the plane stresses {xy, yy} of the axial @p displacement.
     Profile
     plane_stress(const std::vector<Layer> &layers,
                  const Profile            &displacement) const;
     /// Returns int sigma dz of {xy, yy}, then int sigma z / H dz.
     std::array<double, 4>
     resultants(const std::vector<Layer> &layers, const Profile &stress) const;
-    /// Returns @p stress plus that of a + b z that makes its resultants zero.
+    /// Returns @p stress plus the stress of a strain a + b z such that its
+    /// resultants are zero.
     Profile
     without_resultants(const std::vector<Layer> &layers, Profile stress) const;
     /// Returns the correction delta of shear stresses and its derivative along
@@ -266,7 +273,8 @@ namespace lamella
     correction(const std::vector<Layer>     &layers,
                const std::array<Profile, 4> &shear,
                const std::array<Profile, 2> &strain) const;
-    /// Returns delta = P(...) for tau'' = @p shear, gamma'' = @p strain.
+    /// Returns delta = P(tau'' - gamma''), tau'' = @p shear, gamma'' = @p
+    /// strain.
     Profile
     warped(const std::vector<Layer> &layers,
            const Profile            &shear,

@@ -18,9 +18,9 @@
 namespace lamella
 {
   /// A scalar result of the last load step, requested by name: a column of
-  /// probes.csv, a difference of two columns (a measure), a resultant of a
-  /// support or contact, or mean pressure, width or dissipation of a contact or
-  /// strip.
+  /// probes.csv at a probe, a difference of two columns (a measure), the
+  /// resultant of a support or contact, or the mean pressure, width or
+  /// dissipation of a contact or of a strip of a contact.
   struct NamedQuantity
   {
     /// Kind of object that the quantity belongs to.
@@ -47,10 +47,10 @@ namespace lamella
     std::string path = {};
     /// Strip of a contact to which the quantity is restricted, if any.
     std::optional<ContactStrip> strip = {};
-    /// Terms of a measure, (first - second) / `over`, with `over` not zero.
+    /// Measure: (terms[0] - terms[1]) / `over`, with `over` not zero.
     std::vector<NamedQuantity> terms = {};
     double                     over  = 1.;
-    /// True if `over` is 1 and not a distance, so that the unit is unchanged.
+    /// True if `over` is the number 1, so that a measure has its terms' unit.
     bool keeps_unit = true;
 
     /// Returns the text in the scene: `upper_top: uz`, `middle/2: syz` with a
@@ -58,9 +58,10 @@ namespace lamella
     std::string
     label() const;
 
-    /// Returns a letter for the kind; only equal kinds are compared. u
-    /// displacement, e strain, s stress, j jump at a probe, f force, m moment,
-    /// p pressure, w width, d dissipation. A measure: that of its terms.
+    /// Returns a letter for the kind of quantity; only values of equal kind are
+    /// compared: u displacement, e strain, s stress, j jump at a probe, f
+    /// force, m moment, p pressure, w width, d dissipation. A measure has its
+    /// terms' kind.
     char
     kind() const;
 
@@ -134,7 +135,7 @@ namespace lamella
   quantities_with_references(const QuantityNames      &names,
                              std::vector<std::string> &others);
 
-  /// Returns the traction of @p contact from its @p rows at a step's end.
+  /// Returns the mean pressure data of @p contact from @p rows at a step's end.
   ContactTraction
   traction_of(const ContactSummary          &contact,
               const std::vector<ContactRow> &rows);
@@ -142,15 +143,16 @@ namespace lamella
   /// Thresholds for ResultNumbers::scale_of().
   struct GoalRules
   {
-    /// Fraction of the largest value of its kind below which a value is near
-    /// zero; the largest value is then the scale.
+    /// A value below this fraction of the largest value of its kind is near
+    /// zero; its errors then refer to the largest value.
     double near_zero = 1e-3;
-    /// Fraction of the scene's values below which a material gives no scale.
+    /// A material whose values are below this fraction of the scene's is
+    /// ignored.
     double nothing = arithmetic::negligible;
   };
 
-  /// Values of all quantities at the last load step of a run that any
-  /// NamedQuantity may request, independent of the run.
+  /// Values at the last load step of all quantities that a NamedQuantity can
+  /// request. The object does not refer to the run.
   class ResultNumbers
   {
   public:

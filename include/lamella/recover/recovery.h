@@ -24,10 +24,10 @@ namespace lamella
   enum class StressValues
   {
     undefined,
-    element,    ///< those of the elements that hold the point, their mean
-    nodal,      ///< means at the nodes over all elements there, interpolated
+    element,    ///< mean over the elements that contain the point
+    nodal,      ///< means at nodes over adjacent elements, interpolated
     recovered,  ///< superconvergent patch recovery
-    equilibrium ///< that, with transverse stresses by equilibrium
+    equilibrium ///< recovered, but transverse stresses by equilibrium
   };
 
   template <>
@@ -92,7 +92,7 @@ namespace lamella
     /// at a point, the smallest cell number.
     using Key = std::pair<unsigned int, std::array<long, 3>>;
 
-    /// Values at a node: a weighted average of fits of this object.
+    /// Recovered field at a node: weights and patch fits owned by this object.
     using Source = std::vector<std::pair<double, const PatchFit *>>;
 
     static Key
@@ -107,9 +107,9 @@ namespace lamella
     FieldValues
     field(const unsigned int ply, const Place &place);
 
-    /// Returns the nodes of the element of @p place with the values of their
-    /// shape functions at @p place: for `recovered` the corners (trilinear
-    /// N_v), for `nodal` the Gauss-Lobatto points, along recovered coordinates.
+    /// Returns the nodes of the element at @p place, each with its shape
+    /// function at @p place: corners (trilinear N_v) for `recovered`,
+    /// Gauss-Lobatto points for `nodal`, only along recovered coordinates.
     std::vector<std::pair<Place, double>>
     nodes(const Place &place) const;
 
@@ -118,7 +118,8 @@ namespace lamella
     bool
     is_node(const Place &place) const;
 
-    /// Returns @p place in each adjacent element of the ply, by cells.
+    /// Returns the point @p place in each element of the ply that contains it,
+    /// by cells.
     const std::vector<Place> &
     meeting(const unsigned int ply, const Place &place);
 

@@ -23,9 +23,10 @@ namespace lamella
   {
     /// Position, normal and area of the contact point.
     ContactInterface::Point point;
-    /// g_init of Eq. 17 and g of Eq. 16 [length], or their averages.
+    /// Initial gap in the undeformed bodies and gap at the end of the step
+    /// [length]; averages for mortar constraints.
     double initial_gap = 0., gap = 0.;
-    /// Contact force lambda; over the area, the mean pressure.
+    /// Contact force lambda; divided by the point's area, the mean pressure.
     double force = 0.;
     /// Force and moment on the second side, friction included.
     Wrench on_second = {};
@@ -52,7 +53,7 @@ namespace lamella
     unsigned int closed = 0, opened = 0;
   };
 
-  /// Results of one load step, in the order of the names in Results.
+  /// Results of one load step; lists have the order of the names in Results.
   struct StepResults
   {
     /// Number of the load step, from 1.
@@ -62,7 +63,8 @@ namespace lamella
     /// Displacements and contact forces, with data on the iterations.
     State  state;
     Checks checks;
-    /// Number of substeps, and their last change (SolvedStep).
+    /// Number of substeps, and change by the last doubling
+    /// (SolvedStep::change).
     unsigned int          substeps = 1;
     std::optional<double> change   = {};
     /// Number of bisections of the load step (SolvedStep::cuts).
@@ -178,7 +180,8 @@ namespace lamella
     std::vector<std::string>
     all_warnings() const;
 
-    /// Returns the largest stiffening and smallest buckling factor of steps.
+    /// Returns the largest stiffening and the smallest buckling factor of all
+    /// steps.
     NonlinearityEstimate
     worst_nonlinearity() const;
 
@@ -191,8 +194,8 @@ namespace lamella
     const FieldRow &
     probe(const std::string &name, const unsigned int ply = 0) const;
 
-    /// Returns the resultant of the support @p name in the last step; contact()
-    /// does for a contact. Throws InputError for an unknown name.
+    /// Returns the resultant of the support or contact @p name in the last
+    /// step. Throws InputError for an unknown name.
     const Resultant &
     support(const std::string &name) const;
     const KktResidual &

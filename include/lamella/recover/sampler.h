@@ -19,8 +19,8 @@ namespace lamella
   /// constructor finds the elements of all points, so points outside the bodies
   /// are detected before the solution. Lines are divided into segments within
   /// one ply and evaluated on both sides of every interface. A line in an
-  /// interface is evaluated in the lower ply, then in the upper ply. Processes
-  /// do the same.
+  /// interface is evaluated in the lower ply, then in the upper ply. All
+  /// processes evaluate all points.
   class Sampler
   {
   public:
@@ -44,10 +44,10 @@ namespace lamella
            StepResults         &results,
            const FaceTractions &tractions = FaceTractions()) const;
 
-    /// Throws InputError with the entry of @p quantity if its probe is not in
-    /// the ply that it gives, or if it gives none, the probe is between two
-    /// plies, and the quantity may be discontinuous there. For measures checks
-    /// the terms.
+    /// Throws InputError with the entry of @p quantity in two cases: its probe
+    /// is not in the ply that it names; or it names no ply, the probe is
+    /// between two plies, and the quantity may be discontinuous there. For
+    /// measures checks the terms.
     void
     check(const NamedQuantity &quantity) const;
 
@@ -60,7 +60,8 @@ namespace lamella
     sample_probes(const BlockVector &u, const FaceTractions &tractions) const;
 
   private:
-    /// Returns the plies of probe number @p probe, from 1; "0" for several.
+    /// Returns the ply numbers (from 1) of probe number @p probe; "0" for a
+    /// mean.
     std::vector<std::string>
     plies_at(const unsigned int probe) const;
     /// Returns the number of the existing probe named @p probe.
@@ -89,7 +90,7 @@ namespace lamella
     void
     check_cut(const Cut &cut) const;
 
-    /// Stress recovery objects of one state, by body and kind.
+    /// StressRecovery and EquilibriumStress objects of one state, by body.
     class Recoveries;
     using Fields = std::function<FieldSample(const Location &)>;
     /// Returns @p fields transformed to the axes of the output.

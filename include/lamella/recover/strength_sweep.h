@@ -31,7 +31,7 @@ namespace lamella
     std::vector<unsigned int> bodies;
     /// Boxes that are excluded: lower and upper corner, scene axes.
     std::vector<std::array<dealii::Point<3>, 2>> excluded_boxes;
-    /// Kind of stresses: `recovered` or `equilibrium`.
+    /// Stresses for the reserve factors: `recovered` or `equilibrium`.
     StressValues stress = StressValues::recovered;
 
     /// Declares the entries in the current subsection of @p prm.
@@ -51,7 +51,7 @@ namespace lamella
   /// and criterion, points whose inverse reserve factor 1/R is at least 0.8 of
   /// the ply's largest are evaluated again with recovered stresses
   /// (StressRecovery or EquilibriumStress), and the smallest R is the result.
-  /// The critical point is missed only for stress errors of a fifth.
+  /// The critical point is missed only if element stresses err by a fifth.
   ///
   /// The interlaminar criterion uses element faces parallel to the ply that are
   /// interfaces to another ply. A ply whose material has core strengths is a
@@ -75,8 +75,8 @@ namespace lamella
 
     /// Returns StepResults::plies and plies_along for the displacements @p u
     /// and @p tractions on faces. @p thermal_part are the displacements due to
-    /// heat alone: their stresses are constant, and the reserve factor
-    /// multiplies the remaining stresses. Collective.
+    /// heat alone. Their stresses are constant; the reserve factor multiplies
+    /// only the remaining stresses. Collective.
     Found
     sweep(const BlockVector   &u,
           const FaceTractions &tractions    = FaceTractions(),
@@ -132,7 +132,7 @@ namespace lamella
     /// Largest 1/R along the axis of a beam, by ply and position.
     class Along;
 
-    /// Displacements of a body, and those due to heat alone or null.
+    /// Displacements of a body, and displacements due to heat alone or null.
     struct Displacements
     {
       const Vector &u;
@@ -158,7 +158,7 @@ namespace lamella
     find_candidates(const SweptBody     &swept,
                     const Displacements &at,
                     Along               &along) const;
-    /// Evaluates stresses of a body, and those due to heat alone or null.
+    /// Evaluates stresses of a body, and stresses due to heat alone or null.
     struct Stresses
     {
       const Vector                                &u;
@@ -186,11 +186,12 @@ namespace lamella
   };
 
   /// Returns true if @p a is nearer to failure than @p b: by reserve factor, if
-  /// there is none by index, and if equal (to 1e-7) by position.
+  /// both have none by failure index, and if equal (to 1e-7) by position.
   bool
   is_worse(const PlyReserve &a, const PlyReserve &b);
 
-  /// Returns true if @p a is before @p b by x, y, z, equal within @p same.
+  /// Returns true if @p a is before @p b, ordered by x, then y, then z.
+  /// Coordinates that differ by less than @p same are equal.
   bool
   is_before(const dealii::Point<3> &a,
             const dealii::Point<3> &b,

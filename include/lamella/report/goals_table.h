@@ -11,10 +11,11 @@
 namespace lamella
 {
   /// Returns the content of goals.csv, a line per goal (quantity of interest)
-  /// with the columns goal, value, estimate (of the error), corrected, bar
-  /// (error bound), trusted, tolerance, met, the contributions of axis, fields,
-  /// section and contact to the error, stiffening, buckling_factor
-  /// (NonlinearityEstimate), scale, why. Missing numbers are empty.
+  /// with these columns; missing numbers are empty:
+  /// - goal, value, estimate (of the error), corrected (value plus estimate);
+  /// - bar (error bound), trusted, tolerance, met;
+  /// - axis, fields, section, contact (contributions to the error);
+  /// - stiffening, buckling_factor (NonlinearityEstimate), scale, why.
   std::string
   goals_csv(const Results &results);
 

@@ -61,11 +61,12 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Returns the entries of `subsection Goals`. @p of_trade are the
-    /// quantities named in `subsection Trade`. Throws InputError for a quantity
-    /// not in @p names, a tolerance outside of 1e-6 to 100 per cent, a
-    /// tolerance in another unit than its quantity has by @p units, one
-    /// absolute tolerance for quantities of different units, and a wrong number
-    /// of values.
+    /// quantities named in `subsection Trade`. Throws InputError for
+    /// - a quantity not in @p names;
+    /// - a tolerance outside of 1e-6 to 100 per cent, or in another unit than
+    ///   its quantity has by @p units;
+    /// - one absolute tolerance for quantities of different units;
+    /// - a number of tolerances other than one or the number of goals.
     static GoalParameters
     parse(const Entries                    &in,
           const QuantityNames              &names,

@@ -23,16 +23,17 @@ namespace lamella
     std::string name;
     /// Theory as in a scene file; `tolerance 1` for a run to 1 % error.
     std::string theory;
-    /// Factors, 0.05 to 20, that multiply the numbers of axis elements and of
-    /// section cells per direction.
+    /// Factors, 0.05 to 20, that multiply the scene's number of axis elements
+    /// and of section cells per direction.
     double axis = 1., section = 1.;
     /// Changes of entries, PATH=VALUE as in the option --set.
     std::vector<std::string> overrides;
-    /// Relative error of a run to a tolerance: above 0, at most 1.
+    /// Error tolerance (fraction of the value) of a run to a tolerance: above
+    /// 0, at most 1; empty for other variants.
     std::optional<double> tolerance = {};
   };
 
-  /// Names of bodies and quantities to which entries of a trade may refer.
+  /// Names of the scene's bodies and quantities to which a trade can refer.
   struct TradeNames
   {
     std::vector<std::string> bodies;
