@@ -104,24 +104,24 @@ namespace lamella
                 const ConstrainedSection &held,
                 const BoundaryLayerRules &rules);
 
-  /// Computes boundary-layer modes, which decay with the distance from an end
-  /// at which the whole section is constrained. A short end segment of the body
-  /// is solved with all section fields on an axis graded to the end. It is
+  /// Computes boundary-layer modes: fields that decay with the distance from an
+  /// end at which the whole section is constrained. A short end segment of the
+  /// body is solved with all section fields on an axis graded to the end. It is
   /// constrained by @p held and loaded at its other end by tractions S_10 a +
-  /// S_11 b of the six Saint-Venant states (a, b), which cause no boundary
-  /// layer there. The loads are combined such that the section forces s at the
-  /// constrained end are orthonormal in the section compliance C, s_i^T C s_j =
-  /// delta_ij (unit energy per length), without work on free rigid motions.
+  /// S_11 b (section stiffness matrices S of SaintVenant) of the six
+  /// Saint-Venant states (a, b), which cause no boundary layer there. The loads
+  /// are combined such that the section forces s at the constrained end are
+  /// orthonormal in the section compliance C, s_i^T C s_j = delta_ij, without
+  /// work on free rigid motions.
   ///
   /// The displacements u_i at node i, without rigid fields and Saint-Venant
   /// warpings, are multiplied by sqrt(int N_i dy / H) with the shape function
-  /// N_i and reduced to a basis by proper orthogonal decomposition in the
-  /// metric of Warping: squared amplitudes are the energy of the boundary
-  /// layer, except for that of variation along the axis. Few modes decay
-  /// slowly, so there are zones. The outermost zone has the modes of its nodes,
+  /// N_i and the smaller section side H, and reduced to a basis by proper
+  /// orthogonal decomposition in the metric of Warping. Since few modes decay
+  /// slowly, there are zones. The outermost zone has the modes of its nodes,
   /// each inner zone those that its nodes require in addition.
   ///
-  /// Each entry of @p heat adds a load case, the thermal load along the segment
+  /// Each entry of @p heat adds a load case: the thermal load along the segment
   /// without the end traction. The solution less the section function v
   /// (HeatedSection) is the boundary layer of a constrained or free section,
   /// scaled to the energy of a Saint-Venant state along H. A partly constrained
@@ -140,17 +140,17 @@ namespace lamella
                        const std::vector<HeatedSection>     &heat  = {},
                        const BoundaryLayerRules             &rules = {});
 
-  /// Returns the number of nodes of the end segments that
+  /// Returns the total number of nodes of the end segments that
   /// boundary_layer_modes() solves for @p beam (all fields at all nodes) with
-  /// @p interactions, as an estimate of its cost. Mirror images are counted.
+  /// @p interactions, as an estimate of its cost. Includes mirror images.
   unsigned int
   nodes_of_pieces(const Beam                          &beam,
                   const std::vector<LocalInteraction> &interactions,
                   const BoundaryLayerRules            &rules = {});
 
-  /// Returns @p zones mirrored across the axis (u_y changes its sign), for the
-  /// same support at the other end. Empty unless @p section (as of cross plies)
-  /// and the constraint @p held of @p zones are symmetric.
+  /// Returns @p zones mirrored along the axis (u_y changes its sign), for an
+  /// equal support at the other end. Empty unless @p section (such as cross
+  /// plies) and the constraint @p held are symmetric.
   std::vector<BoundaryLayerZone>
   mirrored(const std::vector<BoundaryLayerZone> &zones,
            const Section                        &section,

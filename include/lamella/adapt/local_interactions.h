@@ -24,9 +24,10 @@ namespace lamella
   {
     /// Name, for example "contact nose".
     std::string name;
-    /// Independent section load vectors f, normalized to unit length.
+    /// Linearly independent section load vectors f, of unit length.
     std::vector<Vector> loads;
-    /// Area-weighted mean and linear part of all, the load on distant nodes.
+    /// Load vectors for distant nodes: area-weighted mean and linear part of
+    /// all.
     std::vector<Vector> smooth;
     /// Range of the loaded axis elements, or position of the node [length].
     double begin = 0., end = 0.;

@@ -60,7 +60,7 @@ namespace lamella
     std::vector<std::string> unsolved = {};
   };
 
-  /// Range of an axis with requested stresses: a probe, box, line or cut.
+  /// Range of a beam's axis in which a probe, line or cut requests stresses.
   struct StressRange
   {
     /// Number of the body in Bodies.
@@ -82,8 +82,8 @@ namespace lamella
                    const std::vector<StressRange> &requested);
 
   /// Replaces bodies of the theory SV-N, and those with `Theories`, by bodies
-  /// with the section fields that loads, supports and contacts excite.
-  /// @p bodies are those of make_bodies() for @p descriptions, with all section
+  /// with the section fields that loads, supports and contacts excite. @p
+  /// bodies are those of make_bodies() for @p descriptions, with all section
   /// fields at all nodes. Names, sections, axes and positions are unchanged;
   /// supports, loads and contacts must be created again.
   ///
@@ -94,18 +94,19 @@ namespace lamella
   ///   highest_wave / h_e;
   /// - elsewhere, section functions from harmonic and constant loads: the mean
   ///   and linear part of all load vectors.
-  /// All nodes of a body that is heated, or loaded by its weight under
-  /// @p gravity (scene axes, length / s^2), have the section function from this
-  /// load, constant along the axis; if it varies, heat is a load. Nodes near
-  /// clamped sections, and near free ends of heated bodies, have boundary-layer
-  /// modes. Dependent fields are removed. In segments of `Theories`, nodes of
-  /// SV have rigid fields and warpings only, and nodes of LE-q have section
-  /// fields up to degree q (Section::field_degree()). A node between two
-  /// segments has the fields of the higher degree, and next to SV all fields.
+  /// All nodes of a body that is heated, or loaded by its weight under @p
+  /// gravity (scene axes, length / s^2), have the section function from this
+  /// constant load. Heat that varies along the axis counts as a load. Nodes
+  /// near clamped sections, and near free ends of heated bodies, have
+  /// boundary-layer modes. Dependent fields are removed. In segments of
+  /// `Theories`, nodes of SV have rigid fields and warpings only, and nodes of
+  /// LE-q have section fields up to degree q (Section::field_degree()). A node
+  /// between two segments has the fields of the higher degree, and next to SV
+  /// all fields.
   ///
   /// The stress in an element is as accurate as at its node with the fewest
-  /// fields: if stresses are requested in an element (@p requested), all its
-  /// nodes have the fields of any. Bodies of the same section and theory share
+  /// fields: if stresses are @p requested in an element, each of its nodes has
+  /// the fields of all its nodes. Bodies of the same section and theory share
   /// their fields. @p contacts belong to the old @p bodies. Returns notes for
   /// the user. If not null, @p why is set to the reason for the fields of each
   /// body of SV-N. Throws NumericsError if the matrices of a section cannot be

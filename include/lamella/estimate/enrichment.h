@@ -18,7 +18,7 @@ namespace lamella
   enum class Source
   {
     axis,    ///< the elements along the axes
-    fields,  ///< the fields that nodes carry: theories, wave numbers
+    fields,  ///< the displacement fields: theory, wave numbers
     section, ///< degree and cells of the sections; of solids all their cells
     contact, ///< penetration under a penalty
     path     ///< the load steps on which friction depends
@@ -39,33 +39,31 @@ namespace lamella
   std::vector<BodySize>
   sizes_of(const BuiltScene &model);
 
-  /// Returns true if SV-N would have fewer fields for a body of LE-N.
+  /// Returns true if SV-N may have fewer fields than LE-N for @p body.
   bool
   may_have_responses(const BodyDescription &body,
                      const BodySize        &size,
                      const PlanRules       &rules = {});
 
-  /**
-   * Returns @p scene with one source of error reduced in all bodies:
-   *   axis      elements along beams are bisected;
-   *   fields    EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6; all of
-   *             these become LE-2 if it has at most cheap_dofs DoFs or contacts
-   *             extend over more than max_contact_share of the body
-   *             (PlanRules). SV-N gets four more wave numbers;
-   *   section   the degree of LE-N and the section order of SV-N increase by
-   *             one. At 8 (PlanRules::highest_degree, corner_degree) a layer of
-   *             cells is added at the corners of the section, or if there are
-   *             none each cell is divided in four. (At ply ends, degrees
-   *             converge at twice the rate of equal cells, Szabo and Babuska
-   *             1991.) solid-1 becomes solid-2; then hexahedra are divided in
-   *             eight;
-   *   contact   penalties are replaced by exact contact;
-   *   path      substeps are doubled (for_estimates() sets their number).
-   * LE-N becomes SV-10 with the same section functions if the body, of the
-   * size in @p sizes, would exceed max_layerwise_dofs and may_have_responses()
-   * holds. The axes of @p scene must already be divided into elements
-   * (grade_axes()).
-   */
+  /// Returns @p scene with one source of error reduced in all bodies:
+  /// - axis: elements along beams are bisected;
+  /// - fields: EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6. All of
+  ///   these become LE-2 if LE-2 has at most PlanRules::cheap_dofs DoFs or
+  ///   contacts extend over more than max_contact_share of the body. SV-N gets
+  ///   four more wave numbers;
+  /// - section: the degree of LE-N and the section order of SV-N increase by
+  ///   one. At 8 (PlanRules::highest_degree, corner_degree) a layer of cells is
+  ///   added at the corners of the section, or without corners each cell is
+  ///   divided in four. (At ply ends, degrees converge at twice the rate of
+  ///   equal cells, Szabo and Babuska 1991.) solid-1 becomes solid-2; then
+  ///   hexahedra are divided in eight;
+  /// - contact: penalties are replaced by exact contact;
+  /// - path: substeps are doubled (for_estimates() sets their number).
+  ///
+  /// LE-N becomes SV-10 with the same section functions if the body, of the
+  /// size in @p sizes, would exceed PlanRules::max_layerwise_dofs and
+  /// may_have_responses() holds. The axes of @p scene must already be divided
+  /// into elements (grade_axes()).
   Scene
   enriched(const Scene                 &scene,
            const Source                 source,
@@ -76,8 +74,9 @@ namespace lamella
   bool
   has_source(const Scene &scene, const Source source);
 
-  /// Returns the scene of the solved @p run for error estimates: its last load
-  /// step (with friction all, with the run's substeps) and probes.
+  /// Returns the scene for comparison models of the solved @p run: probes, and
+  /// the last load step only (with friction all load steps, with the run's
+  /// substeps).
   Scene
   for_estimates(const Simulation &run);
 } // namespace lamella

@@ -69,7 +69,7 @@ namespace lamella
     std::optional<double> density;
     /// Coefficients of thermal expansion alpha_1, alpha_2, alpha_3 [1/K].
     std::optional<dealii::Tensor<1, 3>> expansion;
-    /// Strengths as stresses, and ultimate strains.
+    /// Strengths as stresses, and as ultimate strains.
     std::optional<Strengths> strengths, ultimate_strains;
     /// Tensile yield stress of an isotropic material [force/length^2].
     std::optional<double> yield;

@@ -11,7 +11,8 @@
 
 namespace lamella
 {
-  /// Points of a body with weights that sum to 1: the mean of f is sum w f(X).
+  /// Points X of a body with weights w, whose sum is 1: sum w f(X) is the mean
+  /// of f.
   using BoxPoints = std::vector<std::pair<double, Location>>;
 
   /// Returns the corners of the box with the center @p middle and the @p edges.
@@ -22,9 +23,8 @@ namespace lamella
   /// Returns the quadrature points of the mean over a box in @p body,
   ///   1/V int f dV = sum_q w_q f(X_q).
   /// A flat box is averaged over its area, or over its length, or evaluated at
-  /// its point. Integrals over x, y and z are nested. Each is divided into
-  /// intervals where its lines pass from element to element
-  /// (Body::line_breaks()), so kinks and jumps at ply interfaces lie between
+  /// its point. Integrals over x, y and z are nested and divided into intervals
+  /// at element sides (Body::line_breaks()), so that fields are smooth within
   /// intervals. An interval has p / 2 + 2 Gauss points for displacements of
   /// degree p along it (exact to degree p + 2). In skewed elements, intervals
   /// are divided into four; a quadrature error remains at element sides that

@@ -26,11 +26,11 @@ namespace lamella
   /// Load factor at which the smallest reserve factor is 1.
   struct FirstFailure
   {
-    /// Load factors: no ply fails at `safe`, one fails at `failing`.
+    /// No ply fails at the load factor `safe`; a ply fails at `failing`.
     double safe = 0., failing = 0.;
     /// The ply that fails at `failing`; empty if no failure was found.
     std::optional<PlyReserve> where;
-    /// Trials in order, except load steps and load factors without a solution.
+    /// Load factors tried in the search, except those without a solution.
     std::vector<FailureTrial> trials;
     /// Warnings about the state at `failing`, as for a load step.
     std::vector<std::string> warnings;

@@ -54,20 +54,20 @@ namespace lamella
 
   /// Transverse stresses by equilibrium, `Stress = equilibrium`
   /// (doc/theory/interlaminar-stress.md). In the column over each point (x, y)
-  /// of a laminate,
+  /// of a laminate, the equations
   ///   sigma_xz,z = -(sigma_xx,x + sigma_xy,y)
   ///   sigma_yz,z = -(sigma_xy,x + sigma_yy,y)
   ///   sigma_zz,z = -(sigma_xz,x + sigma_yz,y)
   /// are integrated from the traction on the lower face upwards, with the
   /// in-plane stresses from the displacements (Rolfes and Rohwer, Int. J.
-  /// Numer. Meth. Eng. 40 (1997) 51-60). They are continuous between plies. All
-  /// other components are the `recovered` stresses (StressRecovery).
+  /// Numer. Meth. Eng. 40 (1997) 51-60). The results are continuous between
+  /// plies. All other components are the `recovered` stresses (StressRecovery).
   ///
   /// *Derivatives.* In-plane stresses are evaluated at the p Gauss points of
   /// each element, along the axis and (layer-wise theories) across it, in the
   /// element of the column and one more on each side. A polynomial, of degree p
   /// across and p + 1 along the axis, is fitted and differentiated. If one
-  /// expansion spans the section (TE-N), the expansion's polynomial is used.
+  /// expansion spans the section (TE-N), its polynomial is used.
   ///
   /// *Shear warping.* With one quadratic cell per ply, the axial displacement
   /// of a thick laminate lacks the warping by shear. Its effect on sigma_yy is
@@ -79,22 +79,22 @@ namespace lamella
   /// with the shear stress tau_0 without correction, derivatives '' along the
   /// axis, the plane-stress stiffness Q, and a, b such that the resultants do
   /// not change (a predictor-corrector method after Noor, Burton and Peters,
-  /// Comput. Meth. Appl. Mech. Eng. 82 (1990) 341-363). tau_0'' is from the
-  /// fit; the correction delta = P(...) has delta'' = c delta with the mean
-  /// ratio c of tau_0'' to tau_0. This is exact for waves; c = 0 if tau_0 is at
-  /// most linear. A correction above half of tau_0 is omitted.
+  /// Comput. Meth. Appl. Mech. Eng. 82 (1990) 341-363). The correction delta =
+  /// P(...) has delta'' = c delta with the mean ratio c of tau_0'' (from the
+  /// fit) to tau_0. This is exact for waves; c = 0 if tau_0 is at most linear.
+  /// A correction above half of tau_0 is omitted.
   ///
   /// *Free edges.* In elements wider than thick, torsion leaves sigma_xy at
-  /// free sides, where it must vanish within about one height. If e is the
-  /// fitted sigma_xy at an unloaded side minus its mean through the thickness,
+  /// free sides, where it must vanish within about one height H. If e is the
+  /// fitted sigma_xy at a free side minus its mean through the thickness, then
   /// sigma_xy is replaced by
   ///   sigma_xy - e phi(x),   phi = 1 at the side and 0 at the other,
   ///   phi'' = (pi / H)^2 (G_yz / G_xy) phi,
   /// the slowest decay of warping by torsion (Timoshenko and Goodier, Theory of
-  /// Elasticity, Art. 109, for one material), with the height H, the mean G_xy
-  /// of the ply stiffnesses and the mean 1 / G_yz of the ply compliances. The
-  /// resultant of the change is exact for any phi. Boundary layers between
-  /// different plies, as in an angle-ply laminate in tension, are not resolved.
+  /// Elasticity, Art. 109), with the mean G_xy of the plies and the harmonic
+  /// mean G_yz. The resultant of the change is exact for any phi. Boundary
+  /// layers between different plies, as in an angle-ply laminate in tension,
+  /// are not resolved.
   ///
   /// *Defect.* The difference between the integrated stresses and the traction
   /// on the upper face is stored as equilibrium defect, then subtracted in
@@ -125,7 +125,6 @@ namespace lamella
     static constexpr unsigned int xx = 0, yy = 1, zz = 2, xy = 3, xz = 4,
                                   yz = 5;
 
-    /// Returns the coordinates of the points of the quadrature @p rule.
     static std::vector<double>
     points_of(const dealii::Quadrature<1> &rule);
 
@@ -176,7 +175,6 @@ namespace lamella
     /// Sets the nodes through a layer for polynomials of degree @p degree.
     void
     make_nodes(const unsigned int degree);
-    /// Computes the compliances, stiffnesses and axes of the plies.
     void
     make_plies();
     /// Returns the length over which torsional warping decays from a free side.
@@ -196,7 +194,6 @@ namespace lamella
     transverse_stress(const Column      &column,
                       const unsigned int ply,
                       const double       z) const;
-    /// Returns the section cells over (x, y), bottom to top.
     std::vector<Layer>
     layers_at(const double x, const double y) const;
     /// Returns the stencil at @p through for derivatives by coordinate @p d.

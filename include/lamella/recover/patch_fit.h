@@ -10,7 +10,7 @@
 
 namespace lamella
 {
-  /// Strain, stress (order of Eq. 4), and stress in ply axes, six each.
+  /// Strain, stress (order of Voigt), and stress in ply axes, six each.
   using FieldValues = dealii::Tensor<1, 18>;
 
   /// Values at a superconvergent point of an element of a patch, scene axes.
@@ -23,11 +23,11 @@ namespace lamella
   /// Least-squares polynomial through values at points, with a degree for each
   /// of three local coordinates. Terms are products of Legendre polynomials
   /// over the points' box, added by total degree. A term is omitted if less
-  /// than a tenth of it is independent of previous terms at the points: two
-  /// Gauss points across an element cannot separate a parabola from a constant.
-  /// Polynomials of degrees that the points resolve are reproduced exactly. A
-  /// fit of m points and n terms costs m n^2 operations, by orthogonalization
-  /// and without normal equations. Outside the points' box it extrapolates.
+  /// than a tenth of it at the points is linearly independent of previous
+  /// terms. Polynomials of degrees that the points resolve are reproduced
+  /// exactly. A fit of m points and n terms costs m n^2 operations, by
+  /// orthogonalization and without normal equations. Outside the points' box it
+  /// extrapolates.
   class PatchFit
   {
   public:

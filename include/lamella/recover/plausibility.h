@@ -57,7 +57,7 @@ namespace lamella
           }
       }
     };
-    /// Deformed points of a body, rotations, bounding box, and largest values.
+    /// Deformed surface points of a body, with largest strain and displacement.
     struct CurrentBody
     {
       std::vector<dealii::Point<3>> places;

@@ -17,7 +17,7 @@ namespace lamella
     unsigned int body = 0, ply = 0;
     /// Criterion as in the scene, and failure mode.
     std::string criterion, mode;
-    /// Factor on the stresses at which the ply fails; empty if never.
+    /// Factor on mechanical stresses at which the ply fails; empty if none.
     std::optional<double> reserve;
     /// Value of the failure criterion; 1 at failure.
     double index = 0.;
@@ -26,8 +26,7 @@ namespace lamella
     /// Angle from axis 2 of the ply to the normal of the fracture plane,
     /// positive towards axis 3 [degrees], if the criterion gives it.
     std::optional<double> angle;
-    /// |element stress - recovered stress| / |recovered stress|: the stress
-    /// error.
+    /// Stress error: |element stress - recovered stress| / |recovered stress|.
     double stress_discrepancy = 0.;
   };
 

@@ -60,9 +60,8 @@ namespace lamella
     std::vector<Location>
     point_locations() const;
 
-    const ContactInterface &contact;
-    const Structure        &structure;
-    /// Results of quadrilaterals() and isolated_points().
+    const ContactInterface    &contact;
+    const Structure           &structure;
     std::vector<Quadrilateral> quads;
     std::vector<unsigned int>  alone;
     /// Locations of contact points on the slave body, and of the paired points

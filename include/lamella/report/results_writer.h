@@ -30,10 +30,9 @@ namespace lamella
   class ResultsWriter
   {
   public:
-    /// Objects other than Results that are needed for output.
+    /// Objects other than Results that the output requires.
     struct OutputSources
     {
-      /// Bodies of the scene.
       const Structure &structure;
       /// Contacts in the order of Results.
       const std::vector<ContactInterface> &contacts;

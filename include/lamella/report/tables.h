@@ -13,17 +13,15 @@ namespace lamella
   /// Text of result files by name, such as `lines/NAME.csv`.
   using FileTexts = std::map<std::string, std::string>;
 
-  /**
-   * Returns the header lines of all tables (doc/reference/output.md) for the
-   * probes, lines, cuts, contacts and supports named in @p results. Columns:
-   *   probes   step, probe, fields_header()
-   *   lines    s (arc length), step, line, fields_header()
-   *   cuts     step, cut, cell, i, j, fields_header()
-   *   contacts step, both points, normal, area, initial_gap, gap, force,
-   *            pressure (force over area), active (1 if in contact)
-   *   history  step, load_factor, then three components of the force of each
-   *            support and contact and of the displacement of each probe
-   */
+  /// Returns the header lines of all tables (doc/reference/output.md) for the
+  /// probes, lines, cuts, contacts and supports named in @p results. Columns:
+  ///   probes   step, probe, fields_header()
+  ///   lines    s (arc length), step, line, fields_header()
+  ///   cuts     step, cut, cell, i, j, fields_header()
+  ///   contacts step, both points, normal, area, initial_gap, gap, force,
+  ///            pressure (force over area), active (1 if in contact)
+  ///   history  step, load_factor, then three components of the force of each
+  ///            support and contact and of the displacement of each probe
   FileTexts
   table_headers(const Results &results);
 

@@ -24,11 +24,13 @@ namespace lamella
                  const Material    &material,
                  const Units       &units);
 
-  /// Prints the plies of the laminated section @p name, A, B, D of classical
-  /// lamination theory about the mid-plane (order yy, xx, xy with y along the
-  /// beam), E A and E I with free lateral contraction and twist, G A, k G A
-  /// from equilibrium of the plies, and G J of the mesh @p section. @p plies
-  /// are from the bottom, at least one; @p width is that of the section.
+  /// Prints data of the laminated section @p name with @p plies (from the
+  /// bottom, at least one), the width @p width and the mesh @p section:
+  /// - plies; matrices A, B, D of classical lamination theory about the
+  ///   mid-plane (order yy, xx, xy with y along the beam);
+  /// - stiffnesses E A and E I with free lateral contraction and twist, G A, k
+  ///   G A (shear, from equilibrium of the plies), and G J (torsion) of the
+  ///   mesh.
   void
   print_laminate(std::ostream           &out,
                  const std::string      &name,

@@ -12,24 +12,22 @@
 
 namespace lamella
 {
-  /**
-   * Writes the deformed bodies to solution_STEP.vtu in @p directory, for
-   * ParaView, and returns the name of the file. Each section cell of each axis
-   * element is a Lagrange hexahedron at positions displaced by @p u. Strains
-   * and stresses are discontinuous between elements. Cell data are the ply
-   * (from 1 at the bottom), the fiber direction and the body (from 1). @p
-   * strength, if not null, adds the largest 1/R (R the reserve factor) at each
-   * point. @p factor is the time in ParaView.
-   *
-   * Cells have the degrees Body::output_degrees(), at most 4. Values are in
-   * single precision: displacements and positions are rounded to 2^-24 of the
-   * largest value in the file; strains and stresses to 2^-11 of the largest in
-   * the element (or 2^-24 of the largest in the file if more).
-   *
-   * With several processes, each process writes solution_STEP.PROCESS.vtu with
-   * its elements; the name of solution_STEP.pvtu, which combines these files,
-   * is returned. Throws InputError if a file cannot be written. Collective.
-   */
+  /// Writes the deformed bodies to solution_STEP.vtu in @p directory, for
+  /// ParaView, and returns the name of the file. Each section cell of each axis
+  /// element is a Lagrange hexahedron at positions displaced by @p u. Strains
+  /// and stresses are discontinuous between elements. Cell data are the ply
+  /// (from 1 at the bottom), the fiber direction and the body (from 1). @p
+  /// strength, if not null, adds the largest 1/R (R the reserve factor) at each
+  /// point. @p factor is the time in ParaView.
+  ///
+  /// Cells have the degrees Body::output_degrees(), at most 4. Values are in
+  /// single precision: displacements and positions are rounded to 2^-24 of the
+  /// largest value in the file; strains and stresses to 2^-11 of the largest in
+  /// the element (or 2^-24 of the largest in the file if more).
+  ///
+  /// With several processes, each process writes solution_STEP.PROCESS.vtu with
+  /// its elements; the name of solution_STEP.pvtu, which combines these files,
+  /// is returned. Throws InputError if a file cannot be written. Collective.
   std::string
   write_vtu(const std::string   &directory,
             const unsigned int   step,

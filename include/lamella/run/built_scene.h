@@ -48,7 +48,8 @@ namespace lamella
       return given;
     }
 
-    /// Returns scene() for other axes, with `auto` contacts restored.
+    /// Returns scene() with the setting `auto` restored for contacts for which
+    /// it was chosen, to build models with other axes.
     Scene
     with_automatic_contacts() const;
 
@@ -90,7 +91,7 @@ namespace lamella
       return gap_constraints;
     }
 
-    /// Renews rows() after contacts were paired anew.
+    /// Renumbers rows() after contacts were paired again.
     void
     number_rows()
     {
@@ -101,7 +102,7 @@ namespace lamella
     void
     update_pairing_facts(std::vector<ContactSummary> &found) const;
 
-    /// Returns the contacts, each of which updates its interface.
+    /// Returns the contact objects, which update their interfaces() at pairing.
     const Contacts &
     contact_objects() const
     {

@@ -16,16 +16,16 @@ namespace lamella
     enum class Task
     {
       run,             ///< solves the scene (Simulation)
-      trade,           ///< a hierarchy of theories and meshes on it (Trade)
-      export_calculix, ///< needs --calculix, the one format that there is
-      report,          ///< a page of what a run has left (make_page)
-      new_scene        ///< a commented scene to begin with (write_new_scene)
+      trade,           ///< compares theories and meshes for the scene (Trade)
+      export_calculix, ///< writes a CalculiX input file; needs --calculix
+      report,          ///< HTML page with the results of a run (make_page)
+      new_scene        ///< writes a template scene file (write_new_scene)
     };
     Task task = Task::run;
-    /// File of the scene; for a report the folder of results, for a new scene
-    /// its name. Empty with --help, --version and --print-parameters only.
+    /// Scene file; for a report the results folder, for a new scene its name.
+    /// Empty only with --help, --version and --print-parameters.
     std::string scene;
-    /// Output folder, CalculiX deck or report page; else the default.
+    /// Path of the output folder, CalculiX input file or HTML page, or default.
     std::string output;
     /// True if `output` was given: --validate then writes sections there.
     bool output_is_given = false;

@@ -15,7 +15,7 @@
 
 namespace lamella
 {
-  /// Throws InputError with the path `Find` if nothing increases with the load
+  /// Throws InputError with the path `Find` if no load increases with the load
   /// factor: no load but temperatures, no weight, no displacement of a support
   /// or obstacle.
   void
@@ -47,12 +47,14 @@ namespace lamella
     FirstFailure
     find(const std::vector<StepResults> &steps);
 
-    /// Returns a sentence if no ply fails or solutions end before; else empty.
+    /// Returns a note if no ply fails or no solution exists at failure; else
+    /// empty.
     std::string
     note() const;
 
   private:
-    /// Updates the interval at @p factor; returns true if a ply fails.
+    /// Narrows the interval by the result at @p factor. Returns true if a ply
+    /// fails.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
     /// Solves at @p factor in load step @p load_step, updates the interval.

@@ -11,17 +11,17 @@
 namespace lamella
 {
   /// Choice of the kinematics for `Rotations = auto`. The scene is solved with
-  /// linear kinematics, and the effect of large deflections is estimated as the
-  /// largest of
-  ///   r        stiffening by tension (NonlinearityEstimate::stiffening),
-  ///   theta^2  square of the largest rotation [rad], the order of the error of
-  ///            deflections; theta with follower loads,
-  ///   a        amplification by compression
-  ///            (NonlinearityEstimate::amplification)
-  /// over all load steps. Finite rotations are chosen if it exceeds
-  /// `needs_finite_rotations` = 2e-3, if loads exceed buckling loads, if
-  /// rotations exceed their limit, or if the linear solution fails, unless the
-  /// scene cannot be built with finite rotations.
+  /// linear kinematics. The effect of large deflections is estimated as the
+  /// largest, over all load steps, of
+  /// - r, stiffening by tension (NonlinearityEstimate::stiffening);
+  /// - theta^2, with the largest rotation theta [rad], the order of the error
+  ///   of deflections; theta with follower loads;
+  /// - a, amplification by compression (NonlinearityEstimate::amplification).
+  ///
+  /// Finite rotations are chosen if it exceeds `needs_finite_rotations` = 2e-3,
+  /// if loads exceed buckling loads, if rotations exceed their limit, or if the
+  /// linear solution fails, unless the scene cannot be built with finite
+  /// rotations.
   class LinearTrial
   {
   public:
@@ -36,7 +36,8 @@ namespace lamella
       return linear_suffices;
     }
 
-    /// Returns the linear run if sufficient, else the large one, not solved.
+    /// Returns the solved linear run if sufficient, else an unsolved run with
+    /// finite rotations.
     Simulation &
     chosen() const
     {

@@ -141,9 +141,8 @@ namespace lamella
     /// Prints the change @p what and rebuilds all for the scene @p changed.
     void
     revise(Scene changed, const std::string &what);
-    /// Rebuilds the scene with contact constraints at the end nodes in
-    /// @p missing. Returns false for a resumed run, or if an end faces no
-    /// surface.
+    /// Rebuilds the scene with contact constraints at the end nodes in @p
+    /// missing. Returns false for a resumed run, or if an end faces no surface.
     bool
     add_ends(const MissingEnds &missing);
 
@@ -190,8 +189,8 @@ namespace lamella
     dealii::TimerOutput timer;
     dealii::Timer       wall;
 
-    /// Each keeps references to the previous objects. Those after `built` are
-    /// null before prepare(), and `solver` also with finite rotations.
+    /// Each object refers to the previous ones. Objects after `built` are null
+    /// before prepare(), and `solver` also with finite rotations.
     std::unique_ptr<BuiltScene>    built;
     std::unique_ptr<ContactSolver> solver;
     std::unique_ptr<StepRecorder>  recorder;

@@ -53,8 +53,9 @@ namespace lamella
     void
     add_measures(Results &results) const;
 
-    /// Returns a sentence on contacts without a force so far: on all if none
-    /// has one, else on those of unstrained bodies and moving obstacles.
+    /// Returns a note on contacts without a force so far: on all contacts if
+    /// none has a force, else on contacts of unstrained bodies and moving
+    /// obstacles.
     std::string
     note_on_idle_contacts() const;
 
@@ -123,9 +124,8 @@ namespace lamella
     /// others at body ends (ContactPair::part_of) are added to the latter.
     Checks
     with_part_resultants(Checks checks) const;
-    /// Returns the largest couple of a load, or force of a load, support or
-    /// contact times the size of the scene; or if these are rounding, nodal
-    /// force.
+    /// Returns the largest moment of a load, or force of a load, support or
+    /// contact times the size of the scene; nodal forces if these are zero.
     double
     largest_moment(const SolvedStep &solved) const;
     /// Returns warnings of forces in isostatic supports if the loads are not in

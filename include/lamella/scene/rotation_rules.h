@@ -7,16 +7,14 @@
 
 namespace lamella
 {
-  /**
-   * Returns @p scene with finite rotations of its bodies and finite-sliding
-   * contacts. Error bars are disabled unless the scene requests them.
-   *
-   * Throws InputError for entries that large rotations do not allow: theories
-   * without finite-rotation kinematics, axis elements that lock, solid-1,
-   * node-dependent theories, `Stabilization`, `Isostatic support`, node-to-node
-   * contact, the strategy `full`, error bars and tolerances, stresses by
-   * equilibrium. Several processes are not allowed either.
-   */
+  /// Returns @p scene with finite rotations of its bodies and finite-sliding
+  /// contacts. Error bars are disabled unless the scene requests them.
+  ///
+  /// Throws InputError for entries that large rotations do not allow: theories
+  /// without finite-rotation kinematics, axis elements that lock, solid-1,
+  /// node-dependent theories, `Stabilization`, `Isostatic support`,
+  /// node-to-node contact, the strategy `full`, error bars and tolerances,
+  /// stresses by equilibrium. Several processes are not allowed either.
   Scene
   with_finite_rotations(Scene scene);
 

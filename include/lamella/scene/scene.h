@@ -33,17 +33,15 @@ namespace lamella
   /// Reference values of the resultant forces of supports or contacts, by name.
   using ReferencesByName = std::map<std::string, std::vector<Reference>>;
 
-  /**
-   * A boundary value problem with contact as read from a scene file and
-   * checked: materials, cross-sections, bodies (a section extruded along an
-   * axis, with the theory of its displacements), supports, loads, contacts,
-   * solution parameters and output, as plain data.
-   *
-   * Lists are in the order of the lists of names in the file. Bodies are
-   * referred to by their index in `bodies`, materials and sections by name. All
-   * quantities are in the units of the file; positions are in global axes
-   * unless stated otherwise. A scene contains no mesh.
-   */
+  /// A boundary value problem with contact as read from a scene file and
+  /// checked: materials, cross-sections, bodies (a section extruded along an
+  /// axis, with the theory of its displacements), supports, loads, contacts,
+  /// solution parameters and output, as plain data.
+  ///
+  /// Lists are in the order of the lists of names in the file. Bodies are
+  /// referred to by their index in `bodies`, materials and sections by name.
+  /// All quantities are in the units of the file; positions are in global axes
+  /// unless stated otherwise. A scene contains no mesh.
   struct Scene
   {
     /// Title, printed with the results; may be empty.

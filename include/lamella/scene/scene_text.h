@@ -13,19 +13,17 @@
 
 namespace lamella
 {
-  /**
-   * The text of a scene file with line numbers. It is checked before deal.II's
-   * ParameterHandler parses it, so that messages have line numbers and suggest
-   * the nearest known entry for an unknown entry. Each line is one of
-   *   subsection NAME      opens a subsection; they nest
-   *   end                  closes it
-   *   set ENTRY = VALUE    sets an entry of the open subsection
-   * '#' begins a comment ('\\#' is a '#' of the value); a backslash at the end
-   * joins the next line. The path of an entry is the names of its subsections
-   * and its own, joined by '/'; white space in names collapses to single
-   * blanks. The text is UTF-8. A ParameterHandler declares the permitted
-   * entries.
-   */
+  /// The text of a scene file with line numbers. It is checked before deal.II's
+  /// ParameterHandler parses it, so that messages have line numbers and suggest
+  /// the nearest known entry for an unknown entry. Each line is one of
+  ///   subsection NAME      opens a subsection; they nest
+  ///   end                  closes it
+  ///   set ENTRY = VALUE    sets an entry of the open subsection
+  /// '#' begins a comment ('\\#' is a '#' of the value); a backslash at the end
+  /// joins the next line. The path of an entry is the names of its subsections
+  /// and its own, joined by '/'; white space in names collapses to single
+  /// blanks. The text is UTF-8. A ParameterHandler declares the permitted
+  /// entries.
   class SceneText
   {
   public:

@@ -27,7 +27,7 @@ namespace lamella
     tsai_hill,
     tsai_wu,
     hoffman,
-    hashin, ///< in three dimensions, of 1980
+    hashin, ///< Hashin 1980, in three dimensions
     puck,   ///< fiber and inter-fiber fracture, with its action plane
     von_mises,
     interlaminar, ///< quadratic, at interfaces between plies

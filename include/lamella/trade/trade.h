@@ -22,18 +22,16 @@
 
 namespace lamella
 {
-  /**
-   * Implements `lamella trade SCENE.prm`: runs variants of a scene (a hierarchy
-   * of theories and meshes) and compares their costs and errors.
-   *
-   * Each variant runs in a forked process: Simulation or ToleranceRun solves
-   * the scene with changed entries (overrides), and Estimation computes error
-   * bars if requested. Time and memory are those of the whole process. A failed
-   * variant is reported with the reason. Results are stored in a file, the
-   * record, in the folder of the variant. An interrupted trade continues with
-   * the variants without a record. A record is valid for the same scene, mesh
-   * files, program and number of threads.
-   */
+  /// Implements `lamella trade SCENE.prm`: runs variants of a scene (a
+  /// hierarchy of theories and meshes) and compares their costs and errors.
+  ///
+  /// Each variant runs in a forked process: Simulation or ToleranceRun solves
+  /// the scene with changed entries (overrides), and Estimation computes error
+  /// bars if requested. Time and memory are those of the whole process. A
+  /// failed variant is reported with the reason. Results are stored in a file,
+  /// the record, in the folder of the variant. An interrupted trade continues
+  /// with the variants without a record. A record is valid for the same scene,
+  /// mesh files, program and number of threads.
   class Trade
   {
   public:

@@ -18,7 +18,7 @@ namespace lamella
   /// Error estimate of an output value, in the unit of the value.
   struct RunErrorBar
   {
-    /// Estimated error, which added to the value improves it, and error bound.
+    /// Error estimate, to be added to the value, and error bound.
     double estimate = 0., bar = 0.;
     /// True if the error bar is reliable.
     bool trusted = false;

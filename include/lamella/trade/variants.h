@@ -21,26 +21,24 @@ namespace lamella
     std::vector<std::string> overrides;
   };
 
-  /**
-   * Returns the variant of @p scene that @p entry describes, with overrides for
-   * h-refinement (factors) and p-refinement (theories).
-   *
-   * For each body of the trade, the overrides set the theory and the number of
-   * axis elements times the axis factor (rounded, at least 1). For sections of
-   * these bodies they set, with the section factor F,
-   *   laminates       Cells per ply and Cells across times F,
-   *   half discs      Finest cell over F, Sectors times F (multiples of 4, at
-   *                   least 8),
-   *   ellipses        Refinements + log2 F (rounded, 0 to 6),
-   *   thin walls      Cells per wall and Cells along wall times F.
-   * TradeVariant::overrides follow. A section is refined for all bodies that
-   * use it. Throws InputError for a factor of a section from a mesh file.
-   *
-   * For a run to a tolerance, the overrides set `Tolerance` of Goals, and
-   * `auto` for the theory of the scene and for theory and axis elements of the
-   * bodies of the trade; other bodies are refined, too. For these runs, and if
-   * error bars are requested, the compared quantities become the goals.
-   */
+  /// Returns the variant of @p scene that @p entry describes, with overrides
+  /// for h-refinement (factors) and p-refinement (theories).
+  ///
+  /// For each body of the trade, the overrides set the theory and the number of
+  /// axis elements times the axis factor (rounded, at least 1). For sections of
+  /// these bodies they set, with the section factor F,
+  ///   laminates       Cells per ply and Cells across times F,
+  ///   half discs      Finest cell over F, Sectors times F (multiples of 4, at
+  ///                   least 8),
+  ///   ellipses        Refinements + log2 F (rounded, 0 to 6),
+  ///   thin walls      Cells per wall and Cells along wall times F.
+  /// TradeVariant::overrides follow. A section is refined for all bodies that
+  /// use it. Throws InputError for a factor of a section from a mesh file.
+  ///
+  /// For a run to a tolerance, the overrides set `Tolerance` of Goals, and
+  /// `auto` for the theory of the scene and for theory and axis elements of the
+  /// bodies of the trade; other bodies are refined, too. For these runs, and if
+  /// error bars are requested, the compared quantities become the goals.
   Variant
   make_variant(const TradeVariant &entry, const Scene &scene);
 } // namespace lamella
