@@ -26,8 +26,7 @@ namespace lamella
     std::string name;
     /// Linearly independent section load vectors f, of unit length.
     std::vector<Vector> loads;
-    /// Load vectors for distant nodes: area-weighted mean and linear part of
-    /// all.
+    /// Load vectors for distant nodes: mean over the area and linear part.
     std::vector<Vector> smooth;
     /// Range of the loaded axis elements, or position of the node [length].
     double begin = 0., end = 0.;

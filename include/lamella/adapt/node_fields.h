@@ -27,11 +27,9 @@ namespace lamella
     /// Smallest wave number times the larger side of the section; the second
     /// value is for thin walls, which deform over long distances.
     double lowest_wave = 0.25, lowest_wave_of_walls = 0.05;
-    /// A section that fills less than this fraction of its bounding box has
-    /// thin walls.
+    /// A section with a smaller fraction of its bounding box has thin walls.
     double thin_walls = 0.5;
-    /// Largest wave number near interactions, times h_e, and elsewhere, times
-    /// H.
+    /// Largest wave number near interactions times h_e; elsewhere times H.
     double highest_wave = 10., highest_wave_far = 4.;
     /// Smallest ratio of the largest to the smallest wave number.
     double min_wave_ratio = 2.;
@@ -49,9 +47,8 @@ namespace lamella
     /// of a clamp within this multiple of the larger side.
     double influence_length = 2., influence_length_of_clamp = 1.5;
     /// Cache of boundary-layer modes at clamps, shared by the models of one
-    /// scene. Without cache, tractions S_10 w and S_11 w of the six
-    /// Saint-Venant warpings w (section stiffnesses S of SaintVenant) are load
-    /// vectors.
+    /// scene. Without cache, tractions of the six Saint-Venant warpings are
+    /// load vectors.
     std::shared_ptr<BoundaryLayerModes> ends =
       std::make_shared<BoundaryLayerModes>();
     /// Parameters of the choice of models (plan()).
@@ -101,8 +98,7 @@ namespace lamella
   /// boundary-layer modes. Dependent fields are removed. In segments of
   /// `Theories`, nodes of SV have rigid fields and warpings only, and nodes of
   /// LE-q have section fields up to degree q (Section::field_degree()). A node
-  /// between two segments has the fields of the higher degree, and next to SV
-  /// all fields.
+  /// between two segments has the fields of the higher degree, next to SV all.
   ///
   /// The stress in an element is as accurate as at its node with the fewest
   /// fields: if stresses are @p requested in an element, each of its nodes has

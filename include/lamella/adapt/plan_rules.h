@@ -38,8 +38,7 @@ namespace lamella
     /// larger, or if it has at most this number of nodes.
     double       max_fields_share = 0.5;
     unsigned int min_nodes        = 15;
-    /// A body has all fields if supports constrain a larger mean fraction of
-    /// them.
+    /// A body has all fields if supports constrain a larger mean fraction.
     double max_held_share = 0.05;
   };
 

@@ -38,8 +38,7 @@ namespace lamella
     group_of(const LocalInteraction &interaction);
 
     /// Returns the groups of a free end or of a clamped section @p held: its
-    /// zones of boundary-layer modes or, without modes, tractions of @p
-    /// interaction.
+    /// boundary-layer zones or, without modes, tractions of @p interaction.
     std::vector<unsigned int>
     groups_of(const LocalInteraction                &interaction,
               const std::vector<ConstrainedSection> &held);
@@ -89,8 +88,7 @@ namespace lamella
       bool                is_held = false;
       /// Section functions from the loads, and from the smooth loads.
       std::vector<Vector> near, far;
-      /// Extent of a zone with its boundary-layer modes in `near`; 0 for
-      /// others.
+      /// Extent of a boundary-layer zone with modes in `near`; else 0.
       double influence_length = 0.;
       /// True if the group constrains a whole section.
       bool holds = false;

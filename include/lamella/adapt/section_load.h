@@ -13,8 +13,7 @@ namespace lamella
   /// (doc/theory/saint-venant-fields.md).
   struct InteractionRules
   {
-    /// Unit load vectors whose part independent of the others is smaller are
-    /// omitted.
+    /// Unit load vectors with a smaller independent part are omitted.
     double independent = 0.02;
     /// Nodes with less than this fraction of the largest load are ignored.
     double min_weight_share = 0.05;
@@ -25,8 +24,7 @@ namespace lamella
     double heat_change_tolerance = 1e-2;
   };
 
-  /// Segment of a beam's axis, with the length of its shortest element
-  /// [length].
+  /// Segment of a beam's axis, and length of its shortest element [length].
   struct AxisPart
   {
     double begin, end, element;

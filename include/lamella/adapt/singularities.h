@@ -15,8 +15,7 @@ namespace lamella
   /// Returns the reason why strains and stresses diverge under refinement at @p
   /// position (scene axes) of body number @p body: a sentence without a full
   /// stop, empty if no reason is known. Known reasons are
-  /// - loads on a point and along a line: stresses grow as 1/r^2 and 1/r with
-  ///   the distance r;
+  /// - loads on a point or a line: stresses grow as 1/r^2 or 1/r, distance r;
   /// - clamps: an end constrained along the axis and along the normal of a free
   ///   side there. Stresses grow as r^-0.29 for a Poisson's ratio of 0.3
   ///   (Williams, J. Appl. Mech. 19 (1952) 526-528). An end constrained in one

@@ -13,8 +13,7 @@
 
 namespace lamella
 {
-  /// Returns the theories of the segments @p pieces of the axis that contain
-  /// @p y.
+  /// Returns the theories of those axis segments @p pieces that contain @p y.
   std::vector<Theory>
   theories_at(const double y, const TheoryPieces &pieces, const double length);
 

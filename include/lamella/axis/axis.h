@@ -171,8 +171,7 @@ namespace lamella
 
     /// Returns the elements that contain @p y within @p tolerance [length],
     /// each with the reference coordinate eta in [0, 1], which is exactly 0 or
-    /// 1 at an end. There are two at a node between elements, none beyond the
-    /// axis.
+    /// 1 at an end. There are two at inner element ends, none outside.
     std::vector<std::pair<unsigned int, double>>
     locate(const double y, const double tolerance) const;
 

@@ -23,8 +23,7 @@ namespace lamella
   class Entry
   {
   public:
-    /// Stores @p path, e.g. `Body upper/Kinematics/Theory`, and trimmed
-    /// @p text.
+    /// Stores @p path, e.g. `Body b/Kinematics/Theory`, and trimmed @p text.
     Entry(const std::string &path, const std::string &text);
 
     /// Returns the path: subsections and entry name, separated by slashes.

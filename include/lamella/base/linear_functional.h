@@ -93,8 +93,7 @@ namespace lamella
     unsigned int     body = 0;
     LinearFunctional row;
 
-    /// Returns the value of the functional for the displacements of its body, a
-    /// block of @p u.
+    /// Returns the functional of the displacements of its body in @p u.
     double
     operator()(const BlockVector &u) const
     {

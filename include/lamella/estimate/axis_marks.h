@@ -19,9 +19,8 @@ namespace lamella
   /// Returns the axis elements to be bisected to reduce the errors of @p goals.
   /// For each goal, elements with the largest |error| per DoF are selected
   /// until the selected errors are at least the fraction @p share of the sum of
-  /// |error|, and the sum over the remaining elements is at most the fraction
-  /// @p left of the tolerance. Empty without LocalErrors or if a contact pairs
-  /// nodes.
+  /// |error|, and the sum over all others is at most the fraction @p left of
+  /// the tolerance. Empty without LocalErrors or if a contact pairs nodes.
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,

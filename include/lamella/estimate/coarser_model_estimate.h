@@ -25,8 +25,7 @@ namespace lamella
     unsigned int min_degree = 3;
     /// The last change counts as at least this fraction of the previous one.
     double min_share_of_previous = 1. / 8.;
-    /// The error is at least this fraction of the sum of |nodes'
-    /// contributions|.
+    /// The error is at least this fraction of sum |contribution of node|.
     double min_share_of_sizes = 1. / 4.;
   };
 
@@ -77,8 +76,7 @@ namespace lamella
     by_models(const NamedQuantity               &goal,
               const std::optional<SurplusParts> &own) const;
     using Shares = std::vector<std::pair<std::string, double>>;
-    /// Returns the contributions of sources to @p bar, with the signs of
-    /// changes.
+    /// Returns the contributions of sources to @p bar, signed as changes.
     Shares
     shares_of(const NamedQuantity               &goal,
               const ErrorBar                    &bar,

@@ -36,9 +36,8 @@ namespace lamella
   /// exact contact in a coarser model (compare()). Zero without penalties.
   ///
   /// Load steps, with friction: the change by twice as many substeps in a
-  /// coarser model. The friction law is integrated by backward Euler in the
-  /// slip, of first order at most. Throws NumericsError if exact contact fails.
-  /// Collective.
+  /// coarser model. The friction law is integrated by backward Euler, of first
+  /// order at most. Throws NumericsError if exact contact fails. Collective.
   class ContactShares
   {
   public:
@@ -69,8 +68,7 @@ namespace lamella
     std::vector<double> force;
     /// Dual solution with all constraints that are active in either state.
     std::unique_ptr<const GoalDual> dual;
-    /// Results of the coarser model as given, with exact contact, with
-    /// substeps.
+    /// Results of the coarser model: as given, exact contact, more substeps.
     std::optional<ResultNumbers> poor, exact, shorter;
   };
 } // namespace lamella

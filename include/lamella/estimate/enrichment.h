@@ -75,8 +75,7 @@ namespace lamella
   has_source(const Scene &scene, const Source source);
 
   /// Returns the scene for comparison models of the solved @p run: probes, and
-  /// the last load step only (with friction all load steps, with the run's
-  /// substeps).
+  /// the last load step (with friction all, with the run's substeps).
   Scene
   for_estimates(const Simulation &run);
 } // namespace lamella

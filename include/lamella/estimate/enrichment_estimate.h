@@ -26,8 +26,7 @@ namespace lamella
     /// for models with coarser fields or sections; for halved axes, whose error
     /// decreases at least by half; for finer models.
     double of_fields = 2., of_axis = 1., enriched_factor = 2.;
-    /// There is no bar if the sum of |changes| exceeds this fraction of the
-    /// scale.
+    /// There is no bar if sum |change| exceeds this fraction of the scale.
     double max_change_share = 0.1;
   };
 

@@ -14,8 +14,7 @@ namespace lamella
   {
     /// Largest ratio of successive changes for which a bar is trusted.
     double max_remaining_share = 2. / 3.;
-    /// A bar is trusted if values differ by less than this fraction of the
-    /// scale.
+    /// A bar is trusted if values differ by less, as a fraction of the scale.
     double small = 1e-2;
     /// Differences below this fraction of the scale are rounding errors.
     double digits = 1e-8;

@@ -41,14 +41,12 @@ namespace lamella
   /// The change by a source is J(M_i) - J(M_j). With J_1 = J(M_0) + sum of the
   /// changes, the bar is error_bar() of J(M_0), J_1 and J_1 + J(M_r) - J(M_j).
   /// M_j is the previous model, so that the changes sum to J(M_k) - J(M_0).
-  /// With tolerances, M_j is the last model that changed some goal by at least
-  /// a tenth of its tolerance, and M_r refines only such sources, or the
-  /// largest.
+  /// With tolerances, M_j is the last model that changed a goal by at least a
+  /// tenth of its tolerance; M_r refines only such sources, or the largest.
   ///
   /// Each model has its own contact constraints and active set, so errors of
-  /// the run's active set are included and quantities may be nonlinear.
-  /// Localization divides the change by the axis among its elements.
-  /// Collective.
+  /// the active set are included and quantities may be nonlinear. Localization
+  /// divides the change by the axis among its elements. Collective.
   class Estimation
   {
   public:

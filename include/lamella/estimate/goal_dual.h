@@ -47,10 +47,9 @@ namespace lamella
     derivative(const NamedQuantity &goal) const;
 
     /// Returns the displacement w to be subtracted from z in the change of a
-    /// support force J between two spaces; nothing for other goals. J has the
-    /// derivative K w with a different w in each space. (With the interpolant L
-    /// and the change e of u, zero at supports, J changes by a(e, (1 - L)(z -
-    /// w)).)
+    /// support force J between two spaces; none for other goals. J has the
+    /// derivative K w with a different w in each space. (With interpolant L and
+    /// change e of u, zero at supports, J changes by a(e, (1 - L)(z - w)).)
     std::optional<BlockVector>
     lifting(const NamedQuantity &goal) const;
 

@@ -48,8 +48,7 @@ namespace lamella
   /// and at least |J(H_p) - J(H_l)| / 8 if all bodies are LE, else |J(H_r) -
   /// J(H_l)|. The error estimate is s (combination technique). If there is no
   /// finer section (degree 0), as for large rotations, the bar is 2 |J(run) -
-  /// J(H_p)|, the error of the axis. ContactShares adds penalties and load
-  /// steps.
+  /// J(H_p)|, the axis error. ContactShares adds penalties and load steps.
   class HalvedAxisEstimate
   {
   public:

@@ -18,8 +18,7 @@ namespace lamella
   /// Estimation, in which SV-10 replaces LE-N, in the run's factorizations:
   /// - of_block m^3 (CostRules) per axis node with m fields
   ///   (PlanRules::fields_of_responses), for `axes` times the nodes of the run;
-  /// - products and eigenvectors of section functions, two per wave number and
-  ///   load vector;
+  /// - products and eigenvectors of 2 functions per wave number and load;
   /// - end segments for boundary-layer modes (nodes_of_pieces()).
   ///
   /// Infinite unless SV-10 can replace LE-N in all bodies.

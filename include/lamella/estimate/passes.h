@@ -109,8 +109,7 @@ namespace lamella
     bool
     all_goals_met() const;
 
-    /// Returns the goals for which the next pass refines; empty if none is
-    /// open.
+    /// Returns the goals for which the next pass refines; may be empty.
     std::vector<GoalResult>
     open_goals() const;
 

@@ -27,7 +27,7 @@ namespace lamella
   /// quarters of the local effect of higher degrees.
   ///
   /// The result is J(bisected) - J(LE-1) for each goal, signed. It is empty if
-  /// there are no such supports, if their elements are short already, with
+  /// there are no such supports, if their elements are short, with
   /// node-dependent theories, or if a contact pairs nodes. Prints a line per
   /// model to @p out; @p cache stores the models. Throws as Simulation does.
   /// Collective.

@@ -23,8 +23,7 @@ namespace lamella
     double by_nodes = 0.;
   };
 
-  /// Surpluses of a goal by error source, and Surplus::last of the axis by
-  /// elements.
+  /// Surpluses of a goal by source; Surplus::last of the axis by elements.
   struct SurplusParts
   {
     Surplus     section, axis;
@@ -100,8 +99,7 @@ namespace lamella
     jumps(const BlockVector &v) const;
 
     const Simulation &run;
-    /// Surpluses of beams, and their spans of half and a quarter of the
-    /// elements.
+    /// Surpluses of beams; their spans at half and a quarter of the elements.
     std::vector<std::unique_ptr<const BeamSurplus>> of_beams;
     std::vector<std::vector<AxisSpan>>              halves, quarters;
     /// Forces of the parts of the displacements.

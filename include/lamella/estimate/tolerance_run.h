@@ -14,9 +14,8 @@
 
 namespace lamella
 {
-  /// Run to a tolerance: solves successively refined models of one scene until
-  /// the error bars of all goals are within their tolerances. Each refinement
-  /// pass
+  /// Run to a tolerance: solves successively refined models of a scene until
+  /// the error bars of all goals are within their tolerances. Each pass
   /// - solves the model and computes the error bars of its goals
   ///   (error_bars_of());
   /// - writes its results, so that an interrupted run leaves the results of its
@@ -37,9 +36,8 @@ namespace lamella
     /// Keeps a reference to @p out, which must outlive this object.
     ToleranceRun(const Scene &said, std::ostream &out);
 
-    /// Performs refinement passes, writes the results into @p directory and
-    /// returns true if all goals are met. Throws as run_scene() for the first
-    /// model.
+    /// Performs refinement passes, writes results into @p directory, returns
+    /// true if all goals are met. Throws as run_scene() for the first model.
     bool
     run(const std::string &directory);
 
@@ -52,8 +50,7 @@ namespace lamella
     }
 
   private:
-    /// Stores the element ends of the first scene @p first; these are never
-    /// merged.
+    /// Stores the element ends of the first scene @p first in `kept`.
     void
     store_element_ends(const Scene &first);
     /// Returns the simulation of `scene`, with messages to @p progress.
@@ -99,8 +96,7 @@ namespace lamella
 
     Scene scene;
     /// True for each body that begins with equal elements by default
-    /// (initial_model()). All other bodies keep the element ends of the first
-    /// pass, `kept`.
+    /// (initial_model()). Other bodies keep their first element ends, `kept`.
     std::vector<bool>                starts_with_equal_elements;
     std::vector<std::vector<double>> kept;
     std::ostream                    &out;

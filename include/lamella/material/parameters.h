@@ -23,8 +23,7 @@ namespace lamella
 
     /// Returns the material, with library values converted to @p units. Throws
     /// InputError if not exactly one of the three entries is set, for invalid
-    /// constants, and for a library material in a scene without units (except
-    /// hertz-200).
+    /// constants, and for library materials without units (except hertz-200).
     static Material
     parse(const Entries &in, const Units &units);
   };

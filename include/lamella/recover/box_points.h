@@ -11,8 +11,7 @@
 
 namespace lamella
 {
-  /// Points X of a body with weights w, whose sum is 1: sum w f(X) is the mean
-  /// of f.
+  /// Points X of a body with weights w, sum w = 1; sum w f(X) is a mean of f.
   using BoxPoints = std::vector<std::pair<double, Location>>;
 
   /// Returns the corners of the box with the center @p middle and the @p edges.

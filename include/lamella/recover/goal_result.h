@@ -68,8 +68,7 @@ namespace lamella
     double scale = 0.;
     /// Tolerance, if the scene gives one.
     std::optional<Tolerance> tolerance;
-    /// Signed contribution of each source to the bar (Estimation: to
-    /// `estimate`).
+    /// Signed contributions of sources to bar (Estimation: `estimate`).
     std::vector<std::pair<std::string, double>> shares;
     /// Contribution of the axis by elements; empty if unknown.
     std::optional<LocalErrors> local;

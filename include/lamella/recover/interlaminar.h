@@ -163,8 +163,7 @@ namespace lamella
     struct Sources
     {
       /// `shear`: tau,z of {xz, yz} with its derivatives along y up to the
-      /// third; `normal`: -sigma_zz,zz; `strain`: second and third derivative
-      /// of gamma.
+      /// third; `normal`: -sigma_zz,zz; `strain`: gamma'' and gamma'''.
       std::array<Profile, 4> shear;
       Profile                normal;
       std::array<Profile, 2> strain;
@@ -184,8 +183,7 @@ namespace lamella
     column_at(const double x, const double y);
     Column
     make_column(const double x, const double y);
-    /// Subtracts the defect @p missed from @p column in proportion to the
-    /// height.
+    /// Subtracts the defect @p missed from @p column, linear in the height.
     void
     distribute(const dealii::Tensor<1, 3> &missed, Column &column) const;
     /// Returns {sigma_xz, sigma_yz, sigma_zz} of @p column at the height @p z,
@@ -218,8 +216,7 @@ namespace lamella
     free_edge_corrections(const std::vector<Layer> &layers,
                           const double              x,
                           const double              y);
-    /// Returns the stress e of the class comment at a free side, with
-    /// derivatives.
+    /// Returns stress e (class comment) at a free side, with derivatives.
     const std::vector<dealii::Tensor<1, 5>> &
     free_edge_stress(const unsigned int        side,
                      const std::vector<Layer> &layers,
@@ -270,8 +267,7 @@ namespace lamella
     correction(const std::vector<Layer>     &layers,
                const std::array<Profile, 4> &shear,
                const std::array<Profile, 2> &strain) const;
-    /// Returns delta = P(tau'' - gamma''), tau'' = @p shear, gamma'' = @p
-    /// strain.
+    /// Returns P(tau'' - gamma'') for tau'' = @p shear, gamma'' = @p strain.
     Profile
     warped(const std::vector<Layer> &layers,
            const Profile            &shear,

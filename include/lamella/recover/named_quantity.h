@@ -58,10 +58,9 @@ namespace lamella
     std::string
     label() const;
 
-    /// Returns a letter for the kind of quantity; only values of equal kind are
-    /// compared: u displacement, e strain, s stress, j jump at a probe, f
-    /// force, m moment, p pressure, w width, d dissipation. A measure has its
-    /// terms' kind.
+    /// Returns a letter for the kind of quantity (only equal kinds are
+    /// compared): u displacement, e strain, s stress, j jump at a probe, f
+    /// force, m moment, p pressure, w width, d dissipation. Measures: of terms.
     char
     kind() const;
 
@@ -146,8 +145,7 @@ namespace lamella
     /// A value below this fraction of the largest value of its kind is near
     /// zero; its errors then refer to the largest value.
     double near_zero = 1e-3;
-    /// A material whose values are below this fraction of the scene's is
-    /// ignored.
+    /// Materials with values below this fraction of the scene's are ignored.
     double nothing = arithmetic::negligible;
   };
 

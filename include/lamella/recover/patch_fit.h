@@ -24,10 +24,9 @@ namespace lamella
   /// of three local coordinates. Terms are products of Legendre polynomials
   /// over the points' box, added by total degree. A term is omitted if less
   /// than a tenth of it at the points is linearly independent of previous
-  /// terms. Polynomials of degrees that the points resolve are reproduced
-  /// exactly. A fit of m points and n terms costs m n^2 operations, by
-  /// orthogonalization and without normal equations. Outside the points' box it
-  /// extrapolates.
+  /// terms. Polynomials that the points resolve are reproduced exactly. A fit
+  /// of m points and n terms costs m n^2 operations, by orthogonalization and
+  /// without normal equations. Outside the points' box it extrapolates.
   class PatchFit
   {
   public:

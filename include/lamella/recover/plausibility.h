@@ -17,8 +17,7 @@ namespace lamella
 {
   /// Checks for results that suggest a mistake in the scene:
   /// - implausible values in the units of the scene: strains above 2 %,
-  ///   displacements above the length of a body, loads that cause strains below
-  ///   1e-9;
+  ///   displacements above the length of a body, loads with strains below 1e-9;
   /// - bodies without a contact that penetrate each other at the end of a load
   ///   step, although they were apart at the start;
   /// - bodies that move without strain and without a moving support.
@@ -27,8 +26,7 @@ namespace lamella
   class Plausibility
   {
   public:
-    /// Keeps a reference to @p structure. Without @p units, values are
-    /// unchecked.
+    /// Keeps a reference to @p structure. Values need @p units.
     Plausibility(const Structure                     &structure,
                  const Units                         &units,
                  const std::vector<ContactInterface> &contacts);

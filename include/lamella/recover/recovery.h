@@ -63,8 +63,7 @@ namespace lamella
   ///   values are extrapolated from the reduced Gauss points. If p = 1, two
   ///   points are used along coordinates with one element, since the center
   ///   alone does not detect bending; locking errors are then included.
-  /// - A corner on the edge of a larger element uses the values of the larger
-  ///   one.
+  /// - A corner on the edge of a larger element uses that element's values.
   /// - If degrees differ between elements (LE-1 beside LE-2), each has its own
   ///   Gauss points, and the patch has the lowest degree.
   /// - Along coordinates with zero Body::recovery_degrees(), the values at the
@@ -118,8 +117,7 @@ namespace lamella
     bool
     is_node(const Place &place) const;
 
-    /// Returns the point @p place in each element of the ply that contains it,
-    /// by cells.
+    /// Returns point @p place in each element of the ply that contains it.
     const std::vector<Place> &
     meeting(const unsigned int ply, const Place &place);
 

@@ -16,8 +16,7 @@ namespace lamella
   /// A reference value of a result in a scene, such as `uz: -0.134: C3D20R`.
   struct Reference
   {
-    /// Column of probes.csv, or force component fx, fy, fz of a contact or
-    /// support.
+    /// Column of probes.csv, or force fx, fy, fz of a contact or support.
     std::string quantity;
     /// Value in the unit of the quantity; the source is any text.
     double      value = 0.;

@@ -180,7 +180,7 @@ namespace lamella
     std::vector<std::string>
     all_warnings() const;
 
-    /// Returns the largest stiffening and the smallest buckling factor of all
+    /// Returns the largest stiffening and smallest buckling factor of all
     /// steps.
     NonlinearityEstimate
     worst_nonlinearity() const;

@@ -60,8 +60,7 @@ namespace lamella
     sample_probes(const BlockVector &u, const FaceTractions &tractions) const;
 
   private:
-    /// Returns the ply numbers (from 1) of probe number @p probe; "0" for a
-    /// mean.
+    /// Returns ply numbers (from 1) of probe number @p probe; "0": a mean.
     std::vector<std::string>
     plies_at(const unsigned int probe) const;
     /// Returns the number of the existing probe named @p probe.
@@ -133,10 +132,9 @@ namespace lamella
   /// tractions t = sigma . d / |d| on both sides are compared:
   ///   of_stress   = max |t_upper - t_lower| / max |sigma_ij|,
   ///   of_traction = max |t_upper - t_lower| / max |t|,
-  /// with the maxima in the denominators over the whole line. Equilibrium
-  /// requires zero jumps if the line is normal to the plies, so the jumps
-  /// estimate the error of transverse stresses. of_traction is 0 for rounding
-  /// (1e-9).
+  /// with maxima over the whole line in the denominators. Equilibrium requires
+  /// zero jumps if the line is normal to the plies, so the jumps estimate the
+  /// error of transverse stresses. Rounding (1e-9) counts as 0.
   InterfaceJump
   interface_jump(const std::vector<LineRow> &rows,
                  const dealii::Tensor<1, 3> &d);

@@ -58,8 +58,7 @@ namespace lamella
   /// core. Core shear and core crushing apply to cores, face wrinkling to plies
   /// of a laminate or wall adjacent to a core, all other criteria to plies that
   /// are not cores. The largest 1/R along a beam's axis is stored by ply
-  /// (ReserveAlong). An element costs 27 stress evaluations. Processes share
-  /// elements.
+  /// (ReserveAlong). An element costs 27 stress evaluations. Collective.
   class StrengthSweep
   {
   public:

@@ -26,8 +26,8 @@ namespace lamella
 
   /// Prints a table with one row per reference value: name, result in the last
   /// load step, reference, difference in percent, source. A probe on a ply
-  /// interface has the lower ply's result. Throws InputError if @p results has
-  /// no load step.
+  /// interface has the lower ply's result. Throws InputError without a load
+  /// step.
   void
   print_comparison(std::ostream         &out,
                    const Results        &results,

@@ -28,8 +28,7 @@ namespace lamella
     std::string fault;
     /// Centroid (x, z), the reference point of moments and velocities [length].
     dealii::Point<2> reference_point;
-    /// Section forces per strain [force, force length, force length^2],
-    /// inverse.
+    /// Section forces per strain [force, force length, ...]; its inverse.
     SectionTensor stiffness, compliance;
     /// Section constants; angles in (-90, 90] degrees.
     SectionConstants constants;

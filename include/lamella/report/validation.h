@@ -28,9 +28,8 @@ namespace lamella
   /// bottom, at least one), the width @p width and the mesh @p section:
   /// - plies; matrices A, B, D of classical lamination theory about the
   ///   mid-plane (order yy, xx, xy with y along the beam);
-  /// - stiffnesses E A and E I with free lateral contraction and twist, G A, k
-  ///   G A (shear, from equilibrium of the plies), and G J (torsion) of the
-  ///   mesh.
+  /// - stiffnesses E A, E I with free lateral contraction and twist, G A, k G A
+  ///   (shear, from equilibrium of plies), and G J (torsion) of the mesh.
   void
   print_laminate(std::ostream           &out,
                  const std::string      &name,

@@ -37,8 +37,7 @@ namespace lamella
 
     /// Positions of points.
     VtuArray points{"points", 3, {}};
-    /// Point indices of all cells in one list, end of each cell in this list,
-    /// types.
+    /// Point indices of all cells, end of each cell in this list, cell types.
     std::vector<std::int32_t> connectivity, offsets;
     std::vector<std::uint8_t> types;
     std::vector<VtuArray>     at_points, of_cells;

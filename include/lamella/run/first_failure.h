@@ -16,8 +16,8 @@
 namespace lamella
 {
   /// Throws InputError with the path `Find` if no load increases with the load
-  /// factor: no load but temperatures, no weight, no displacement of a support
-  /// or obstacle.
+  /// factor: no load but temperature, no weight, no motion of a support or
+  /// obstacle.
   void
   check_load_growth(const Structure                     &structure,
                     const std::vector<ContactInterface> &contacts);
@@ -47,14 +47,12 @@ namespace lamella
     FirstFailure
     find(const std::vector<StepResults> &steps);
 
-    /// Returns a note if no ply fails or no solution exists at failure; else
-    /// empty.
+    /// Returns a note if no failure or no solution at failure is found.
     std::string
     note() const;
 
   private:
-    /// Narrows the interval by the result at @p factor. Returns true if a ply
-    /// fails.
+    /// Narrows the interval by the result at @p factor; true if a ply fails.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
     /// Solves at @p factor in load step @p load_step, updates the interval.

@@ -20,8 +20,7 @@ namespace lamella
   ///
   /// Finite rotations are chosen if it exceeds `needs_finite_rotations` = 2e-3,
   /// if loads exceed buckling loads, if rotations exceed their limit, or if the
-  /// linear solution fails, unless the scene cannot be built with finite
-  /// rotations.
+  /// linear solution fails, unless finite rotations are impossible.
   class LinearTrial
   {
   public:

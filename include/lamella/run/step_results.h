@@ -53,9 +53,8 @@ namespace lamella
     void
     add_measures(Results &results) const;
 
-    /// Returns a note on contacts without a force so far: on all contacts if
-    /// none has a force, else on contacts of unstrained bodies and moving
-    /// obstacles.
+    /// Returns a note on contacts without a force so far: on all if none has a
+    /// force, else on contacts of unstrained bodies and moving obstacles.
     std::string
     note_on_idle_contacts() const;
 

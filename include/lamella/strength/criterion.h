@@ -127,8 +127,7 @@ namespace lamella
                    const WrinklingStresses &wrinkling = {});
 
     /// Evaluates the criterion for the sum of the @p mechanical stress,
-    /// proportional to the loads, and the constant @p residual stress, e.g.
-    /// from curing.
+    /// proportional to the loads, and the constant @p residual stress (curing).
     Assessment
     assess(const Voigt &mechanical, const Voigt &residual = Voigt()) const;
 

@@ -63,8 +63,7 @@ namespace lamella
     /// Constructs an object without values, for a failed variant.
     VariantValues() = default;
 
-    /// Copies values and error bars of @p results. Throws InputError if no load
-    /// step was solved.
+    /// Copies values and error bars of @p results. Throws InputError if empty.
     explicit VariantValues(const Results &results);
 
     /// Reads @p json written by to_json(). Throws nlohmann::json::exception.
