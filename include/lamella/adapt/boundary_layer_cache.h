@@ -18,8 +18,8 @@ namespace lamella
                  const ConstrainedSection             &held);
 
   /// Returns the boundary-layer zones @p zones of the section @p from, which
-  /// has the same cells and a lower degree, as fields of @p section. They are
-  /// made independent of its Saint-Venant @p warpings.
+  /// has the same cells and a lower degree, as fields of @p section. The fields
+  /// are made independent of its Saint-Venant @p warpings.
   std::vector<BoundaryLayerZone>
   embedded(const std::vector<BoundaryLayerZone> &zones,
            const Section                        &from,

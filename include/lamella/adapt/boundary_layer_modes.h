@@ -19,9 +19,10 @@ namespace lamella
     /// Length of the end segment over B.
     double length = 8.;
     /// Limits over H of the length of the element at the constrained end;
-    /// between these it is that of the scene. The lower limit is that of
-    /// `auto`, so modes do not change if such an axis is bisected. Shorter
-    /// elements are no better, since stresses are singular at corners.
+    /// within these limits, the scene's element length is used. The lower limit
+    /// equals the length for `auto`, so bisection of an axis does not change
+    /// modes. Shorter elements are no better, since stresses are singular at
+    /// corners.
     double shortest_element = 0.15, longest_element = 0.5;
     /// Distances from the end over B at which the zones begin, ascending.
     std::vector<double> zones{0., 1., 3.};
@@ -94,7 +95,7 @@ namespace lamella
     FieldColumns fields;
     /// Largest distance from the end [length].
     double influence_length = 0.;
-    /// True if the modes are those of a section of lower degree.
+    /// True if the modes were computed for a section of lower degree.
     bool is_embedded = false;
   };
 

@@ -18,8 +18,8 @@ namespace lamella
   /// alpha by
   ///   r(u) = sum_i sum_alpha w_i f_alpha u_(i,alpha),
   /// with weights w_i along the axis and section load vectors f. The section
-  /// fields must represent the deformation by these vectors only. They are
-  /// computed for a beam with all fields at all nodes.
+  /// fields must represent the deformation by these vectors only. The vectors
+  /// are computed for a beam with all fields at all nodes.
   struct LocalInteraction
   {
     /// Name, for example "contact nose".
@@ -32,13 +32,13 @@ namespace lamella
     double begin = 0., end = 0.;
     /// Length of the shortest loaded axis element [length].
     double element = 0.;
-    /// True if it constrains the whole section: a clamp (is_clamp()).
+    /// True if the whole section is constrained: a clamp (is_clamp()).
     bool constrains_section = false;
-    /// True if it is an end of the body without constraint.
+    /// True for an end of the body without constraint.
     bool is_free = false;
     /// Rows r of a clamp, r(u) = 0, in the fields of the section.
     std::vector<LinearFunctional> held;
-    /// True if it is a side of a contact, a support, or heat.
+    /// True for a side of a contact; for a support; for heat.
     bool is_contact_side = false, holds = false, is_heat_source = false;
   };
 

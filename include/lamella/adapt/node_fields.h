@@ -47,8 +47,8 @@ namespace lamella
     /// of a clamp within this multiple of the larger side.
     double influence_length = 2., influence_length_of_clamp = 1.5;
     /// Cache of boundary-layer modes at clamps, shared by the models of one
-    /// scene. Without cache, tractions of the six Saint-Venant warpings are
-    /// load vectors.
+    /// scene. Without cache, tractions of the Saint-Venant warpings are load
+    /// vectors.
     std::shared_ptr<BoundaryLayerModes> ends =
       std::make_shared<BoundaryLayerModes>();
     /// Parameters of the choice of models (plan()).

@@ -79,20 +79,18 @@ namespace lamella
     std::string theory_reason, fields_reason;
   };
 
-  /// Returns the model of a body from the data @p facts. Criteria with unknown
-  /// data are skipped. In this order:
-  ///   theory   as requested; a default theory in a scene with contacts becomes
-  ///            LE-3 (first_degree) if contacts may be active along more than
-  ///            max_contact_share of the body, with equal elements: one if the
-  ///            whole body is supported, else length over section extent, at
-  ///            least two and at most equal_elements; also if LE-2 has at most
-  ///            cheap_dofs DoFs
-  ///   fields   all section fields if the theory has no others; chosen fields
-  ///            for SV and `Theories`; for SV-N all if the scene could not be
-  ///            solved with fewer, the whole body is supported, the body has at
-  ///            most min_nodes nodes, more than max_held_share of a node's
-  ///            fields are constrained, or more than max_fields_share are
-  ///            needed
+  /// Returns the model of a body from the data @p facts, by the thresholds @p
+  /// rules. Criteria with unknown data are skipped.
+  /// - Theory: as requested. In a scene with contacts, LE-3 replaces a default
+  ///   theory if LE-2 has at most cheap_dofs DoFs, or if contacts may be active
+  ///   along more than max_contact_share of the body. In the latter case the
+  ///   axis has equal elements: one if the whole body is supported, else length
+  ///   over section extent, from 2 to equal_elements.
+  /// - Fields: chosen fields for SV and `Theories`, else all section fields.
+  ///   SV-N has chosen fields unless these could not be solved, the whole body
+  ///   is supported, the body has at most min_nodes nodes, or, as a fraction of
+  ///   all fields, more than max_held_share are constrained or more than
+  ///   max_fields_share are needed.
   BodyPlan
   plan(const PlanInput &facts, const PlanRules &rules = {});
 

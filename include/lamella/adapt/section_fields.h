@@ -133,8 +133,9 @@ namespace lamella
     /// Computes all section functions, one factorization per wave number.
     void
     find_responses();
-    /// Returns tractions that replace load vectors at a clamped section: those
-    /// of each Saint-Venant warping as a value and as an axial derivative.
+    /// Returns tractions that replace load vectors at a clamped section:
+    /// tractions of each Saint-Venant warping, as a value and as an axial
+    /// derivative.
     std::vector<Vector>
     tractions_of_warpings() const;
     /// Returns the independent section functions from smooth loads.

@@ -39,12 +39,13 @@ namespace lamella
     /// Position in the section [length], and tributary area.
     dealii::Point<2> in_section;
     double           area = 1.;
-    /// True if it acts at one node of the axis, and if it belongs to a clamp.
+    /// True if the load acts at one axis node; if it is part of a clamp.
     bool at_node = false, of_clamp = false;
   };
 
-  /// Returns the section load vector of a support or contact @p row at
-  /// @p position, equal at all nodes. If @p normal, drops a small axial part.
+  /// Returns the section load vector of a support or contact constraint @p row
+  /// at @p position; nodes differ by a factor. If @p normal, drops a small
+  /// axial part.
   SectionLoad
   load_of_row(const Beam             &beam,
               const LinearFunctional &row,

@@ -67,7 +67,7 @@ namespace lamella
   };
 
   /// The finite element discretization of a beam's axis: shape functions N_i of
-  /// FE_Q<1> of degree 1 to 3 on [0, length] and the matrices of Eq. 12,
+  /// FE_Q<1> of degree 1 to 3 on [0, length] and the axis matrices,
   ///   A_NN = int N_i N_j,  A_NdN = int N_i N_j',  A_dNdN = int N_i' N_j'
   /// and A_dNN, the transpose of A_NdN, with ' = d/dy. Rows and columns are
   /// nodes, numbered along y.
@@ -200,9 +200,9 @@ namespace lamella
       return weights;
     }
 
-    /// Returns the matrix of Eq. 12 with the derivatives of order @p p of N_i
-    /// (row) and @p q of N_j (column), 0 or 1: A(0, 1) = A_NdN. All matrices
-    /// have the same sparsity pattern and are whole on every process.
+    /// Returns the axis matrix with the derivatives of order @p p of N_i (row)
+    /// and @p q of N_j (column), 0 or 1: A(0, 1) = A_NdN. All matrices have the
+    /// same sparsity pattern and are whole on every process.
     const Matrix &
     A(const unsigned int p, const unsigned int q) const
     {

@@ -15,7 +15,7 @@ namespace lamella
     // ---- what rounding leaves of zero, relative to the terms that cancel
 
     /// Rounding error, relative to the terms, of a few operations on numbers of
-    /// one order, such as a shape function where it vanishes. (50 epsilons)
+    /// one order, such as a shape function where it vanishes. About 50 eps.
     constexpr double rounding = 1e-14;
     /// Rounding error of long sums, relative to the terms, such as products
     /// with a matrix row or tensor components after a rotation.

@@ -12,14 +12,14 @@ namespace lamella
 {
   /// A sparse affine functional of the DoFs of one body,
   ///   r(u) = c + sum_k w_k u_k,
-  /// such as a gap, a stress, or the displacement component c at X (Eq. 7),
+  /// such as a gap, a stress, or the displacement component c at X,
   ///   u_c(X) = sum_tau,i F_tau(x, z) N_i(y) u_tau_i_c.
   ///
   /// with section functions F_tau and axis shape functions N_i. The weights w_k
   /// of u_c(X) are also the load vector of a unit force along c at X
   /// (add_to()). A support is an equation r(u) = 0, a gap the difference of two
-  /// functionals (Eq. 16), a spring a rank-one stiffness k w w^T. The unit of r
-  /// is a length for displacements and gaps, 1 for strains, force/length^2 for
+  /// functionals, a spring a rank-one stiffness k w w^T. The unit of r is a
+  /// length for displacements and gaps, 1 for strains, force/length^2 for
   /// stresses. An entry takes 16 bytes.
   class LinearFunctional
   {
@@ -56,7 +56,7 @@ namespace lamella
     operator()(const Vector &u) const;
 
     /// Adds @p factor times the weights w to the load vector @p f. @p factor is
-    /// conjugate to r (Eq. 8), e.g. a force if r is a length.
+    /// work-conjugate to r, e.g. a force if r is a length.
     void
     add_to(Vector &f, const double factor) const;
 

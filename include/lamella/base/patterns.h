@@ -30,7 +30,7 @@ namespace lamella
     dealii::Patterns::List
     numbers(const unsigned int n);
 
-    /// The pattern of an integer between two bounds, also as 1e3 or 8.0.
+    /// The pattern of an integer within bounds; 1e3 and 8.0 are integers.
     class Whole : public dealii::Patterns::PatternBase
     {
     public:

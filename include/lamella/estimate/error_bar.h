@@ -80,13 +80,12 @@ namespace lamella
 
   /// Returns the error bar of a value from coarser models. For each error
   /// source let d = |last|, e = |before| and q = d / e. If the error continues
-  /// to decrease by q, it is at most
-  ///   max(d, 2 d q / (1 - q), least),
-  /// where d prevents that q, and `least` that d, is small by accident. If q >
-  /// 2/3, the contribution is at least twice the larger of d and e, and the bar
-  /// is not trusted if this exceeds a hundredth of @p scale. The bar is the sum
-  /// over @p sources, at least @p rounding and 1e-8 of the scale. The estimate
-  /// is the sum of last q / (1 - q), an extrapolation.
+  /// to decrease by q, the error is at most max(d, 2 d q / (1 - q), least),
+  /// where d and `least` are lower bounds if q or d is small by accident. If q
+  /// > 2/3, the contribution is at least twice the larger of d and e, and the
+  /// bar is not trusted if the contribution exceeds 0.01 @p scale. The bar is
+  /// the sum over @p sources, at least @p rounding and 1e-8 of the scale. The
+  /// estimate is the sum of last q / (1 - q), an extrapolation.
   ErrorBar
   coarser_model_bar(const std::vector<Levels> &sources,
                     const double               scale,

@@ -52,7 +52,7 @@ namespace lamella
   class HalvedAxisEstimate
   {
   public:
-    /// Returns why @p run has no such bars; empty if it has bars.
+    /// Returns why this method is not possible for @p run; empty if it is.
     static std::string
     unavailable_reason(const Simulation &run);
 

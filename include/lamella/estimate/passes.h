@@ -73,7 +73,8 @@ namespace lamella
           const PassHistory &course,
           const BarRules    &rules = {});
 
-  /// Raises the contribution of @p source to @p goal's bar to @p least.
+  /// Raises the contribution of @p source to @p goal's bar to @p least, if
+  /// smaller.
   void
   raise_share(GoalResult &goal, const Source source, const double least);
 

@@ -38,9 +38,10 @@ namespace lamella
   ///   J(u_p) - J(u_(p-1)) = a(u_p - u_(p-1), (1 - L) z_p)
   ///                       ~ a((1 - L) u_p, (1 - L) z_p):
   /// first by orthogonality, then since the surplus (1 - L) u approximates the
-  /// change of u. For z = u it is an upper bound; otherwise the strengthened
-  /// Cauchy inequality with constant gamma bounds it by the factor 1 / (1 -
-  /// gamma^2) (Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921-935).
+  /// change of u. For z = u the result is an upper bound; otherwise the
+  /// strengthened Cauchy inequality with constant gamma bounds the error by the
+  /// factor 1 / (1 - gamma^2) (Bank and Smith, SIAM J. Numer. Anal. 30 (1993)
+  /// 921-935).
   ///
   /// In active constraints with matrix B, (1 - L) u has the jump B (1 - L) u,
   /// which the change of u does not have. The forces phi = -(C + a)^-1 B (1 -

@@ -9,13 +9,13 @@
 
 namespace lamella
 {
-  /// A stress or strain with the components {xx, yy, zz, xy, xz, yz} (Eq. 4) in
-  /// scene or body axes (x across, y along the beam, z up), or {11, 22, 33, 12,
-  /// 13, 23} in ply axes. Shear strains are gamma = 2 epsilon.
+  /// A stress or strain with the components {xx, yy, zz, xy, xz, yz} in scene
+  /// or body axes (x across, y along the beam, z up), or {11, 22, 33, 12, 13,
+  /// 23} in ply axes. Shear strains are gamma = 2 epsilon.
   using Voigt = dealii::Tensor<1, 6>;
 
-  /// The symmetric 6 x 6 stiffness matrix C of Hooke's law sigma = C epsilon
-  /// (Eq. 6) in the order of Voigt [force/length^2].
+  /// The symmetric 6 x 6 stiffness matrix C of Hooke's law sigma = C epsilon in
+  /// the order of Voigt [force/length^2].
   using ElasticTensor = dealii::Tensor<2, 6>;
 
   /// Orthonormal, right-handed vectors e_1, e_2, e_3 as the rows of a matrix.

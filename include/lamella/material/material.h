@@ -83,11 +83,11 @@ namespace lamella
   using Materials = std::map<std::string, Material>;
 
   /// Linear elasticity with an initial strain epsilon_0 due to temperature or
-  /// cure, the only constitutive law of the program (extends Eq. 6),
+  /// cure, the only constitutive law of the program,
   ///   sigma = C (epsilon - epsilon_0) = dW/depsilon
   ///   W     = 1/2 (epsilon - epsilon_0) . C (epsilon - epsilon_0)
   /// with the stress sigma, the total strain epsilon (engineering shear
-  /// strains, Eq. 4), the energy density W and the stiffness C.
+  /// strains), the energy density W and the stiffness C.
   class ElasticLaw
   {
   public:

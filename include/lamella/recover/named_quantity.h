@@ -59,8 +59,8 @@ namespace lamella
     label() const;
 
     /// Returns a letter for the kind of quantity (only equal kinds are
-    /// compared): u displacement, e strain, s stress, j jump at a probe, f
-    /// force, m moment, p pressure, w width, d dissipation. Measures: of terms.
+    /// compared): u displacement, e strain, s stress, j jump, f force, m
+    /// moment, p pressure, w width, d dissipation. A measure: as its terms.
     char
     kind() const;
 
@@ -120,8 +120,9 @@ namespace lamella
   NamedQuantity
   parse_probe_quantity(const Entry &text, const std::vector<Probe> &probes);
 
-  /// Throws InputError, with the path of @p quantity, unless strip and width
-  /// are normal to the facing axis of the contact @p points and within it.
+  /// Throws InputError, with the path of @p quantity, unless its strip or width
+  /// is along an axis normal to the contact normal of @p points, and the strip
+  /// lies within the contact.
   void
   check_strip(const NamedQuantity                        &quantity,
               const std::vector<ContactInterface::Point> &points);
@@ -168,7 +169,8 @@ namespace lamella
     to_json() const;
 
     /// Returns the value of @p quantity. Throws InputError at an interface of
-    /// plies with different values (by 1e-9) unless it gives one of the plies.
+    /// plies with different values (by 1e-9) unless @p quantity names one of
+    /// the plies.
     double
     value(const NamedQuantity &quantity) const;
 
@@ -180,7 +182,7 @@ namespace lamella
     /// Returns the largest magnitude of the kind of @p quantity: any
     /// displacement, strain or stress of any probe, any force or moment of
     /// supports and contacts, pressure at a point, width, or dissipation of any
-    /// contact. For a measure, that of its terms over its divisor.
+    /// contact. For a measure, the value for its terms over its divisor.
     double
     largest_of_kind(const NamedQuantity &quantity) const;
 

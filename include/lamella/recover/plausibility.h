@@ -22,11 +22,11 @@ namespace lamella
   ///   step, although they were apart at the start;
   /// - bodies that move without strain and without a moving support.
   /// Strains and displacements are evaluated at a thousand points of the
-  /// surface of each body; few of these are near stress singularities.
+  /// surface of each body; few of the points are near stress singularities.
   class Plausibility
   {
   public:
-    /// Keeps a reference to @p structure. Values need @p units.
+    /// Keeps a reference to @p structure. Checks values only with @p units.
     Plausibility(const Structure                     &structure,
                  const Units                         &units,
                  const std::vector<ContactInterface> &contacts);

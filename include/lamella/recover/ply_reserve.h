@@ -24,7 +24,7 @@ namespace lamella
     /// Undeformed position in the scene.
     dealii::Point<3> position;
     /// Angle from axis 2 of the ply to the normal of the fracture plane,
-    /// positive towards axis 3 [degrees], if the criterion gives it.
+    /// positive towards axis 3 [degrees]; empty if unknown.
     std::optional<double> angle;
     /// Stress error: |element stress - recovered stress| / |recovered stress|.
     double stress_discrepancy = 0.;

@@ -42,11 +42,11 @@ namespace lamella
 
   /// Strains and stresses that are continuous within a ply, computed from the
   /// discontinuous values of the elements. Displacements and FieldSample::jump
-  /// are those of the elements.
+  /// are element values.
   ///
   /// `nodal`: the mean over the elements that share a node, interpolated
   /// between the nodes of each element (Gauss-Lobatto points of the
-  /// displacements' degree p). At a surface it converges with h^p.
+  /// displacements' degree p). At a surface the error is O(h^p).
   ///
   /// `recovered`: superconvergent patch recovery (Zienkiewicz and Zhu, Int. J.
   /// Numer. Meth. Eng. 33 (1992) 1331-1364). In the patch of all elements at a

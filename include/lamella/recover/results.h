@@ -151,9 +151,9 @@ namespace lamella
     /// Number of load steps in the scene, and true if all were solved.
     unsigned int load_steps = 0;
     bool         converged  = false;
-    /// Notes about the scene, printed before and after those of steps.
+    /// Notes about the scene, printed before and after the warnings of steps.
     std::vector<std::string> notes, endnotes;
-    /// First failure, if the scene requests the search for it.
+    /// First failure; empty if the scene does not request the search.
     std::optional<FirstFailure> first_failure;
     /// Goals of the last step; empty if no errors were estimated.
     std::vector<GoalResult> goals;

@@ -100,7 +100,7 @@ namespace lamella
       FailureSurface surface;
     };
 
-    /// A body with its failure criteria and other constant data.
+    /// A body with the failure criteria that are evaluated in it.
     struct SweptBody
     {
       unsigned int      body;
@@ -137,7 +137,8 @@ namespace lamella
       const Vector &u;
       const Vector *thermal_part;
     };
-    /// Stresses of an element, due to heat alone or null, and its interfaces.
+    /// An element: its stresses, stresses due to heat alone (or null), and
+    /// flags of faces on ply interfaces (SweptBody::touched).
     struct SweptCell
     {
       const OutputCell   &loaded;

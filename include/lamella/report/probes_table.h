@@ -10,7 +10,7 @@
 namespace lamella
 {
   /// Prints displacements and stresses of the first probes in the last load
-  /// step, in scene axes, with error bars in per cent for those that are goals.
+  /// step, in scene axes, with error bars in per cent for goals.
   void
   print_probes(std::ostream &out, const Results &results);
 } // namespace lamella

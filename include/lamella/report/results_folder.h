@@ -9,8 +9,8 @@ namespace lamella
 {
   /// Folder of the results of one run, locked by a system lock for the lifetime
   /// of this object. Results of an earlier run are removed before the first new
-  /// result is written, the summary first, so that it always belongs to the
-  /// other files. Only the root process writes.
+  /// result is written, the summary first, so that a summary always belongs to
+  /// the other files. Only the root process writes.
   class ResultsFolder
   {
   public:

@@ -130,9 +130,9 @@ namespace lamella
       return *units_check;
     }
 
-    /// Returns @p quantities of the scene (such as goals) with a ply. Those
-    /// requested by References only get the lower ply of two. Throws InputError
-    /// for a wrong or missing ply (Sampler::check()).
+    /// Returns @p quantities of the scene (such as goals) with their plies set.
+    /// Quantities requested only by References get the lower of two plies.
+    /// Throws InputError for a wrong or missing ply (Sampler::check()).
     std::vector<NamedQuantity>
     with_resolved_plies(std::vector<NamedQuantity> quantities) const;
 

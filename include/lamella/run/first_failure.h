@@ -15,9 +15,8 @@
 
 namespace lamella
 {
-  /// Throws InputError with the path `Find` if no load increases with the load
-  /// factor: no load but temperature, no weight, no motion of a support or
-  /// obstacle.
+  /// Throws InputError (path `Find`) if nothing increases with the load factor:
+  /// no load but temperature, no weight, no motion of a support or obstacle.
   void
   check_load_growth(const Structure                     &structure,
                     const std::vector<ContactInterface> &contacts);

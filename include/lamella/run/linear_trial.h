@@ -18,9 +18,10 @@ namespace lamella
   ///   of deflections; theta with follower loads;
   /// - a, amplification by compression (NonlinearityEstimate::amplification).
   ///
-  /// Finite rotations are chosen if it exceeds `needs_finite_rotations` = 2e-3,
-  /// if loads exceed buckling loads, if rotations exceed their limit, or if the
-  /// linear solution fails, unless finite rotations are impossible.
+  /// Finite rotations are chosen if this effect exceeds
+  /// `needs_finite_rotations` = 2e-3, if loads exceed buckling loads, if
+  /// rotations exceed their limit, or if the linear solution fails, unless
+  /// finite rotations are impossible.
   class LinearTrial
   {
   public:

@@ -32,7 +32,7 @@ namespace lamella
   /// from the previous state, and its results are evaluated: fields at probes,
   /// lines and cuts, and reserve factors of plies. The search for first failure
   /// follows, if requested. Owns all objects built from the scene, and the
-  /// results. All processes have all of it and call the same functions;
+  /// results. All processes own all of these and call the same functions;
   /// processes except the root pass a stream without output.
   class Simulation
   {

@@ -57,7 +57,7 @@ namespace lamella
     std::map<std::string, unsigned int> divisions;
     /// Number of refined cell layers at the corners of each section.
     std::map<std::string, unsigned int> corner_layers;
-    /// Name, section, theory (Eq. 1), axis and placement of each body.
+    /// Name, section, theory, axis and placement of each body.
     std::vector<BodyDescription> bodies;
 
     /// Prescribed displacements at load factor 1.
