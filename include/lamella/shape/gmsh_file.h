@@ -54,8 +54,8 @@ namespace lamella
     std::vector<Element> elements;
   };
 
-  /// Throws InputError `PATH = FILE: line LINE: RULE. REMEDY`. PATH is the name
-  /// of @p entry and FILE its text, the file name.
+  /// Throws InputError with the name of @p entry, its text (the file name), the
+  /// number of the line, the rule and the remedy.
   [[noreturn]] void
   refuse_line(const Entry       &entry,
               const unsigned int line,
