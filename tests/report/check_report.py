@@ -328,7 +328,7 @@ def check_without_jinja(program, output, folder):
     page = folder / "report.html"
     done = subprocess.run([program, "report", output, "--output", page], capture_output=True,
                           text=True, env={**os.environ, "PYTHONPATH": str(folder)})
-    expect(done.returncode == 1 and done.stderr.startswith("lamella: report: ") and
+    expect(done.returncode == 1 and "[report.no-jinja2]" in done.stderr and
            "python3-jinja2" in done.stderr and len(done.stderr.splitlines()) == 1 and
            not page.exists(), f"without Jinja2: {done.stderr.strip()}")
 
