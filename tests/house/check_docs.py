@@ -5,8 +5,8 @@
 Usage: check_docs.py ROOT
 
 In *.md: relative links with their headings, pictures, scenes (prm/NAME.prm),
-scripts (scripts/NAME), cases of doc/reference/limits.md. In every text file: no path that only
-one machine has.
+scripts (scripts/NAME), cases of doc/reference/limits.md, the length of pages.
+In every text file: no path that only one machine has.
 """
 
 import functools
@@ -15,12 +15,15 @@ import subprocess
 import sys
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+from doc_filter import slug  # noqa: E402
+
 LINK = re.compile(r"!?\[[^\]]*\]\(\s*<?([^)\s>]+)>?[^)]*\)|<img[^>]*\ssrc=\"([^\"]+)\"")
 NAMED = re.compile(r"(?<![\w/.-])((?:prm|tests)/[\w./-]+\.prm|scripts/[\w.-]*\w)")
 CODE_BLOCK = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"`[^`\n]*`")
 HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
-ANCHOR = re.compile(r"<a id=\"([^\"]+)\"")
+LONGEST_PAGE = 200
 # Folders of a user or of a build machine; put in pieces, so that this file does
 # not find itself.
 FOLDERS = ("home", "root", "tmp", "work", "mnt", "Users", "builds", "workspace")
@@ -44,22 +47,18 @@ def project_files(root):
     return sorted({root / name for name in names if (root / name).is_file()})
 
 
-def anchor_of(heading):
-    """The name that a heading has in links: lower case, hyphens for blanks."""
-    words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).replace("`", "")
-    return re.sub(r"[^\w -]", "", words.strip().lower()).replace(" ", "-")
-
-
 @functools.lru_cache(maxsize=None)
 def anchors_in(page):
     text = CODE_BLOCK.sub("", page.read_text())
-    return {anchor_of(heading) for heading in HEADING.findall(text)} | set(ANCHOR.findall(text))
+    return {slug(heading) for heading in HEADING.findall(text)}
 
 
 def check_page(root, page):
     text = page.read_text()
     # Code shows the syntax of links and of C++ lambdas, and links nowhere.
     prose = CODE.sub("", CODE_BLOCK.sub("", text))
+    if page.is_relative_to(root / "doc") and len(text.splitlines()) > LONGEST_PAGE:
+        yield f"{page.relative_to(root)}: more than {LONGEST_PAGE} lines: make two pages of it"
     for markdown, html in LINK.findall(prose):
         name, _, anchor = (markdown or html).partition("#")
         if re.match(r"[a-z]+:", name):
