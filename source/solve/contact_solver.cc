@@ -377,19 +377,16 @@ namespace lamella
                                             const std::string &motion,
                                             const double       rate) const
   {
-    const bool rubs =
-      std::any_of(rows.begin(), rows.end(), [](const auto &row) {
-        return row.friction > 0.;
-      });
+    const bool has_friction = rows.has_friction();
     throw NumericsError(
       "solve.unconstrained-motion: Body '" + body +
       "' has a rigid-body motion that no support or contact prevents (" +
       motion + ", in each iteration " + to_text(rate, 4) +
       " times as far as in the iteration before): its contacts" +
-      (rubs ? " and their friction" : "") +
+      (has_friction ? " and their friction" : "") +
       " do not balance its loads. Add a support, " +
-      (rubs ? "increase Friction, " : "") +
-      (rubs && !strategy->forces_are_accurate() ?
+      (has_friction ? "increase Friction, " : "") +
+      (has_friction && !strategy->forces_are_accurate() ?
          "write Contact strategy = condensed (full may not converge where "
          "friction alone constrains a body), " :
          "") +
