@@ -77,8 +77,8 @@ namespace lamella
           begin = end;
         }
     }
-    /// Whether on each element of its axis the heat of @p beam varies along it
-    /// by more than the response to what is constant can follow.
+    /// Returns for each axis element of @p beam whether its temperature varies
+    /// by more than the response to a constant temperature represents.
     std::vector<bool>
     elements_with_varying_heat(const Beam &beam, const InteractionRules &rules)
     {
@@ -167,7 +167,8 @@ namespace lamella
 
   namespace
   {
-    /// Of @p support, number @p number, on the body number @p body, @p beam.
+    /// Returns the section loads of @p support, number @p number, on @p beam,
+    /// the body number @p body.
     std::vector<SectionLoad>
     loads_of_support(const Beam                              &beam,
                      const unsigned int                       body,
@@ -195,8 +196,8 @@ namespace lamella
 
 
 
-    /// Of the side of @p contact that the body number @p body, @p beam, is:
-    /// what presses, or @p along the tangent of a number what rubs.
+    /// Returns the section loads of @p contact on @p beam, the body number @p
+    /// body: of normal forces, or of friction @p along a tangent.
     std::vector<SectionLoad>
     loads_of_contact(const Beam                       &beam,
                      const unsigned int                body,

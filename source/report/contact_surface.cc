@@ -91,8 +91,8 @@ namespace lamella
 
 
 
-    /// What a row that rubs has beside: 0 open, 1 sticks, 2 slips; shear on the
-    /// second side per area; slip so far; energy dissipated per area.
+    /// Appends the friction results of @p row: 0 open, 1 stick, 2 slip; shear
+    /// on the second side per area; slip so far; dissipated energy per area.
     void
     append_friction(const ContactRow &row,
                     NamedArrays      &vectors,

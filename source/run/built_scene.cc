@@ -156,7 +156,7 @@ namespace lamella
 
   namespace
   {
-    /// What presses asks for fields, and so do slips of what rubs.
+    /// Returns the contacts of the undeformed bodies, for the choice of fields.
     std::vector<ContactInterface>
     undeformed_interfaces(const std::vector<ContactPair> &contacts,
                           const Bodies                   &bodies)

@@ -81,7 +81,7 @@ namespace lamella
 
 
 
-    /// What rubs.
+    /// Adds the errors of Coulomb's law in @p contact to @p kkt.
     void
     check_friction(const ContactInterface &contact,
                    const ConstraintForces &forces,

@@ -203,7 +203,7 @@ namespace lamella
     move_rows(state, factor);
     for (unsigned int r = 0; r < numbered.size(); ++r)
       {
-        // What was let go rubs no more.
+        // Points without a contact force have no friction.
         const double bears = state.force[r] == 0. ? 0. : 1.;
         of.shear[r]        = bears * in_scene(numbered[r], along[r][0]);
         of.direction[r]    = bears * in_scene(numbered[r], along[r][1]);

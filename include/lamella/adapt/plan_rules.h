@@ -28,7 +28,7 @@ namespace lamella
     unsigned int first_degree = 3;
     /// Degree at which section cells are divided instead of raising the degree.
     unsigned int highest_degree = 8;
-    /// The same for sections with corners, which get cell layers there.
+    /// Degree at which sections with corners get cell layers there instead.
     unsigned int corner_degree = 8;
     /// Largest number of cell layers at corners (scene: `Corner layers`).
     unsigned int max_corner_layers = 6;

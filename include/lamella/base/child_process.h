@@ -28,7 +28,7 @@ namespace lamella
   /// Runs the executable at the path @p program, without a shell, with the
   /// arguments @p words and waits for its end. The child process ends with this
   /// process, and gets neither standard input nor MPI's environment variables.
-  /// Its standard output and error output overwrite the files @p output and @p
+  /// The child's output and error output overwrite the files @p output and @p
   /// errors; with empty names, the child prints to the streams of this process.
   /// The child is killed one second after its threads have used @p
   /// processor_seconds in total (whole seconds; 0: no limit). Throws InputError

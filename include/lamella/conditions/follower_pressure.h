@@ -13,7 +13,7 @@
 namespace lamella
 {
   /// A pressure p(X) per deformed area, opposite to the current outward normal.
-  /// Its work on a virtual displacement v of the surface x(s, t) is
+  /// The work of p on a virtual displacement v of the surface x(s, t) is
   ///   f . v = -integral p v . (x_,s x x_,t) ds dt
   /// integrated by Gauss points of each facet, with material coordinates s, t.
   class FollowerPressure : public FollowerLoad

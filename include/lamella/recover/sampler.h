@@ -128,8 +128,8 @@ namespace lamella
   };
 
   /// Returns the interface jump from the @p rows of a line in direction @p d.
-  /// Where consecutive rows have the same arc length and different plies, the
-  /// tractions t = sigma . d / |d| on both sides are compared:
+  /// Consecutive rows with the same arc length and different plies give the
+  /// tractions t = sigma . d / |d| of both sides, which are compared:
   ///   of_stress   = max |t_upper - t_lower| / max |sigma_ij|,
   ///   of_traction = max |t_upper - t_lower| / max |t|,
   /// with maxima over the whole line in the denominators. Equilibrium requires

@@ -22,8 +22,8 @@ namespace lamella
   std::string
   checked_bytes(const std::string &text, const std::string &file);
 
-  /// Returns the current name of an entry that was renamed after version 0.2.0
-  /// and had the path @p path there; empty for all other paths.
+  /// Returns the name of an entry that @p path calls as version 0.2.0 or other
+  /// programs do (`Points on`, `Torque`); empty for all other paths.
   std::string
   new_name(const std::string &path);
 } // namespace lamella

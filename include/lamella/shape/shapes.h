@@ -107,7 +107,7 @@ namespace lamella
   /// as solids, without a thin-wall theory.
   ///
   /// The mesh consists of rectangular blocks, e.g. eight of 3 x 3 for a box.
-  /// Where a web and a flange meet, the block has cells_per_wall^2 cells.
+  /// The block of a web and a flange has cells_per_wall^2 cells.
   ///
   /// The plies of a wall are parallel to the wall (see PlyPlane). Flanges
   /// extend over the whole width, webs end at flanges. Normals point outwards:
