@@ -158,7 +158,7 @@ namespace lamella
   {
     if (std::find(names.begin(), names.end(), what) == names.end())
       refuse("entry.unknown-name: there is no " + kind + " '" + what + "'",
-             "The most similar name in " + list + " is '" +
+             "Check the spelling: the most similar name in " + list + " is '" +
                nearest_name(what, names) + "'.");
     return what;
   }

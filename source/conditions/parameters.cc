@@ -23,7 +23,7 @@ namespace lamella
     const auto        found = std::find(bodies.begin(), bodies.end(), name);
     if (found == bodies.end())
       entry.refuse("conditions.unknown-body: there is no body '" + name + "'",
-                   "The most similar name in Bodies is '" +
+                   "Check the spelling: the most similar name in Bodies is '" +
                      nearest_name(name, bodies) + "'.");
     return {found - bodies.begin(), trimmed(text.substr(colon + 1))};
   }

@@ -147,7 +147,7 @@ namespace lamella
                        "",
                        "conditions.unknown-surface: body '" + body.name() +
                          "' has no surface '" + surface + "'",
-                       "The most similar name is '" +
+                       "Check the spelling: the most similar name is '" +
                          nearest_name(surface, names) + "'; the surfaces are " +
                          joined(names) + ".");
   }

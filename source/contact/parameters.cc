@@ -177,8 +177,8 @@ namespace lamella
         second.refuse(
           "contact.unknown-second: this is not the name of an obstacle; for a "
           "body write BODY: SURFACE, as in upper: bottom",
-          "The most similar name is '" + nearest_name(second.text(), known) +
-            "'.");
+          "Check the spelling: the most similar name is '" +
+            nearest_name(second.text(), known) + "'.");
       contact.second = parse_surface(second, bodies);
       if (contact.first.body == contact.second.body)
         in.refuse("contact.same-body: First and Second are on the same body '" +

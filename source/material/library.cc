@@ -256,7 +256,7 @@ namespace lamella
     if (found == materials().end())
       entry.refuse(
         "material.unknown-material: there is no such built-in material",
-        "The most similar name is '" +
+        "Check the spelling: the most similar name is '" +
           nearest_name(entry.text(), library_materials()) +
           "'; the built-in materials are " + joined(library_materials()) + ".");
     return found->in_pascals ? converted(found->material, units) :

@@ -235,8 +235,9 @@ namespace lamella
         text.refuse(
           "recover.unknown-column: the results of a probe have no column '" +
             column + "'",
-          "The most similar name is '" + nearest_name(column, columns) +
-            "'; the names are " + joined(columns) + ".");
+          "Check the spelling: the most similar name is '" +
+            nearest_name(column, columns) + "'; the names are " +
+            joined(columns) + ".");
       quantity.given = first_of(probe.references, column);
       return quantity;
     }
@@ -260,9 +261,10 @@ namespace lamella
         names.push_back(probe.name);
       }
     text.refuse("recover.unknown-name: no probe is called '" + parts[0] + "'",
-                names.empty() ? "Add the probe to Probes." :
-                                "The most similar name is '" +
-                                  nearest_name(parts[0], names) + "'.");
+                names.empty() ?
+                  "Add the probe to Probes." :
+                  "Check the spelling: the most similar name is '" +
+                    nearest_name(parts[0], names) + "'.");
   }
 
 
@@ -301,7 +303,7 @@ namespace lamella
         "recover.unknown-name: no probe, measure, support or contact is called "
         "'" +
           parts[0] + "'",
-        "The most similar name is '" +
+        "Check the spelling: the most similar name is '" +
           nearest_name(parts[0], all_names(names)) + "'.");
     return resultant;
   }

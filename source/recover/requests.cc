@@ -29,7 +29,7 @@ namespace lamella
             quantities.end())
           entry.refuse("recover.unknown-column: there is no quantity '" +
                          parts[0] + "'",
-                       "The most similar name is '" +
+                       "Check the spelling: the most similar name is '" +
                          nearest_name(parts[0], quantities) +
                          "'; the names are " + joined(quantities) + ".");
         references.push_back({parts[0],

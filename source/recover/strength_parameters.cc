@@ -51,7 +51,7 @@ namespace lamella
           if (!criterion)
             entry.refuse("recover.unknown-criterion: there is no criterion '" +
                            item + "'",
-                         "The most similar name is '" +
+                         "Check the spelling: the most similar name is '" +
                            nearest_name(item, criterion_names()) +
                            "'; the criteria are " + joined(criterion_names()) +
                            ".");

@@ -202,7 +202,8 @@ by Ctrl-C, which says what stands in the folder and how to go on.
               }
             else if (word.compare(0, 1, "-") == 0)
               throw InputError("run.unknown-option: there is no option " +
-                               word + ". The most similar option is " +
+                               word +
+                               ". Check the spelling: the most similar is " +
                                nearest_name(word, options()) + ".");
             else
               set_scene_file(word);

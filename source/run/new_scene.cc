@@ -40,7 +40,7 @@ namespace lamella
                           "results/NAME",
                           "results/" + name);
       throw InputError(
-        "run.unknown-kind: there is no such template. The most similar is " +
+        "run.unknown-kind: there is no such template. Check the spelling: the most similar is " +
         nearest_name(kind, kinds_of_new_scenes()) + ", and the kinds are " +
         joined(kinds_of_new_scenes()) + ".")
         .at("--kind " + kind + ": ");

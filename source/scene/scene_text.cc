@@ -422,7 +422,8 @@ namespace lamella
                            last_part(item.path) + "'" + where +
                            (nearest.empty() ?
                               ". Remove it." :
-                              "; the most similar entry is '" + nearest + "'."))
+                              "; the most similar entry is '" + nearest +
+                                "'. Check the spelling, or remove it."))
             .at(place(item));
         }
   }

@@ -246,7 +246,7 @@ namespace lamella
           references.end())
         entry.refuse("scene.unknown-reference: use finest, solid, given or a "
                      "variant",
-                     "The most similar is '" +
+                     "Check the spelling: the most similar is '" +
                        nearest_name(entry.text(), references) + "'.");
       return entry.text();
     }
