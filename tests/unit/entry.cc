@@ -128,7 +128,8 @@ BOOST_AUTO_TEST_CASE(values_of_an_entry)
     Entry("e", "tpo").among({"left", "top"}, "side", "Sides");
   });
   BOOST_TEST(nearest.rule() == "there is no side 'tpo'");
-  BOOST_TEST(nearest.remedy() == "The most similar name in Sides is 'top'.");
+  BOOST_TEST(nearest.remedy() ==
+             "Check the spelling: the most similar name in Sides is 'top'.");
 }
 
 
