@@ -135,8 +135,8 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       const bool needs_scene =
         !command.version && !command.help && !command.print_parameters;
       if (needs_scene && command.scene.empty())
-        throw InputError("run.no-scene: no scene file is given, as in lamella "
-                         "my.prm.\n" +
+        throw InputError("run.no-scene: no scene file is given. Name one, for "
+                         "example: lamella my.prm\n" +
                          usage());
     }
 

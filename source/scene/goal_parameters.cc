@@ -110,9 +110,9 @@ namespace lamella
               "scene.wrong-unit: the tolerance is in '" + unit +
                 "', but the unit of " + label + " is " +
                 (own.empty() ? "none" : own),
-              "Write a tolerance in per cent, as in 1, or a tolerance with " +
-                (own.empty() ? "" : own + " or with ") + "abs, as in 0.5 " +
-                (own.empty() ? "abs" : own) + ".");
+              "Write a number alone for a relative tolerance in per cent, or "
+              "an absolute tolerance with a unit, for example 0.5 " +
+                (own.empty() ? "abs" : own + " or 0.5 abs") + ".");
           if (unit == "abs" && quantity.kind() != quantities[0].kind())
             entry.refuse("scene.mixed-units: '" + quantities[0].label() +
                            "' and " + label +
@@ -224,9 +224,9 @@ namespace lamella
           "Write Error bars = auto, or remove Tolerance.");
       if (goals.quantities.empty() && goals.probes_as_goals.empty())
         in["Tolerance"].refuse(
-          "scene.no-goals: the Tolerance has no quantity: the scene has "
-          "neither probes nor References of supports and contacts",
-          "Add a Probe, or write Quantities in subsection Goals.");
+          "scene.no-goals: the Tolerance applies to no quantity: the scene "
+          "has no probe, and no support or contact has values in References",
+          "Add a Probe, or list quantities in Quantities of subsection Goals.");
     }
   } // namespace
 

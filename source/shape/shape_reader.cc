@@ -207,9 +207,10 @@ namespace lamella
           const bool follows = word == "along" || word == "against";
           if (name.empty() || word.empty() || follows == curves.empty())
             entry.refuse("shape.invalid-ply-plane: '" + text +
-                           "' is not PART: DIRECTION, as in web: 180, PART: "
-                           "along CURVES or PART: against CURVES",
-                         "Write '|' between parts.");
+                           "' is not the direction of plies of a part",
+                         "Write PART: ANGLE in degrees (for example web: 180), "
+                         "PART: along CURVES or PART: against CURVES, with the "
+                         "name of a group of curves, and '|' between parts.");
           PartPlane plane;
           if (follows)
             plane = {90., curves, word == "along"};
@@ -231,7 +232,7 @@ namespace lamella
     const Entry name = in["File"];
     if (name.is_empty())
       name.refuse_missing(
-        "shape.file-missing: write a mesh file of Gmsh, as in beam.msh.");
+        "shape.file-missing: write the name of a mesh file of Gmsh, for example beam.msh.");
     SectionFile result;
     result.path   = (std::filesystem::path(folder) / name.text()).string();
     result.what   = in.path();

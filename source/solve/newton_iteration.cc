@@ -75,7 +75,7 @@ namespace lamella
           throw NumericsError(
             "solve.not-converged: The contact did not converge in " +
             std::to_string(rounds - 1) +
-            " iterations. Increase Maximum iterations, or reduce load steps.");
+            " iterations. Increase Maximum iterations, or use smaller load steps.");
         if (!round.changed.empty())
           progress("  contact: " + std::to_string(round.active) +
                    " rows active, " + std::to_string(round.changed.size()) +

@@ -215,10 +215,11 @@ namespace lamella
     throw InputError(
       "Body " + scene.bodies[body].name,
       "",
-      "export.single-row: in a single row of hexahedra C3D20R (reduced "
-      "integration) has hourglass modes: displacements are wrong by 40 to 70 %",
-      "Use two cells across or through the thickness (Cells across, Cells per "
-      "ply, Axis elements, Cells divided = 1), or --element C3D8I.");
+      "export.single-row: has only one element C3D20R across or through the "
+      "thickness; such a mesh has hourglass modes, and displacements are wrong "
+      "by 40 to 70 %",
+      "Use at least two elements (Cells across, Cells per ply, Axis elements, "
+      "or Cells divided = 1), or export with --element C3D8I.");
   }
 
 
