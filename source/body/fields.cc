@@ -97,7 +97,7 @@ namespace lamella
     share.energy = Utilities::MPI::sum(share.energy, communicator());
     for (double *largest : {&share.max_rotation,
                             &share.max_strain,
-                            &share.max_mean_strain,
+                            &share.max_rms_strain,
                             &share.shape_change,
                             &share.max_element_rotation})
       *largest = Utilities::MPI::max(*largest, communicator());

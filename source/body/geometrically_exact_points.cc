@@ -496,8 +496,8 @@ namespace lamella
       }
     for (unsigned int c = 0; c < 3; ++c)
       change += stiffening[c] * state.e[3 + c] * state.e[3 + c];
-    deformation.max_mean_strain =
-      std::max(deformation.max_mean_strain, std::sqrt(square / area));
+    deformation.max_rms_strain =
+      std::max(deformation.max_rms_strain, std::sqrt(square / area));
     deformation.shape_change =
       std::max(deformation.shape_change, std::abs(change));
   }

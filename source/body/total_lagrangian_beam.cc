@@ -118,8 +118,8 @@ namespace lamella
         result.energy += along_axis().energy(cell, green.forces(q));
         result.max_rotation = std::max(result.max_rotation, stretch.rotation);
         result.max_strain   = std::max(result.max_strain, stretch.strain);
-        result.max_mean_strain =
-          std::max(result.max_mean_strain, stretch.along);
+        result.max_rms_strain =
+          std::max(result.max_rms_strain, stretch.along);
         result.max_element_rotation =
           std::max(result.max_element_rotation, rotation_along(cell, u));
       }

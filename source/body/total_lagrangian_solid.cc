@@ -104,8 +104,8 @@ namespace lamella
             volume += point.JxW;
             squares += point.JxW * here.along * here.along;
           }
-        result.max_mean_strain =
-          std::max(result.max_mean_strain, std::sqrt(squares / volume));
+        result.max_rms_strain =
+          std::max(result.max_rms_strain, std::sqrt(squares / volume));
         result.max_element_rotation =
           std::max(result.max_element_rotation, rotation_along(cell, u));
       }

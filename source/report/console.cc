@@ -259,7 +259,8 @@ namespace lamella
 
   namespace
   {
-    /// What friction has made of the work so far.
+    /// Prints the energy dissipated by friction so far and the error of the
+    /// energy balance that finite load steps cause.
     void
     print_path(std::ostream &out, const Results &results)
     {
@@ -270,9 +271,10 @@ namespace lamella
         return;
       out << "  dissipated so far " << to_text(friction.all_dissipated(), 4)
           << energy;
-      // Half the work is a matter of linear theory.
+      // The work of a linear step, half of force times displacement, has no
+      // such balance at large rotations.
       if (!results.last().checks.is_large)
-        out << "; what load steps miss of the work "
+        out << "; error of the energy balance due to the length of load steps "
             << to_text(friction.path_gap, 2) << energy;
       out << "\n";
     }

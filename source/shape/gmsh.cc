@@ -130,7 +130,7 @@ namespace lamella
       if (others.n > 0)
         refuse_line(
           entry,
-          triangles.first_line,
+          others.first_line,
           "shape.wrong-elements: " + std::to_string(others.n) +
             " element(s) of the mesh are of higher order or not plane",
           "Use first-order quadrilaterals in the plane of x and y "

@@ -256,8 +256,8 @@ namespace lamella
       checks.max_rotation =
         std::max(checks.max_rotation, deformation.max_rotation);
       checks.max_strain = std::max(checks.max_strain, deformation.max_strain);
-      checks.max_mean_strain =
-        std::max(checks.max_mean_strain, deformation.max_mean_strain);
+      checks.max_rms_strain =
+        std::max(checks.max_rms_strain, deformation.max_rms_strain);
       checks.max_element_rotation =
         std::max(checks.max_element_rotation, deformation.max_element_rotation);
       checks.shape_change =

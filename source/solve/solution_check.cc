@@ -134,10 +134,11 @@ namespace lamella
     {
       // Pointwise strains at corners and below line contacts depend on the
       // mesh: the means over sections are checked.
-      if (!(checks.max_mean_strain <= large_strain))
+      if (!(checks.max_rms_strain <= large_strain))
         throw NumericsError(
-          "solve.strain-beyond-law: The mean axial strain reaches " +
-          to_text(100. * checks.max_mean_strain, 3) +
+          "solve.strain-beyond-law: The axial strain (root mean square over a "
+          "section) reaches " +
+          to_text(100. * checks.max_rms_strain, 3) +
           " %, but the law, linear in the Green-Lagrange strain, is valid only "
           "to " +
           to_text(100. * large_strain, 2) + " %. Reduce the loads.");
@@ -238,8 +239,8 @@ namespace lamella
         warnings.push_back(
           "solve.local-strain: strains reach " +
           to_text(100. * checks.max_strain, 3) + " % at points (" +
-          to_text(100. * checks.max_mean_strain, 2) +
-          " % as axial mean over a section). At corners and below line "
+          to_text(100. * checks.max_rms_strain, 2) +
+          " % axial, root mean square over a section). At corners and below line "
           "contacts strains depend on the mesh, so do not use stresses there");
       else if (checks.max_strain > worth_naming)
         warnings.push_back(

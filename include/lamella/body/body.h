@@ -187,7 +187,7 @@ namespace lamella
     /// For finite rotations: largest principal Green strain, largest root mean
     /// square of the axial strain over a section, and (total Lagrangian bodies)
     /// largest rotation between the ends of an element [rad].
-    double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.;
+    double max_strain = 0., max_rms_strain = 0., max_element_rotation = 0.;
     /// Largest relative change of bending moments and torques that the
     /// neglected change of the section's shape would cause
     /// (GeometricallyExactBeam).

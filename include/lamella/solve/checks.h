@@ -51,7 +51,7 @@ namespace lamella
     /// configuration, without energy balance. Below: largest strains, rotations
     /// and shape change (Deformation).
     bool   is_large   = false;
-    double max_strain = 0., max_mean_strain = 0., max_element_rotation = 0.,
+    double max_strain = 0., max_rms_strain = 0., max_element_rotation = 0.,
            shape_change = 0.;
     /// Estimated effects of large deflections; not set by check_state().
     NonlinearityEstimate beyond;
