@@ -271,8 +271,7 @@ namespace lamella
         return;
       out << "  dissipated so far " << to_text(friction.all_dissipated(), 4)
           << energy;
-      // The work of a linear step, half of force times displacement, has no
-      // such balance at large rotations.
+      // path_gap is defined by the energies of linear theory only.
       if (!results.last().checks.is_large)
         out << "; error of the energy balance due to the length of load steps "
             << to_text(friction.path_gap, 2) << energy;
