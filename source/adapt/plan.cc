@@ -154,7 +154,7 @@ namespace lamella
   std::string
   describe_fields(const PlanInput &facts, const BodyPlan &planned)
   {
-    const std::string all = "all fields of the section";
+    std::string all = "all fields of the section";
     if (facts.has_pieces)
       return "fields as Theories say";
     if (!planned.fields_reason.empty())

@@ -78,7 +78,7 @@ namespace lamella
     std::vector<unsigned int>
     parse_elements(const Entry &entry, const unsigned int n_pieces)
     {
-      const std::vector<unsigned int> elements =
+      std::vector<unsigned int> elements =
         entry.whole_numbers(1, most_elements);
       if (elements.size() != n_pieces)
         entry.refuse(

@@ -77,8 +77,8 @@ namespace lamella
   std::vector<double>
   Entry::ascending(const double end, const std::string &name) const
   {
-    const std::vector<double> values   = numbers();
-    double                    previous = 0.;
+    std::vector<double> values   = numbers();
+    double              previous = 0.;
     for (const double value : values)
       {
         if (!(value > previous && value < end))

@@ -26,10 +26,10 @@ namespace lamella
 
 
 
-  Beam::Beam(const std::string             &name,
-             std::shared_ptr<const Section> section,
-             std::shared_ptr<const Axis>    axis,
-             const Placement               &placement)
+  Beam::Beam(const std::string                    &name,
+             const std::shared_ptr<const Section> &section,
+             const std::shared_ptr<const Axis>    &axis,
+             const Placement                      &placement)
     : Beam(name, section, axis, placement, all_fields(*section, *axis))
   {}
 

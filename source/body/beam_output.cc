@@ -94,10 +94,10 @@ namespace lamella
 
 
   FieldSample
-  Beam::sample(const Location &where, const Vector &u) const
+  Beam::sample(const Location &location, const Vector &u) const
   {
     std::vector<FieldSample> samples;
-    for (const Location::Place &place : where.places)
+    for (const Location::Place &place : location.places)
       {
         const unsigned int section_cell = place.cell % beam_section->n_cells();
         const SectionPoint point =
@@ -387,8 +387,11 @@ namespace lamella
       {
         cells.push_back(empty_output_cell(c));
         for (unsigned int k = 0; k < in_cell; ++k)
-          points.push_back(beam_section->evaluate(
-            c, {double(k % in_line) / n[0], double(k / in_line) / n[2]}));
+          {
+            const unsigned int line = k / in_line;
+            points.push_back(beam_section->evaluate(
+              c, {double(k % in_line) / n[0], double(line) / n[2]}));
+          }
       }
     const auto [begin, end] = beam_axis->own_cells();
     for (unsigned int axis_cell = begin; axis_cell < end; ++axis_cell)

@@ -61,25 +61,25 @@ namespace lamella
 
 
   SurfacePoint
-  Beam::end_point(const EdgePoint &in_section, const bool at_start) const
+  Beam::end_point(const EdgePoint &edge_point, const bool at_start) const
   {
     const unsigned int axis_cell = at_start ? 0 : beam_axis->n_cells() - 1;
     SurfacePoint       point;
-    point.position = placement.to_scene({in_section.position[0],
+    point.position = placement.to_scene({edge_point.position[0],
                                          at_start ? 0. : beam_axis->length(),
-                                         in_section.position[1]});
+                                         edge_point.position[1]});
     point.normal =
       placement.vector_to_scene(Point<3>(0., at_start ? -1. : 1., 0.));
-    point.area = in_section.weight;
+    point.area = edge_point.weight;
     point.depth =
       beam_axis->cell_end(axis_cell) - beam_axis->cell_begin(axis_cell);
     point.location = location(point.position,
                               axis_cell,
                               at_start ? 0. : 1.,
-                              in_section.cell,
-                              in_section.unit);
+                              edge_point.cell,
+                              edge_point.unit);
     point.normal_modulus =
-      beam_section->law(in_section.cell, in_section.position).stiffness()[1][1];
+      beam_section->law(edge_point.cell, edge_point.position).stiffness()[1][1];
     return point;
   }
 
@@ -275,7 +275,8 @@ namespace lamella
     facet.trace_degree_t =
       lateral ? beam_axis->degree() : element.trace_degree();
     for (unsigned int k = 0; k < 4; ++k)
-      facet.corners[k] = surface_point(facet, Point<2>(k % 2, k / 2)).position;
+      facet.corners[k] =
+        surface_point(facet, GeometryInfo<2>::unit_cell_vertex(k)).position;
   }
 
 

@@ -260,7 +260,7 @@ namespace lamella
         for (unsigned int v = 0; v < 4; ++v)
           {
             const Point<3> x =
-              body.position({cell, Point<3>(v % 2, eta, v / 2)});
+              body.position({cell, Point<3>(v % 2, eta, v > 1 ? 1. : 0.)});
             for (unsigned int c = 0; c < 3; ++c)
               key[3 * v + c] = std::lround(x[c] / unit);
           }
@@ -277,22 +277,23 @@ namespace lamella
 
 
   std::vector<OutputCell>
-  Body::cut(const double at, const unsigned int n, const Vector &u) const
+  Body::cut(const double position, const unsigned int n, const Vector &u) const
   {
-    const Layers            layers(*this, at);
+    const Layers            layers(*this, position);
     const double            tolerance = layers.tolerance();
     std::vector<OutputCell> found;
     for (unsigned int cell = 0; cell < cells().n; ++cell)
       {
         const auto [begin, end] = layers.range(cell);
-        const bool between = at > begin + tolerance && at < end - tolerance,
-                   behind  = std::abs(at - begin) <= tolerance,
-                   last    = std::abs(at - end) <= tolerance &&
+        const bool between =
+                     position > begin + tolerance && position < end - tolerance,
+                   behind = std::abs(position - begin) <= tolerance,
+                   last   = std::abs(position - end) <= tolerance &&
                           end > layers.end() - tolerance;
         if (!between && !behind && !last)
           continue;
-        found.push_back(
-          sample_grid(cell, {{n, 0, n}}, {(at - begin) / (end - begin)}, u));
+        found.push_back(sample_grid(
+          cell, {{n, 0, n}}, {(position - begin) / (end - begin)}, u));
         if (!behind || begin <= tolerance)
           continue;
         if (const auto before = layers.before(cell))

@@ -42,13 +42,14 @@ namespace lamella
 
 
   FieldSample
-  Body::sample(const Location &where, const Vector &u) const
+  Body::sample(const Location &location, const Vector &u) const
   {
     std::vector<FieldSample> samples;
-    for (const Location::Place &place : where.places)
+    for (const Location::Place &place : location.places)
       {
-        const std::vector<Location> one{{where.position, where.ply, {place}}};
-        FieldSample                &at = samples.emplace_back();
+        const std::vector<Location> one{
+          {location.position, location.ply, {place}}};
+        FieldSample &at = samples.emplace_back();
         set_values(rows(one, Quantity::displacement)[0], u, at.displacement);
         set_values(rows(one, Quantity::strain)[0], u, at.strain);
         set_values(rows(one, Quantity::stress)[0], u, at.stress);

@@ -71,12 +71,12 @@ namespace lamella
 
 
   GeometricallyExactBeam::GeometricallyExactBeam(
-    const std::string             &name,
-    std::shared_ptr<const Section> section,
-    std::shared_ptr<const Axis>    axis,
-    const Placement               &placement,
-    const std::string             &theory,
-    const bool                     keeps_normal)
+    const std::string                    &name,
+    const std::shared_ptr<const Section> &section,
+    const std::shared_ptr<const Axis>    &axis,
+    const Placement                      &placement,
+    const std::string                    &theory,
+    const bool                            keeps_normal)
     : GeometricallyExactBeam(name,
                              no_modes(section),
                              axis,
@@ -96,7 +96,12 @@ namespace lamella
     const std::vector<std::vector<unsigned int>> &fields_of_node,
     const std::string                            &theory,
     const bool                                    keeps_normal)
-    : Beam(name, space, axis, placement, fields_of_node, theory)
+    : Beam(name,
+           std::move(space),
+           std::move(axis),
+           placement,
+           fields_of_node,
+           theory)
     , h(section().element().reference_length())
     , deformable_section(with_warping(fields().shared_section()))
   {

@@ -258,9 +258,9 @@ namespace lamella
     /// The beam with all fields of @p section. One that is going to have fields
     /// of its section's own turns when it has them.
     std::unique_ptr<Body>
-    make_beam(const BodyDescription         &body,
-              std::shared_ptr<const Section> section,
-              std::shared_ptr<const Axis>    axis)
+    make_beam(const BodyDescription                &body,
+              const std::shared_ptr<const Section> &section,
+              const std::shared_ptr<const Axis>    &axis)
     {
       const std::string &name      = body.name;
       const bool         has_modes = body.theory.is_saint_venant();

@@ -12,12 +12,12 @@ namespace lamella
 {
   using namespace dealii;
 
-  Solid::Solid(const std::string                 &name,
-               std::shared_ptr<const SectionMesh> section,
-               const AxisMesh                    &axis,
-               const Placement                   &placement,
-               const unsigned int                 degree,
-               const SolidRefinement             &refinement)
+  Solid::Solid(const std::string                        &name,
+               const std::shared_ptr<const SectionMesh> &section,
+               const AxisMesh                           &axis,
+               const Placement                          &placement,
+               const unsigned int                        degree,
+               const SolidRefinement                    &refinement)
     : Body(name, placement)
     , mesh(section, axis, degree, refinement, "Body " + name)
     , element(degree)

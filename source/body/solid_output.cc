@@ -40,10 +40,10 @@ namespace lamella
 
 
   FieldSample
-  Solid::sample(const Location &where, const Vector &u) const
+  Solid::sample(const Location &location, const Vector &u) const
   {
     std::vector<FieldSample> samples;
-    for (const Location::Place &place : where.places)
+    for (const Location::Place &place : location.places)
       samples.push_back(sample_at_element_point(place, u));
     return mean_sample(samples);
   }

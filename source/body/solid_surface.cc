@@ -262,7 +262,7 @@ namespace lamella
         facet.trace_degree_s = facet.trace_degree_t = degree();
         for (unsigned int k = 0; k < 4; ++k)
           facet.corners[k] =
-            surface_point(facet, Point<2>(k % 2, k / 2)).position;
+            surface_point(facet, GeometryInfo<2>::unit_cell_vertex(k)).position;
         facets.push_back(facet);
       }
     return facets;

@@ -31,10 +31,10 @@ namespace lamella
 
 
   TotalLagrangianBeam::TotalLagrangianBeam(
-    const std::string             &name,
-    std::shared_ptr<const Section> section,
-    std::shared_ptr<const Axis>    axis,
-    const Placement               &placement)
+    const std::string                    &name,
+    const std::shared_ptr<const Section> &section,
+    const std::shared_ptr<const Axis>    &axis,
+    const Placement                      &placement)
     : Beam(name, finite_strain_section(section, *axis), axis, placement)
     , green(fields(), along_axis().n_stations())
   {}
@@ -116,10 +116,9 @@ namespace lamella
         const FieldParts q = along_axis().on_element(cell, dofs().fields(0), u);
         const Stretch    stretch = green.largest(q);
         result.energy += along_axis().energy(cell, green.forces(q));
-        result.max_rotation = std::max(result.max_rotation, stretch.rotation);
-        result.max_strain   = std::max(result.max_strain, stretch.strain);
-        result.max_rms_strain =
-          std::max(result.max_rms_strain, stretch.along);
+        result.max_rotation   = std::max(result.max_rotation, stretch.rotation);
+        result.max_strain     = std::max(result.max_strain, stretch.strain);
+        result.max_rms_strain = std::max(result.max_rms_strain, stretch.along);
         result.max_element_rotation =
           std::max(result.max_element_rotation, rotation_along(cell, u));
       }

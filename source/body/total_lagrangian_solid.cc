@@ -13,12 +13,12 @@ namespace lamella
   using namespace dealii;
 
   TotalLagrangianSolid::TotalLagrangianSolid(
-    const std::string                 &name,
-    std::shared_ptr<const SectionMesh> section,
-    const AxisMesh                    &axis,
-    const Placement                   &placement,
-    const unsigned int                 degree,
-    const SolidRefinement             &refinement)
+    const std::string                        &name,
+    const std::shared_ptr<const SectionMesh> &section,
+    const AxisMesh                           &axis,
+    const Placement                          &placement,
+    const unsigned int                        degree,
+    const SolidRefinement                    &refinement)
     : Solid(name, section, axis, placement, degree, refinement)
   {
     if (degree < 2)

@@ -58,7 +58,8 @@ namespace lamella
                                     facet.trace_t->size() - 1,
                                     of_facet);
         for (unsigned int k = 0; k < 4; ++k)
-          facet.side.corners[k] = facet.map(Point<2>(k % 2, k / 2)).position;
+          facet.side.corners[k] =
+            facet.map(GeometryInfo<2>::unit_cell_vertex(k)).position;
         measure(facet);
         facet.normal = outward_normal(facet, facet.map(Point<2>(0.5, 0.5)));
       }
@@ -403,11 +404,11 @@ namespace lamella
 
 
   std::optional<SurfaceHit>
-  MeshSurface::intersect_facet(const unsigned int  number,
+  MeshSurface::intersect_facet(const unsigned int  facet_index,
                                const Point<3>     &x,
                                const Tensor<1, 3> &d) const
   {
-    const Facet       &facet     = all_facets[number];
+    const Facet       &facet     = all_facets[facet_index];
     const Tensor<1, 3> to_center = facet.center - x;
     if ((to_center - (to_center * d) * d).norm_square() >
         facet.radius * facet.radius)
@@ -422,7 +423,7 @@ namespace lamella
     hit.position = place.position;
     hit.normal   = smooth_normal(facet, st);
     hit.distance = d * (place.position - x);
-    hit.facet    = number;
+    hit.facet    = facet_index;
     hit.st       = st;
     if (d * outward_normal(facet, place) >= 0. || d * hit.normal >= 0.)
       return {};

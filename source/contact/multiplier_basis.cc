@@ -327,7 +327,8 @@ namespace lamella
 
 
   void
-  MultiplierBasis::finish(std::vector<std::vector<Polygon>> parts, Gaps &result)
+  MultiplierBasis::finish(const std::vector<std::vector<Polygon>> &parts,
+                          Gaps                                    &result)
   {
     std::vector<bool> hangs(nodes.size(), false);
     for (const MeshSurface::HangingNode &hanging : slave.hanging_nodes())

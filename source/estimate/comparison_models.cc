@@ -49,9 +49,9 @@ namespace lamella
     compared.solve.computes_estimates = false;
     Simulation     simulation(compared, nowhere, run.model().rules());
     const Results &results = simulation.solve();
-    const Model    model{simulation.model().scene(),
-                      ResultNumbers(results),
-                      sizes_of(simulation.model())};
+    Model          model{simulation.model().scene(),
+                ResultNumbers(results),
+                sizes_of(simulation.model())};
     out << results.n_dofs() << " DoFs, "
         << to_text(results.seconds.at("total"), 2) << " s" << std::endl;
     cache.keep(model);

@@ -28,8 +28,7 @@ namespace lamella
   Estimation::unavailable_reason() const
   {
     const GoalParameters &goals = run.model().scene().goals;
-    if (const std::string none = RunGoals::unavailable_reason(run);
-        !none.empty())
+    if (std::string none = RunGoals::unavailable_reason(run); !none.empty())
       return none;
     if (goals.bars == ErrorBars::automatic &&
         !(operations_of_bars(run) <=

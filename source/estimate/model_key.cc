@@ -176,7 +176,11 @@ namespace lamella
       std::string words;
       for (const auto &[section, number] : times)
         if (number > 0)
-          words += section + " " + what + describe(number) + "; ";
+          words.append(section)
+            .append(" ")
+            .append(what)
+            .append(describe(number))
+            .append("; ");
       return words;
     }
   } // namespace

@@ -44,7 +44,7 @@ namespace lamella
   RunGoals::singularity_reason(const NamedQuantity &quantity) const
   {
     for (const NamedQuantity &term : quantity.terms)
-      if (const std::string reason = singularity_reason(term); !reason.empty())
+      if (std::string reason = singularity_reason(term); !reason.empty())
         return reason;
     if (quantity.of != NamedQuantity::ObjectKind::probe ||
         (quantity.kind() != 'e' && quantity.kind() != 's'))
