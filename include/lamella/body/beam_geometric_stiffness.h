@@ -12,50 +12,56 @@
 
 namespace lamella
 {
-  /// The geometric stiffness K_G of a beam with stress s, in body axes,
+  /// The geometric stiffness K_G of a beam with the stress s: for displacements
+  /// v and w in body axes,
   ///   v . K_G w = int s_ij v_k,i w_k,j dV.
   /// Stresses and displacement gradients are evaluated at Barlow points, where
   /// stresses are most accurate: Gauss points, as many as the degree along each
-  /// axis element (stations) and one fewer per direction than for the stiffness
-  /// in each section cell. With amplitudes q_a of section functions Phi_a,
+  /// axis element ("stations") and one fewer per direction than for the
+  /// stiffness in each section cell. Section functions Phi_a with amplitudes
+  /// q_a give
   ///   u_,x = sum_a q_a Phi_a,x,  u_,y = sum_a q_a' Phi_a,
-  ///   u_,z = sum_a q_a Phi_a,z,
-  /// and the forces apply the transpose of this map to s_ij u_,j. Keeps a
-  /// reference to the beam. Each process computes the stations of the axis
-  /// elements that it owns.
+  ///   u_,z = sum_a q_a Phi_a,z.
+  /// The forces K_G u apply the transpose of this map to s_ij u_,j. The beam
+  /// must outlive this object. Each process computes its own axis elements.
   class BeamGeometricStiffness
   {
   public:
+    /// Evaluates the section functions of @p beam at all Barlow points.
     explicit BeamGeometricStiffness(const Beam &beam);
 
-    /// Amplitudes q and q': one row per station, one column per function.
+    /// Amplitudes of section functions and their axial derivatives (FieldPart);
+    /// one row per station (axis point), one column per function.
     using Coefficients =
       std::array<dealii::LAPACKFullMatrix<double>, FieldPart::n>;
 
-    /// Returns the amplitudes of the displacement @p w at all stations.
+    /// Returns the amplitudes of section functions at the stations (axis points
+    /// of this process) for the displacement @p w, a vector of DoFs.
     Coefficients
     coefficients(const Vector &w) const;
 
-    /// Sets the stress s to that for the amplitudes @p q, with thermal stress.
+    /// Computes the stress s, with thermal stress, from the amplitudes @p q of
+    /// the section functions; K_G is the geometric stiffness for s.
     void
     set_stress(const Coefficients &q);
 
-    /// Adds K_G @p w to @p f. Collective.
+    /// Adds the geometric stiffness K_G times @p w to @p f. Collective.
     void
     add_forces(const Vector &w, Vector &f) const;
 
-    /// Returns the largest short_wave_ratio() of all points. Collective.
+    /// Returns the largest short_wave_ratio() in the beam, the ratio of
+    /// compressive stress to shear modulus. Collective.
     double
     largest_short_wave_ratio() const;
 
-    /// Returns the stations of this process, element by element.
+    /// Returns the axis points of this process (stations), by elements.
     const std::vector<AxisPoint> &
     stations() const
     {
       return along;
     }
 
-    /// Returns the positions of the stations on [0, 1] of each element.
+    /// Returns the Gauss rule of the stations (axis points) on an axis element.
     const dealii::QGauss<1> &
     quadrature() const
     {
@@ -63,9 +69,9 @@ namespace lamella
     }
 
   private:
-    /// Section functions that have one component of u in a section cell: values
-    /// and derivatives, one column per function and one row per point
-    /// (derivatives by z below those by x).
+    /// Section functions with a nonzero displacement component (x, y or z) in a
+    /// section cell: values and derivatives, one column per function and one
+    /// row per point (derivatives by z below those by x).
     struct Component
     {
       std::vector<unsigned int>        fields;
@@ -99,27 +105,27 @@ namespace lamella
                 const double        area,
                 Voigt              *at_point);
     /// Adds to @p work the section forces on functions of @p component, for
-    /// stresses @p of_cell of a section cell and gradients of amplitudes @p q.
+    /// stresses @p of_cell of a section cell and amplitudes @p q.
     void
     add_work(const Component    &component,
              const Voigt        *of_cell,
              const Coefficients &q,
              Coefficients       &work) const;
-    /// Adds the nodal forces of the section forces @p work to @p f.
+    /// Adds the nodal forces due to the section forces @p work to @p f.
     void
     add_on_nodes(const Coefficients &work, Vector &f) const;
 
     const Beam &beam;
-    /// Modes of the beam's SectionSpace.
+    /// Modes (combinations of section functions) of the beam, one per column.
     FieldColumns            modes;
     const dealii::QGauss<1> samples;
-    /// Stations, with their integration weights (lengths).
+    /// Axis points of this process, with their integration weights (lengths).
     std::vector<AxisPoint> along;
     std::vector<double>    lengths;
     std::vector<Cell>      cells;
-    /// Stress times integration weight at all stations, for each section point.
+    /// Stress times integration weight at all axis and section points.
     std::vector<Voigt> stress;
-    /// Largest short_wave_ratio() on this process.
+    /// Largest short_wave_ratio() in the elements of this process.
     double largest_wave = 0.;
   };
 } // namespace lamella

@@ -10,47 +10,49 @@
 
 namespace lamella
 {
-  /// Range of a beam axis [length] with elements of equal degree.
+  /// Interval of a beam axis that is one axis element of a coarser mesh.
   struct AxisSpan
   {
-    double       begin = 0., end = 0.;
-    unsigned int degree = 0;
+    double begin        = 0., ///< Axial position of the start [length].
+      end               = 0.; ///< Axial position of the end [length].
+    unsigned int degree = 0;  ///< Polynomial degree of the coarser element.
   };
 
-  /// Indicator of discretization errors of a beam of theory LE-p: the
-  /// hierarchical surplus, i.e. the difference between its displacement u and
-  /// the interpolant of u in a coarser discretization, of lower section degree
-  /// or with coarser axis elements. No coarser model is solved. Keeps a
-  /// reference to the beam.
+  /// Indicator of the discretization error of a beam of theory LE-p (Lagrange
+  /// polynomials of degree p in section cells): the difference between its
+  /// displacement u and the interpolant of u in a coarser discretization, of
+  /// lower section degree or with longer axis elements. No coarser model is
+  /// solved. The beam must outlive this object.
   class BeamSurplus
   {
   public:
-    /// Returns true if @p beam has LE-2 or higher at every node and no modes.
+    /// Returns true if all nodes of @p beam have all functions of LE-2 or
+    /// higher and no modes (combinations of section functions).
     static bool
     is_possible(const Beam &beam);
 
-    /// Constructs the indicator of @p beam, for which is_possible() must hold.
+    /// Constructs the indicator of @p beam; requires is_possible(@p beam).
     explicit BeamSurplus(const Beam &beam);
 
-    /// Returns the degree p of LE-p.
+    /// Returns the degree p of the Lagrange polynomials of the section (LE-p).
     unsigned int
     section_degree() const
     {
       return of_section.degree();
     }
 
-    /// Returns @p u minus its interpolant of degree @p q in each section cell,
-    /// where 0 < @p q < section_degree() (HierarchicalSurplus).
+    /// Returns the displacement @p u minus its interpolant of degree @p q in
+    /// each section cell, where 0 < @p q < section_degree().
     Vector
     in_section(const Vector &u, const unsigned int q) const;
 
-    /// Returns @p u minus its interpolant along the axis at the Gauss-Lobatto
-    /// points of the coarser axis elements @p spans.
+    /// Returns the displacement @p u minus its interpolant along the axis at
+    /// the Gauss-Lobatto points of the coarser axis elements @p spans.
     Vector
     along_axis(const Vector &u, const std::vector<AxisSpan> &spans) const;
 
   private:
-    /// Subtracts the interpolant of @p u in @p span from @p result.
+    /// Subtracts the interpolant of @p u in the element @p span from @p result.
     void
     subtract_interpolation(const AxisSpan &span,
                            const Vector   &u,

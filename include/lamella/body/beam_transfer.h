@@ -7,12 +7,13 @@
 
 namespace lamella
 {
-  /// Interpolates the displacement @p u of the beam @p from in @p to, another
-  /// axial discretization of the same beam with the same section functions. At
-  /// each node of @p to, the amplitudes u_alpha(y) = sum_i N_i(y) u_(i,alpha)
-  /// of @p from are evaluated; functions missing at the node are dropped, and
-  /// modes are fitted by least squares. The result is exact if @p to contains
-  /// the displacement. Throws NumericsError for linearly dependent modes.
+  /// Returns the displacement @p u of the beam @p from, interpolated to the
+  /// nodes of @p to, another axial mesh of the same beam. At a node y,
+  /// amplitudes of section functions alpha are u_alpha(y) = sum_i N_i(y)
+  /// u_(i,alpha), with the axis shape functions N_i of @p from. Functions that
+  /// @p to lacks at the node are dropped. Modes (combinations of functions) are
+  /// fitted by least squares. Throws NumericsError for linearly dependent
+  /// modes.
   Vector
   transferred(const Beam &from, const Vector &u, const Beam &to);
 } // namespace lamella

@@ -32,20 +32,20 @@ namespace lamella
   class NotPositiveDefinite;
   class SecondOrder;
 
-  /// A field that can be evaluated at a point: displacement u, strain epsilon =
-  /// D u (Eq. 5) or stress sigma = C (epsilon - epsilon_0) (Eq. 6 with the
-  /// initial strain epsilon_0).
+  /// A field that can be evaluated at a point: displacement u, strain epsilon,
+  /// or stress sigma = C (epsilon - epsilon_0) with the initial strain
+  /// epsilon_0 (Eqs. 5 and 6 of Nagaraj et al. 2020).
   enum class Quantity
   {
-    displacement, ///< three components, scene axes
-    strain,       ///< six, order of Eq. 4, engineering shear strains
-    stress        ///< six, order of Eq. 4
+    displacement, ///< three components x, y, z in scene axes
+    strain,       ///< xx, yy, zz and engineering shears xy, xz, yz
+    stress        ///< xx, yy, zz, xy, xz, yz
   };
 
-  /// Axes of strain and stress components; displacements are in scene axes.
+  /// Axes of strain and stress components.
   enum class Frame
   {
-    scene, ///< x, y, z of the scene, whatever the body's placement
+    scene, ///< global axes x, y, z of the scene, not those of the body
     ply ///< 1 along the fiber, 2 across, 3 normal to the ply: 11,22,33,12,13,23
   };
 
@@ -55,6 +55,7 @@ namespace lamella
   /// (Body::locate()), since in-plane stresses are discontinuous.
   struct Location
   {
+    /// A point of one element, given by unit coordinates.
     struct Place
     {
       /// Index of the element: axis element * (number of section cells) +
@@ -63,11 +64,11 @@ namespace lamella
       /// Unit coordinates (xi, along the axis, eta) in [0, 1]^3.
       dealii::Point<3> unit;
     };
-    /// The requested point, scene axes.
+    /// Position of the undeformed point, scene axes.
     dealii::Point<3> position;
-    /// Index of the ply in the section mesh.
+    /// Index of the ply in Body::plies().
     unsigned int ply = 0;
-    /// The elements that contain the point, at least one.
+    /// The elements that contain the point, at least one, and unit coordinates.
     std::vector<Place> places;
   };
 
@@ -77,22 +78,21 @@ namespace lamella
   {
     /// Displacement in scene axes [length].
     dealii::Tensor<1, 3> displacement;
-    /// Strain and stress in scene axes {xx, yy, zz, xy, xz, yz} (Eq. 4), with
-    /// engineering shear strains gamma = 2 epsilon.
-    Voigt strain, stress;
+    /// Strain {xx, yy, zz, xy, xz, yz} in scene axes; shears are 2 epsilon.
+    Voigt strain, stress; ///< Stress {xx, yy, zz, xy, xz, yz} in scene axes.
     /// Stress in ply axes, {11, 22, 33, 12, 13, 23}, for strength criteria.
     Voigt ply_stress;
-    /// Rotation R of the material: for finite rotations `stress` is R^T sigma R
-    /// with the Cauchy stress sigma.
+    /// Rotation R of the material. For finite rotations, the member `stress` is
+    /// R^T sigma R with the Cauchy stress sigma.
     Triad rotation = dealii::unit_symmetric_tensor<3>();
-    /// Largest stress difference between these elements, divided by the largest
-    /// stress (mean_sample()).
+    /// Largest stress difference between the elements that contain the point,
+    /// divided by the largest stress (mean_sample()); 0 for one element.
     double jump = 0.;
   };
 
-  /// A point of the surface of a body with normal and area, for contact (Eqs.
-  /// 14 to 17) and loads: a surface node (Body::surface_points()) or any point
-  /// of a facet (Body::surface_point()).
+  /// A point of the surface of a body with normal and area, for contact and
+  /// loads: a surface node (Body::surface_points()) or any point of a facet
+  /// (Body::surface_point()).
   struct SurfacePoint
   {
     /// Position in the undeformed scene.
@@ -103,34 +103,35 @@ namespace lamella
     /// Tributary area of a node [length^2]; for a point of a facet the Jacobian
     /// |dX/ds x dX/dt| of the map from the unit square.
     double area = 0.;
-    /// True for a node whose faces form an angle of 20 degrees or more, where
-    /// the normal is not unique.
+    /// True for a node whose adjacent faces have normals that differ by 20
+    /// degrees or more, so that its normal is not unique.
     bool corner = false;
     /// Location of the point, in the element adjacent to the surface.
     Location location;
-    /// Data of the automatic penalty E_n A / d (contact/enforcement.h): modulus
-    /// E_n = (n n) : C : (n n) [force / length^2], element depth d along n.
-    double normal_modulus = 0., depth = 0.;
+    /// Elastic modulus E_n = (n n) : C : (n n) along the normal n [force /
+    /// length^2], from which the automatic penalty is computed.
+    double normal_modulus = 0., depth = 0.; ///< Element size along n [length].
   };
 
   /// A face of an element on the surface of a body, parameterized by (s, t) in
   /// the unit square. The point (s, t) has the unit coordinates origin + s
   /// along_s + t along_t in the element. On lateral surfaces s runs along the
-  /// section's edge and t along the axis. The outward normal, see
-  /// Body::surface_point(), may be along_s x along_t or its opposite.
+  /// section's edge and t along the axis. The outward normal
+  /// (Body::surface_point()) is along_s x along_t or its opposite.
   struct SurfaceFacet
   {
-    /// Element number as in Location::Place::cell.
-    unsigned int cell = 0;
-    /// Unit coordinates of the point (0, 0), and directions of s and t.
-    dealii::Point<3>     origin;
-    dealii::Tensor<1, 3> along_s, along_t;
-    /// Positions of (0, 0), (1, 0), (0, 1) and (1, 1), scene axes.
+    /// Index of the element, see Location::Place::cell.
+    unsigned int         cell = 0;
+    dealii::Point<3>     origin;  ///< Unit coordinates of (s, t) = (0, 0).
+    dealii::Tensor<1, 3> along_s, ///< Change of unit coordinates per unit s.
+      along_t;                    ///< Change of unit coordinates per unit t.
+    /// Corners (s, t) = (0, 0), (1, 0), (0, 1) and (1, 1), scene axes.
     std::array<dealii::Point<3>, 4> corners;
-    /// Degrees in s and t of the grid of nodes used by contact.
-    unsigned int degree_s = 0, degree_t = 0;
-    /// Degrees in s and t of the displacement on the facet (its trace).
-    unsigned int trace_degree_s = 0, trace_degree_t = 0;
+    /// Polynomial degree along s of the grid of nodes used by contact.
+    unsigned int degree_s = 0, degree_t = 0; ///< Degree of this grid along t.
+    /// Polynomial degree along s of the displacement on the facet.
+    unsigned int trace_degree_s = 0,
+                 trace_degree_t = 0; ///< Degree of the displacement along t.
   };
 
   struct Ply;
@@ -139,7 +140,7 @@ namespace lamella
   /// A scalar function of the position in the scene.
   using ScalarField = std::function<double(const dealii::Point<3> &)>;
 
-  /// Intervals per direction of a regular grid on an element's unit cube.
+  /// Numbers of intervals of a regular grid along three unit coordinates.
   using GridIntervals = std::array<unsigned int, 3>;
 
   /// Number, ownership and polynomial degrees of the elements of a body.
@@ -147,31 +148,32 @@ namespace lamella
   {
     /// Number of elements on all processes together.
     unsigned int n = 0;
-    /// First element of this process, and one past the last.
+    /// Index of the first element of this process, and one past the last.
     std::pair<unsigned int, unsigned int> own;
     /// Largest polynomial degrees of displacements along the three unit
-    /// coordinates, at least 1.
+    /// coordinates of an element, at least 1.
     GridIntervals degrees{{1, 1, 1}};
   };
 
-  /// Index of a ply in Body::plies(), and ply axes at a point, in body axes.
+  /// A ply of the section and its axes at a point.
   struct PlyAndAxes
   {
-    unsigned int ply = 0;
-    Triad        axes;
+    unsigned int ply = 0; ///< Index of the ply in Body::plies().
+    Triad        axes;    ///< Ply axes 1, 2, 3 at the point, in body axes.
   };
 
   /// Fields of an element on a regular grid of its unit cube or of a cut
-  /// through it, for output; xi runs fastest, then the axis, then eta. Elements
-  /// do not share points, since stresses are discontinuous.
+  /// through it, for output; xi runs fastest, then the axis, then eta (xi, eta:
+  /// section coordinates). Elements do not share points: stresses are
+  /// discontinuous.
   struct OutputCell
   {
-    /// Index of the ply, fiber direction and ply normal (scene axes).
-    unsigned int         ply = 0;
-    dealii::Tensor<1, 3> fiber, ply_normal;
-    /// Undeformed positions, scene axes, one per sample.
+    unsigned int         ply = 0; ///< Index of the ply in Body::plies().
+    dealii::Tensor<1, 3> fiber,   ///< Fiber direction, scene axes.
+      ply_normal;                 ///< Normal of the ply, scene axes.
+    /// Undeformed positions of the grid points, scene axes.
     std::vector<dealii::Point<3>> positions;
-    std::vector<FieldSample>      samples;
+    std::vector<FieldSample>      samples; ///< Fields at `positions`.
   };
 
   /// Strain energy of a displacement of a body, and measures of how large
@@ -179,11 +181,12 @@ namespace lamella
   struct Deformation
   {
     /// Energy integral epsilon . C epsilon / 2 dV [force length], with the
-    /// total strain epsilon, also for heated bodies. For finite rotations,
-    /// integral epsilon . C epsilon_0 dV is subtracted.
+    /// total strain epsilon. For finite rotations, integral epsilon . C
+    /// epsilon_0 dV with the thermal strain epsilon_0 is subtracted.
     double energy = 0.;
     /// Largest rotation [rad], |curl u| / 2 if rotations are small.
     double max_rotation = 0.;
+<<<<<<< ours
     /// For finite rotations: largest principal Green strain, largest root mean
     /// square of the axial strain over a section, and (total Lagrangian bodies)
     /// largest rotation between the ends of an element [rad].
@@ -191,10 +194,18 @@ namespace lamella
     /// Largest relative change of bending moments and torques that the
     /// neglected change of the section's shape would cause
     /// (GeometricallyExactBeam).
+=======
+    /// Largest principal Green strain; 0 unless rotations are finite.
+    double max_strain      = 0.,
+           max_mean_strain = 0., ///< Largest RMS of axial strain in a section.
+      max_element_rotation = 0.; ///< Largest rotation along an element [rad].
+    /// Largest relative change of bending moments and torques due to the change
+    /// of the section's shape, which GeometricallyExactBeam neglects.
+>>>>>>> theirs
     double shape_change = 0.;
   };
 
-  /// Rigid motion: three translations [length] and three rotations [rad].
+  /// Rigid motion: translations along x, y, z [length], rotations [rad].
   using RigidMotion = std::array<double, 6>;
 
   /// Interface of a discretized elastic body: DoFs, stiffness, points and
@@ -224,20 +235,21 @@ namespace lamella
 
     // ---- DoFs and rigid motions
 
+    /// Returns the name of the body in the scene file and in messages.
     const std::string &
     name() const
     {
       return body_name;
     }
 
-    /// Returns the placement in the scene; y of its axes is the beam axis.
+    /// Returns position and axes of the body; its y axis is the beam axis.
     const Placement &
     place() const
     {
       return placement;
     }
 
-    /// Returns theory and mesh for output, such as `LE-2, 20 B4`.
+    /// Returns theory and mesh for output, e.g. `LE-2, 20 B4` (20 elements).
     virtual std::string
     theory() const = 0;
 
@@ -251,7 +263,7 @@ namespace lamella
     stiffness_entries() const;
 
     /// Returns true if DoF 3 i + c is displacement component c of node i, which
-    /// the multigrid solver `cg` requires.
+    /// the multigrid solver `cg` requires; false for other numberings.
     virtual bool
     is_nodal() const
     {
@@ -266,18 +278,18 @@ namespace lamella
       return dealii::complete_index_set(n_dofs());
     }
 
-    /// Returns the level of @p dof in the hierarchical basis
-    /// (doc/theory/stable-basis.md): 0 for rigid motions and nodal bases,
-    /// higher for finer DoFs. Supports eliminate DoFs of low level first, for
-    /// stability.
+    /// Returns the level of @p dof in the hierarchical basis of the section
+    /// (doc/theory/stable-basis.md): 0 for rigid motions, higher for finer
+    /// functions; 0 for nodal bases. Supports eliminate DoFs of low level
+    /// first, for stability.
     virtual unsigned int
     dof_level(const DofIndex) const
     {
       return 0;
     }
 
-    /// Returns for each DoF the largest displacement due to a unit value, up to
-    /// a factor of order one, for scaling of DoFs of different units.
+    /// Returns for each DoF the largest displacement due to a unit value of the
+    /// DoF, up to a factor of order one, to scale DoFs of different units.
     virtual std::vector<double>
     dof_scales() const
     {
@@ -289,22 +301,21 @@ namespace lamella
     dof_position(const DofIndex dof) const = 0;
 
     /// Returns the homogeneous constraints of the discretization: Kirchhoff's
-    /// constraint of EBBT or hanging nodes of a solid. The stiffness matrix and
-    /// rows() do not include these constraints; the linear solver applies them.
+    /// constraint in Euler-Bernoulli theory or hanging nodes. The linear solver
+    /// applies them; the stiffness matrix and rows() do not include them.
     virtual const Constraints &
     kinematic_constraints() const;
 
     /// Returns the six rigid motions, which span the null space of the
     /// stiffness: unit translations and rotations along and about scene axes,
-    ///   u(X) = e_m,   u(X) = e_m x (X - center()),   m = x, y, z;
-    /// without the displacements that the theory lacks
-    /// (omitted_rigid_motions()).
+    ///   u(X) = e_m,   u(X) = e_m x (X - center()),   m = x, y, z.
+    /// Displacements that the theory lacks (omitted_rigid_motions()) are zero.
     virtual std::vector<Vector>
     rigid_motions() const = 0;
 
-    /// Returns the rigid motions of the body displaced by u: translations e_m
-    /// and rotations e_m x (X + u - center()), m = x, y, z. This default
-    /// implementation returns rigid_motions().
+    /// Returns the rigid motions of the body displaced by the argument u: unit
+    /// translations e_m and rotations e_m x (X + u - center()) for the scene
+    /// axes m = x, y, z. This default implementation returns rigid_motions().
     virtual std::vector<Vector>
     rigid_motions_at(const Vector &) const
     {
@@ -320,19 +331,20 @@ namespace lamella
       return false;
     }
 
-    /// Returns true if finite rotations are DoFs. Displacements are then
-    /// nonlinear in the DoFs (rows_at()), and retract() adds increments.
+    /// Returns true if the DoFs include finite rotations. Displacements are
+    /// then nonlinear in the DoFs (rows_at()), and retract() adds increments.
     virtual bool
     constraints_rotate() const
     {
       return false;
     }
 
-    /// Returns @p u updated by the increment @p change; by default the sum.
+    /// Returns the DoFs @p u updated by the increment @p change, by default the
+    /// sum; rotational DoFs are composed.
     virtual Vector
     retract(const Vector &u, const Vector &change) const;
 
-    /// Returns the largest nodal rotation of an increment [rad]; by default 0.
+    /// Returns the largest nodal rotation [rad] of an increment; 0 by default.
     virtual double
     largest_spin(const Vector &) const
     {
@@ -340,7 +352,7 @@ namespace lamella
     }
 
     /// Returns the rigid motions that the theory lacks, such as rotation about
-    /// the axis in EBBT and TBT. They need no support.
+    /// the axis of Euler-Bernoulli and Timoshenko beams. They need no support.
     virtual std::vector<RigidMotion>
     omitted_rigid_motions() const
     {
@@ -352,7 +364,7 @@ namespace lamella
     virtual dealii::Point<3>
     center() const;
 
-    /// Returns half the largest extent, the length scale for tolerances.
+    /// Returns half the largest extent of the body, a length for tolerances.
     virtual double
     size() const;
 
@@ -375,7 +387,7 @@ namespace lamella
     virtual Deformation
     deformation(const Vector &u) const;
 
-    /// Returns the second-order strains and the geometric stiffness at the
+    /// Returns second-order strains and geometric stiffness for buckling at the
     /// displacement @p u. The body must outlive the result. Collective.
     virtual std::unique_ptr<SecondOrder>
     second_order(const Vector &u) const = 0;
@@ -387,61 +399,66 @@ namespace lamella
     virtual void
     heat(const ScalarField &change);
 
+    /// Returns true if heat() has set a change of temperature.
     bool
     is_heated() const
     {
       return bool(temperature_change);
     }
 
-    /// Adds the thermal load, f += integral B^T C epsilon_0 dV. Returns the
-    /// energy integral epsilon_0 . C epsilon_0 / 2 dV. This default
-    /// implementation has one Gauss point more than output_degrees() per
-    /// coordinate. Collective.
+    /// Adds the thermal load, f += integral B^T C epsilon_0 dV with the thermal
+    /// strain epsilon_0. Returns the energy integral epsilon_0 . C epsilon_0 /
+    /// 2 dV. This default implementation has one Gauss point more than
+    /// output_degrees() per coordinate. Collective.
     virtual double
     add_thermal_load(Vector &f) const;
 
     /// Adds the thermal load for finite rotations at the displacement @p u, f
-    /// += integral (dE/du)^T C epsilon_0 dV with Green's strain E.
-    /// for_each_thermal_block() calls @p use with its derivative by u.
+    /// += integral (dE/du)^T C epsilon_0 dV with Green's strain E and the
+    /// thermal strain epsilon_0.
     virtual void
     add_thermal_load_at(const Vector &u, Vector &f) const;
+    /// Calls @p use with blocks that sum to the derivative by u of the forces
+    /// of add_thermal_load_at().
     virtual void
     for_each_thermal_block(
       const Vector                                      &u,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// Adds the load vector f of the weight, f . u = integral rho g . u dV with
-    /// g = @p acceleration [length / s^2]. Throws InputError if a ply has no
-    /// density. Collective.
+    /// Adds the load vector of the weight to @p f, f . u = integral rho g . u
+    /// dV with the density rho and g = @p acceleration [length / s^2]. Throws
+    /// InputError if a ply has no density. Collective.
     virtual void
     add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
 
-    /// Calls @p use for each element of this process with the weights of its
-    /// Gauss points as forces (scene axes). Throws as add_weight() does.
+    /// A callback with the Gauss points of an element and a force at each.
     using ForcesCallback =
       std::function<void(const std::vector<Location> &,
                          const std::vector<dealii::Tensor<1, 3>> &)>;
+    /// Calls @p use for each element of this process with its Gauss points and
+    /// their weights (forces, scene axes). Throws as add_weight() does.
     void
     for_each_cell_by_weight(const dealii::Tensor<1, 3> &acceleration,
                             const ForcesCallback       &use) const;
 
-    /// Returns the plies (homogeneous regions) of the section.
+    /// Returns the plies (of one material and fiber angle) of the section.
     virtual const std::vector<Ply> &
     plies() const = 0;
 
     // ---- points, rows and samples
 
     /// Returns for each of @p points (undeformed, scene axes) one location per
-    /// adjacent ply, in ascending order, none for points outside of the body.
-    /// The tolerance is 1e-6 of the smaller extent of the section, at curved
-    /// edges 2 % of the element size.
+    /// ply that contains the point, in the order of plies; none if the body
+    /// does not. The tolerance is 1e-6 of the smaller extent of the section, at
+    /// curved edges 2 % of the element size.
     virtual std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const = 0;
 
     /// Returns for each location the components of @p quantity as functionals
     /// of the DoFs: three displacements in scene axes, or six strains or
-    /// stresses (Eq. 4) in the axes @p frame, means over the location's
-    /// elements. Stresses of heated plies have the constant -C epsilon_0.
+    /// stresses (xx, yy, zz, xy, xz, yz) in the axes @p frame, means over all
+    /// elements at the location. Stresses of heated plies have the constant -C
+    /// epsilon_0.
     virtual std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
          const Quantity               quantity,
@@ -452,18 +469,19 @@ namespace lamella
     virtual dealii::Tensor<2, 3>
     rotation_at(const Location &location, const Vector &u) const;
 
-    /// Return the displacements [length, scene axes] at @p locations for the
-    /// DoFs @p u, and their derivatives by u as functionals of increments. By
-    /// default these are rows().
+    /// Returns the displacements [length, scene axes] at @p locations for the
+    /// DoFs @p u; by default the values of rows().
     virtual std::vector<dealii::Tensor<1, 3>>
     displacements(const std::vector<Location> &locations,
                   const Vector                &u) const;
+    /// Returns the derivatives of displacements() by @p u as functionals of an
+    /// increment of the DoFs, three per location; by default rows().
     virtual std::vector<std::vector<LinearFunctional>>
     rows_at(const std::vector<Location> &locations, const Vector &u) const;
 
-    /// Calls @p use with the load stiffness of the point @p forces F_k at
-    /// @p locations, in symmetric blocks: the derivative by u of the nodal
-    /// forces sum_k rows_at()^T F_k. Zero by default.
+    /// Calls @p use with symmetric blocks that sum to the load stiffness of the
+    /// point @p forces F_k at @p locations, the derivative by u of the nodal
+    /// forces sum_k rows_at()^T F_k. No blocks by default.
     virtual void
     for_each_block_of_forces(
       const std::vector<Location>                       &locations,
@@ -485,35 +503,35 @@ namespace lamella
 
     // ---- surfaces
 
-    /// Returns the names of surfaces: the boundaries of the section extruded
-    /// along the axis, then `start`, `end`, `ends` (both) and `all`.
+    /// Returns the names of surfaces: lateral ones, named like the boundaries
+    /// of the section, then `start`, `end`, `ends` (both) and `all`.
     virtual std::vector<std::string>
     surfaces() const = 0;
 
-    /// Returns the facets of @p surface, without gaps and overlaps, with
-    /// numbers of their shared nodes.
+    /// Returns the facets (element faces) of @p surface, without gaps and
+    /// overlaps, with numbers of their shared nodes.
     virtual SurfaceTopology
     surface_topology(const std::string &surface) const = 0;
 
     /// Returns the point of @p facet at (s, t) = @p st in [0, 1]^2; its area is
-    /// the Jacobian. FacetMap is faster for many points.
+    /// the Jacobian of the facet. FacetMap is faster for many points.
     virtual SurfacePoint
     surface_point(const SurfaceFacet     &facet,
                   const dealii::Point<2> &st) const = 0;
 
-    /// Returns the facets of surface_topology().
+    /// Returns the facets (element faces) of surface_topology() for @p surface.
     virtual std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const;
 
     /// Returns points that determine the displacement of @p surface, with
-    /// outward normals and tributary areas int N_i F_tau dA, for node-to-node
-    /// contact (Sec. 3.3 of the paper) and normal supports. By default these
-    /// are the nodes of facets without hanging nodes.
+    /// outward normals and tributary areas, for node-to-node contact (Sec. 3.3
+    /// of Nagaraj et al. 2020) and normal supports. By default these are the
+    /// nodes of facets without hanging nodes.
     virtual std::vector<SurfacePoint>
     surface_points(const std::string &surface) const;
 
-    /// Returns few locations that determine the displacement of @p surface; by
-    /// default the nodes of its facets without hanging nodes.
+    /// Returns locations that determine the displacement of @p surface, as few
+    /// as possible; by default the nodes of its facets without hanging nodes.
     virtual std::vector<Location>
     constraint_points(const std::string &surface) const;
 
@@ -528,43 +546,42 @@ namespace lamella
     virtual Cells
     cells() const = 0;
 
-    /// Returns for each unit coordinate the degree p for strain recovery
-    /// (recover/recovery.h); strains are superconvergent at p Gauss points.
-    /// Zero along coordinates in which strains are smooth across elements
-    /// (section coordinates of Taylor theories).
+    /// Returns for each unit coordinate the degree p for strain recovery:
+    /// strains are superconvergent at p Gauss points. 0 along coordinates with
+    /// smooth strains across elements (section coordinates of Taylor theories).
     virtual std::array<unsigned int, 3>
     recovery_degrees() const
     {
       return cells().degrees;
     }
 
-    /// Returns the recovery degrees of an element, at most recovery_degrees().
+    /// Returns the recovery_degrees() of the element with the given index.
     virtual std::array<unsigned int, 3>
     recovery_degrees_of(const unsigned int) const
     {
       return recovery_degrees();
     }
 
-    /// Returns the parameters in [0, 1], ascending and with 0 and 1, at which
-    /// the segment from @p a to @p b (scene axes) crosses element faces. The
+    /// Returns the parameters in [0, 1], ascending from 0 to 1, at which the
+    /// segment from @p a to @p b (scene axes) crosses element faces. The
     /// default implementation assumes bilinear faces.
     virtual std::vector<double>
     line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Returns the polynomial degree of displacements along the segment from @p
-    /// a to @p b within an element; zero if a equals b.
+    /// Returns the polynomial degree of displacements along the segment from
+    /// @p a to @p b within an element; zero if a equals b.
     virtual unsigned int
     line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Returns ordered points from @p a to @p b that determine the
-    /// displacement: line_degree() + 1 Gauss-Lobatto points between two
-    /// line_breaks().
+    /// Returns ordered points from @p a to @p b that determine the displacement
+    /// on the segment: line_degree() + 1 Gauss-Lobatto points between
+    /// successive line_breaks().
     std::vector<dealii::Point<3>>
     line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
 
-    /// Returns the cross-section at the distance @p position from the start of
-    /// the axis, with the fields of @p u at (n + 1)^2 points per element, on
-    /// every process. Between two axis elements, fields are means over both.
+    /// Returns the fields of @p u on the cross-section at the distance
+    /// @p position from the start of the axis, at (n + 1)^2 points per element,
+    /// on every process. Between two axis elements, fields are means over both.
     virtual std::vector<OutputCell>
     cut(const double position, const unsigned int n, const Vector &u) const;
 
@@ -587,16 +604,16 @@ namespace lamella
                          const Vector             &u,
                          const OutputCellCallback &use) const;
 
-    /// Returns the output cells of all elements, with (n + 1)^3 points each.
+    /// Returns the fields of @p u in all elements, at (n + 1)^3 points each.
     std::vector<OutputCell>
     output_cells(const unsigned int n, const Vector &u) const;
 
     // ---- solvers
 
-    /// Returns @p requested or, if it is `automatic`, `cg` for nodal bodies of
-    /// more than 300000 DoFs, otherwise CHOLMOD on one process and MUMPS on
-    /// several. Throws InputError for `cholmod` on several processes and for
-    /// `cg` if is_nodal() is false.
+    /// Returns the solver @p requested or, if it is `automatic`, `cg` for nodal
+    /// bodies of more than 300000 DoFs, otherwise CHOLMOD on one process and
+    /// MUMPS on several. Throws InputError for `cholmod` on several processes
+    /// and for `cg` if is_nodal() is false.
     SolverKind
     solver_kind(const SolverKind requested) const;
 
@@ -606,10 +623,10 @@ namespace lamella
     StiffnessTerms
     stiffness_terms(const std::vector<SpringTerm> &springs = {}) const;
 
-    /// Returns the assembled stiffness T^T (K + sum k r^T r) T with @p springs
-    /// as above, in the format of the solver @p requested. The homogeneous
-    /// @p constraints u = T v must include kinematic_constraints(). Throws
-    /// InputError as solver_kind() does. Collective.
+    /// Returns the stiffness T^T (K + sum k r^T r) T, assembled for the solver
+    /// @p requested: K of the body, k and r the stiffness and elongation of
+    /// each of @p springs. The homogeneous @p constraints u = T v must include
+    /// kinematic_constraints(). Throws as solver_kind() does. Collective.
     std::unique_ptr<StiffnessMatrix>
     assembled_stiffness(
       const Constraints             &constraints,
@@ -626,16 +643,17 @@ namespace lamella
                 const SolverKind     requested         = SolverKind::automatic,
                 const SolverMonitor &monitor           = {}) const;
 
-    /// Return the tangent stiffness K(u) of the internal forces in three forms:
-    /// its terms, the product f += K(u) w, and a solver. If the last Newton
-    /// @p correction is not empty, the geometric stiffness uses stresses
-    /// linearized at the previous iterate (predicted_strain()).
+    /// Returns the terms of the tangent stiffness K(u) of the internal forces.
+    /// If the last Newton @p correction is not empty, the geometric stiffness
+    /// uses stresses linearized at the previous iterate (predicted_strain()).
     StiffnessTerms
     tangent_terms(const Vector                  &u,
                   const Vector                  &correction,
                   const std::vector<SpringTerm> &springs = {}) const;
+    /// Adds the product K(u) w of the tangent stiffness K(u) to f.
     void
     add_tangent_forces(const Vector &u, const Vector &w, Vector &f) const;
+    /// Returns a solver for the sum of tangent_terms(), see make_solver().
     std::unique_ptr<LinearSolver>
     make_tangent_solver(const Vector                  &u,
                         const Vector                  &correction,
@@ -653,9 +671,9 @@ namespace lamella
               const SolverMonitor  &monitor) const;
 
   protected:
-    /// Calls @p use with the blocks of this process (rows of a beam, element
-    /// matrices of a solid) that sum to the unconstrained stiffness K; blocks
-    /// have no values, for the sparsity pattern, if @p with_values is false.
+    /// Calls @p use with the blocks of this process that sum to the
+    /// unconstrained stiffness K. If @p with_values is false, blocks have only
+    /// DoFs, without values (sparsity pattern).
     virtual void
     for_each_stiffness_block(
       const bool                                         with_values,
@@ -670,7 +688,7 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// Returns the change of temperature at @p x (scene axes) [K].
+    /// Returns the temperature change at @p x (scene axes) [K]; 0 by default.
     double
     temperature(const dealii::Point<3> &x) const
     {
@@ -685,7 +703,7 @@ namespace lamella
     [[noreturn]] void
     rethrow_with_position(const NotPositiveDefinite &error) const;
 
-    const Placement placement;
+    const Placement placement; ///< Position and axes of the body in the scene.
 
   private:
     /// Returns the condensed matrix of @p terms for the solver @p requested.
@@ -712,7 +730,7 @@ namespace lamella
                 const std::vector<double> &etas,
                 const Vector              &u) const;
 
-    /// Replaces the samples of @p grid on the face of the element @p cell
+    /// Replaces the fields of @p grid on the face of the element @p cell
     /// nearest to the start by means with those of the adjacent element.
     void
     average_with_previous_layer(const unsigned int cell,
@@ -723,7 +741,7 @@ namespace lamella
     ScalarField temperature_change;
   };
 
-  /// The bodies of a scene, in the order of blocks of a BlockVector.
+  /// The bodies of a scene; block b of a BlockVector has the DoFs of body b.
   using Bodies = std::vector<std::unique_ptr<Body>>;
 } // namespace lamella
 

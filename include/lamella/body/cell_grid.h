@@ -18,26 +18,30 @@ namespace lamella
   class CellGrid
   {
   public:
-    /// Constructs a grid for polynomials of @p degrees, each at least 1.
+    /// Constructs a grid for polynomials of @p degrees >= 1 along xi, axis,
+    /// eta.
     explicit CellGrid(const GridIntervals &degrees);
 
-    /// Returns the nodes on the unit cube.
+    /// Returns the positions of the grid's nodes in the unit cube [0, 1]^3.
     const std::vector<dealii::Point<3>> &
     nodes() const
     {
       return grid;
     }
 
-    /// N_k of all nodes and their derivatives by unit coordinates.
+    /// Lagrange polynomials of all nodes of the grid at one point.
     struct Functions
     {
-      std::vector<double>               N;
+      std::vector<double> N; ///< Values N_k of the polynomials, one per node.
+      /// Gradients of the polynomials by the three unit coordinates.
       std::vector<dealii::Tensor<1, 3>> dN;
     };
+    /// Returns the polynomials at the point @p unit of the unit cube.
     Functions
     evaluate(const dealii::Point<3> &unit) const;
 
-    /// Returns the nodes of the element @p cell of @p body, scene axes.
+    /// Returns the undeformed nodes in the element @p cell of @p body, scene
+    /// axes.
     std::vector<dealii::Point<3>>
     positions(const Body &body, const unsigned int cell) const;
 
@@ -46,8 +50,9 @@ namespace lamella
     std::vector<dealii::Point<3>> grid;
   };
 
-  /// Returns sum_k f_k (x) dN_k, the derivatives by unit coordinates of the
-  /// function with nodal values @p f; for nodal positions this is the Jacobian.
+  /// Returns the derivatives by unit coordinates of the function with the nodal
+  /// values @p f, sum_k f_k (x) dN_k with the gradients dN_k of @p functions.
+  /// For nodal positions this is the Jacobian.
   template <typename Values>
   dealii::Tensor<2, 3>
   unit_gradient(const Values &f, const CellGrid::Functions &functions)

@@ -15,13 +15,13 @@ namespace lamella
   // Conversion of strains in body axes to output, shared by beam and solid.
 
   /// An affine map from a strain epsilon, in the order of Voigt, to a strain or
-  /// stress q in other axes,
-  ///   q = matrix epsilon + constant.
-  /// The constant is due to initial strains: stress is C (epsilon - epsilon_0).
+  /// stress q in other axes:
+  ///   q = matrix epsilon + constant
   struct StrainMap
   {
-    ElasticTensor matrix;
-    Voigt         constant;
+    ElasticTensor matrix; ///< Rotation of strain, or elasticity and rotation.
+    /// Stress -C epsilon_0 of the initial strain epsilon_0, rotated, or zero.
+    Voigt constant;
   };
 
   /// Returns the map from a strain in body axes to the strain or stress
@@ -41,10 +41,12 @@ namespace lamella
   class SampleRotations
   {
   public:
+    /// Constructs the rotations for the body's @p placement and ply axes
+    /// @p ply.
     SampleRotations(const Placement &placement, const Triad &ply);
 
-    /// Returns the FieldSample of @p displacement, @p strain (order of Eq. 4,
-    /// engineering shear strains) and @p stress, all in body axes.
+    /// Returns the fields in scene axes, and the stress also in ply axes. The
+    /// arguments are in body axes (engineering shear strains, order of Voigt).
     FieldSample
     sample(const dealii::Tensor<1, 3> &displacement,
            const Voigt                &strain,
@@ -55,8 +57,8 @@ namespace lamella
     ElasticTensor strain_to_scene, stress_to_scene, stress_to_ply;
   };
 
-  /// Returns the FieldSample of a point from @p displacement and @p strain in
-  /// body axes, with the stress of the elastic @p law.
+  /// Returns the fields of a point with @p displacement and @p strain in body
+  /// axes, with the stress of the elastic @p law. @p ply are the ply axes.
   FieldSample
   sample_of(const dealii::Tensor<1, 3> &displacement,
             const Voigt                &strain,
@@ -64,9 +66,9 @@ namespace lamella
             const Triad                &ply,
             const ElasticLaw           &law);
 
-  /// Returns the FieldSample of a point with finite rotations: displacement
-  /// gradient @p H, Green's strain @p strain, and as stress R^T sigma R (Cauchy
-  /// stress in axes that rotate by R with the material).
+  /// Returns the fields of a point with finite rotations: displacement gradient
+  /// @p H, Green's strain @p strain, and as stress R^T sigma R (Cauchy stress
+  /// in axes that rotate by R with the material).
   FieldSample
   finite_strain_sample(const dealii::Tensor<1, 3> &displacement,
                        const Gradient             &H,
@@ -75,30 +77,31 @@ namespace lamella
                        const Triad                &ply,
                        const ElasticLaw           &law);
 
-  /// Replaces the stress s of @p sample, given in axes rotated by R, by R s R^T
-  /// in scene axes, and R by the identity.
+  /// Rotates the stress s of @p sample, given in axes rotated with the material
+  /// by R, to R s R^T in scene axes, and sets R to the identity.
   void
   to_scene_axes(FieldSample &sample);
 
-  /// Returns over all processes the sum of Deformation::energy and the maximum
-  /// of each other member of @p share. Collective.
+  /// Combines the values @p share of all processes: the sum of
+  /// Deformation::energy and the maximum of each other member. Collective.
   Deformation
   reduce_over_processes(Deformation share);
 
-  /// Returns the mean of @p samples, one for each element a that contains a
-  /// point, with the relative jump of their stresses sigma_a,
+  /// Returns the mean of @p samples, the fields of all elements that contain a
+  /// point, with the relative jump of the stresses sigma_a of elements a,
   ///   max over a, b of |sigma_a - sigma_b| / max over a of |sigma_a|,
-  /// by Euclidean norms of six components; 0 without stress.
+  /// in Euclidean norms of the six components; 0 without stress.
   FieldSample
   mean_sample(const std::vector<FieldSample> &samples);
 
-  /// Returns the column names of fields in CSV files: ux ... uz, exx ... gyz,
-  /// sxx ... syz, s11 ... s23, jump (VTU files have no jump).
+  /// Returns the column names of displacements, strains and stresses in CSV
+  /// files: ux ... uz, exx ... gyz, sxx ... syz, s11 ... s23, jump.
   const std::vector<std::string> &
   field_names();
 
-  /// Returns the values of @p sample in the order of field_names(): strains and
-  /// stresses as in Eq. 4, in scene axes; s11 to s23 in ply axes.
+  /// Returns the values of @p sample in the order of field_names():
+  /// displacements, strains and stresses in scene axes, stresses s11 to s23 in
+  /// ply axes, stress jump.
   std::vector<double>
   field_values(const FieldSample &sample);
 } // namespace lamella

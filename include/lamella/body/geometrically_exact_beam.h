@@ -18,15 +18,15 @@ namespace lamella
   ///   x = X_c + r + R (X - X_c + Phi a)
   /// with the displacement r(y) of the center, the rotation R(y) of the
   /// section, and the amplitudes a(y) of its warping functions Phi. In section
-  /// axes, strains are small and linear in the generalized strains (axial and
-  /// shear strain Gamma, curvatures and twist kappa)
+  /// axes, strains are linear in the generalized strains (axial and shear
+  /// strain Gamma, curvatures and twist kappa)
   ///   e = (Gamma, kappa, kappa_y^2 / 2, a, a')                 (FrameStrains),
-  /// so the stress resultants s = D e, conjugate to e, have a constant matrix
-  /// D, that of a linear Beam (SectionOperator). With Saint-Venant warping
-  /// functions this is Simo's beam with the exact section stiffness.
-  /// TwistStretch adds the terms of kappa_y^2 / 2 (Wagner's stiffening of
-  /// twisted strips). The flattening of bent tubes and wide strips is
-  /// neglected; Deformation::shape_change estimates its effect.
+  /// so the stress resultants s = D e have a constant matrix D, that of a
+  /// linear Beam (SectionOperator). With Saint-Venant warping functions this is
+  /// Simo's beam with the exact section stiffness. TwistStretch adds the terms
+  /// of kappa_y^2 / 2 (Wagner's stiffening of twisted strips). The flattening
+  /// of bent tubes and wide strips is neglected; Deformation::shape_change
+  /// estimates its effect.
   ///
   /// In a displacement vector u, a node has r and a rotation vector of angle 0
   /// to pi, scaled as RigidField. In increments du, the rotation vector is a
@@ -35,16 +35,15 @@ namespace lamella
   /// depend on u (rows_at()).
   ///
   /// Nodal quaternions are interpolated along an element. Reduced integration,
-  /// one Gauss point fewer than nodes, avoids locking.
-  ///
-  /// EBBT is TBT with a shear stiffness of 10^4 times the axial stiffness, as a
-  /// penalty. Sections that cannot twist must rotate in one plane.
+  /// one Gauss point fewer than nodes, avoids locking. EBBT is TBT with a shear
+  /// stiffness of 10^4 times the axial stiffness, as a penalty. Sections that
+  /// cannot twist must rotate in one plane.
   class GeometricallyExactBeam : public Beam
   {
   public:
-    /// Constructs a beam with all functions of @p section, which must be of
-    /// Theory::of_rotating(), at all nodes. @p keeps_normal is true for EBBT.
-    /// theory() returns @p theory unless it is empty.
+    /// Constructs a beam with all functions of @p section, of a theory from
+    /// Theory::of_rotating(), at all nodes. @p keeps_normal is true for EBBT
+    /// (no shear strain). theory() returns @p theory unless it is empty.
     GeometricallyExactBeam(const std::string             &name,
                            std::shared_ptr<const Section> section,
                            std::shared_ptr<const Axis>    axis,
@@ -52,8 +51,8 @@ namespace lamella
                            const std::string             &theory       = "",
                            const bool                     keeps_normal = false);
 
-    /// Constructs a beam with node-dependent functions, see Beam. Throws
-    /// InputError if a list is not dense (SectionSpace).
+    /// Constructs a beam with the functions @p fields_of_node at each node.
+    /// Throws InputError for functions that are not rigid or modes of @p space.
     GeometricallyExactBeam(
       const std::string                            &name,
       std::shared_ptr<const SectionSpace>           space,
@@ -73,8 +72,8 @@ namespace lamella
     {
       return true;
     }
-    /// Returns @p u with the spins of @p change composed with its rotations.
-    /// Throws NumericsError if a section that cannot twist would twist.
+    /// Returns the sum of @p u and @p change, with rotations composed. Throws
+    /// NumericsError if a section that cannot twist would twist.
     Vector
     retract(const Vector &u, const Vector &change) const override;
     double
@@ -115,7 +114,7 @@ namespace lamella
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
                const Vector                    &u) const override;
-    /// Calls @p use with the tangent of each axis element of this process.
+    /// Calls @p use with the tangent of each locally owned axis element.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -124,26 +123,27 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Section stiffness D of an axis element. `fields` are the numbers of its
-    /// section functions, `warpings` the m of them that are not rigid.
+    /// Section stiffness D of an axis element. `fields` are the indices of its
+    /// section functions, `warpings` of those m that are not rigid.
     struct Law
     {
       std::vector<unsigned int> fields, warpings;
-      /// Square matrix of 7 + 2 m rows in the order of e.
+      /// Matrix D of order 7 + 2 m, for the 7 FrameStrains and warping a, a'.
       dealii::LAPACKFullMatrix<double> D;
     };
 
     /// Nodal displacements and rotations of an axis element.
     struct Element
     {
-      /// Quaternions, with signs such that q[0] . q[i] >= 0.
+      /// Quaternions of nodal rotations, with signs such that q[0] . q[i] >= 0.
       std::vector<Quaternion>           q;
       std::vector<dealii::Tensor<1, 3>> r;
-      /// Amplitudes of Law::warpings.
+      /// Amplitudes of the warping functions at each node.
       std::vector<std::vector<double>> a;
     };
 
-    /// Interpolated Q, r, a and their derivatives along y at an axis point.
+    /// Interpolated rotation quaternion Q, displacement r and warping
+    /// amplitudes a at an axis point, with their derivatives along y.
     struct Frame
     {
       Quaternion           Q, dQ;
@@ -151,14 +151,14 @@ namespace lamella
       std::vector<double>  a, da;
     };
 
-    /// Integration point of an element.
+    /// Integration point of an axis element.
     struct Station
     {
       AxisPoint point;
       double    weight = 0.;
     };
 
-    /// An unknown of an element: component of r, spin or warping amplitude of a
+    /// An unknown of an element: a displacement, spin or warping amplitude of a
     /// node. The beam's DoF, if it exists, is `factor` times the unknown.
     struct LocalDof
     {
@@ -172,12 +172,13 @@ namespace lamella
       }
     };
 
-    /// Number of FrameStrains, and number of components of r and spin.
+    /// Numbers of section strains (FrameStrains), and of rigid DoFs per node.
     static constexpr unsigned int n_strains       = 7,
                                   n_node_unknowns = RigidField::n_all;
     using OfFrame = std::array<double, n_strains>;
 
-    /// Derivative of (Q, Q', r') at a point by r and the spin of one node.
+    /// Derivative of the quaternion Q, Q' and r' (11 values) at an axis point
+    /// by the displacement r and the spin of one node.
     using ByNode = std::array<dealii::Tensor<1, 6>, 11>;
 
     /// A point of a section, with the warping functions of the element.
@@ -186,7 +187,7 @@ namespace lamella
       AxisPoint on_axis;
       /// Position from the center of the section.
       dealii::Tensor<1, 3> X;
-      /// Values of Law::warpings.
+      /// Values of the warping functions at the point.
       std::vector<dealii::Tensor<1, 3>> Phi;
     };
 
@@ -196,7 +197,7 @@ namespace lamella
     make_laws(const bool keeps_normal);
     std::shared_ptr<Law>
     make_law(const SectionOperator &section_operator) const;
-    /// Sets the row and the column of D for the strain kappa_y^2 / 2.
+    /// Sets the row and the column of the section stiffness for kappa_y^2 / 2.
     void
     add_twist_stretch(Law &law) const;
 
@@ -207,19 +208,19 @@ namespace lamella
       return std::min<unsigned int>(n_node_unknowns, section().n_fields());
     }
 
-    /// Converts the forces @p work on the section functions @p list at station
-    /// @p k to forces conjugate to e, except that of kappa_y^2 / 2.
+    /// Converts the forces @p work on the section functions @p list at Gauss
+    /// point @p k to stress resultants, except for that of kappa_y^2 / 2.
     std::vector<double>
     on_strains(const std::vector<unsigned int> &list,
                const FieldParts                &work,
                const unsigned int               k) const;
 
-    /// Returns the forces conjugate to e of the thermal stress C epsilon_0 at
-    /// the stations of the axis element @p cell.
+    /// Returns the stress resultants of the thermal stress C epsilon_0 at the
+    /// integration points of the axis element @p cell.
     std::vector<Vector>
     thermal_stresses(const unsigned int cell) const;
-    /// Returns the thermal forces conjugate to kappa_y^2 / 2 at the axial
-    /// positions @p places.
+    /// Returns the thermal stress resultants conjugate to the twist strain
+    /// kappa_y^2 / 2 at the axial positions @p places.
     std::vector<double>
     thermal_stress_on_twist(const std::vector<double> &places) const;
 
@@ -236,12 +237,12 @@ namespace lamella
     element(const unsigned int cell, const Vector &u) const;
     static Frame
     frame_at(const AxisPoint &point, const Element &element);
-    /// Return the generalized strains e of @p frame.
+    /// Return the generalized strains of a section at the axis point @p frame.
     static std::vector<double>
     strains(const Frame &frame, const FrameStrains &of);
     static std::vector<double>
     strains(const Frame &frame);
-    /// Returns the stress resultants D e.
+    /// Returns the stress resultants of the generalized strains @p e.
     static Vector
     stresses(const Law &law, const std::vector<double> &e);
 
@@ -262,8 +263,8 @@ namespace lamella
             const AxisPoint   &point,
             const unsigned int i);
 
-    /// Adds the nodal forces of the stress resultants @p s at @p station to the
-    /// element vector @p f.
+    /// Adds the nodal forces of the stress resultants @p s at the integration
+    /// point @p station to the element vector @p f.
     static void
     add_forces(const Station       &station,
                const Element       &element,
@@ -278,8 +279,8 @@ namespace lamella
               const Law                 &law,
               const Element             &before,
               const std::vector<double> &change);
-    /// Adds the tangent of @p station to the element matrix @p K, with the
-    /// resultants @p s of FrameStrains in the geometric part.
+    /// Adds the tangent stiffness of the integration point @p station to @p K,
+    /// with the resultants @p s of FrameStrains in the geometric stiffness.
     static void
     add_frame_tangent(const Station                    &station,
                       const Law                        &law,
@@ -294,7 +295,7 @@ namespace lamella
                        const OfFrame                    &s,
                        dealii::Tensor<2, 11>             by_measures,
                        dealii::LAPACKFullMatrix<double> &K);
-    /// Returns by_node() of all nodes at @p station.
+    /// Returns by_node() for all nodes of an element at @p station.
     static std::vector<ByNode>
     by_nodes(const Station &station, const Element &element);
     /// Returns the diagonal entry of a spin due to the second derivative of the
@@ -329,18 +330,18 @@ namespace lamella
     struct SectionState
     {
       Frame frame;
-      /// Strains e, and the amplitudes q and q' of section functions in a
-      /// linear beam with the same strains.
+      /// Generalized strains e, and the amplitudes of section functions and
+      /// their axial derivatives in a linear beam with the same strains.
       std::vector<double> e, value, derivative;
       /// Coefficients of the warping displacements.
       std::vector<double> warping;
     };
-    /// Return the state of a section of an element, or at an axis point.
+    /// Return kinematics and strains of a section of an element or axis point.
     SectionState
     section_state(const unsigned int cell, const Frame &frame) const;
     SectionState
     section_state(const AxisPoint &on_axis, const Vector &u) const;
-    /// Returns the state for output, with strains interpolated from stations.
+    /// Returns the state for output, with strains interpolated in the element.
     SectionState
     output_state(const AxisPoint &on_axis, const Vector &u) const;
 
@@ -349,7 +350,7 @@ namespace lamella
     /// Returns the position of @p point relative to the section's center.
     dealii::Tensor<1, 3>
     from_center(const SectionPoint &point) const;
-    /// Returns the warping displacement Phi a at @p at, in section axes.
+    /// Returns the warping displacement at the point @p at, in section axes.
     static dealii::Tensor<1, 3>
     warping(const PointFields &at, const Frame &frame);
     /// Returns the displacement of @p point, in body axes.
@@ -361,7 +362,8 @@ namespace lamella
     sample_of_section(const SectionPoint &point,
                       const double        y,
                       const SectionState &state) const;
-    /// Returns R (X + Phi a) at @p at and its derivatives.
+    /// Returns the rotated position of the point @p at of a section, relative
+    /// to its center and with warping, with its derivatives.
     static RotatedVector
     rotated_point(const PointFields &at, const Frame &frame);
     /// Returns the derivative of the displacement at @p at (body axes) by each
@@ -369,7 +371,7 @@ namespace lamella
     static std::vector<dealii::Tensor<1, 3>>
     by_local(const PointFields &at, const Element &element);
     /// Adds @p share times the linearized displacement functionals at @p place
-    /// to @p rows, one per component.
+    /// to @p rows, one per displacement component.
     void
     add_rows(const Location::Place         &place,
              const double                   share,
@@ -399,12 +401,12 @@ namespace lamella
     Voigt
     strain_at(const SectionPoint &point, const SectionState &state) const;
 
-    /// Reference length of the section.
+    /// Reference length of the section [length].
     double h;
     /// The section, or an LE-2 section of its mesh for EBBT and TBT.
     std::shared_ptr<const Section>      deformable_section;
     std::unique_ptr<const TwistStretch> twist_stretch;
-    /// stiffening_by_shape() minus the contribution of TwistStretch.
+    /// Shape change (stiffening_by_shape()) minus the part in TwistStretch.
     std::array<double, 3>                   stiffening;
     std::vector<std::vector<Station>>       stations;
     std::vector<std::shared_ptr<const Law>> laws;

@@ -21,55 +21,58 @@
 
 namespace lamella
 {
-  /// Elasticity matrix C as a function of the point in a hexahedron.
+  /// Elasticity matrix C as a function of the position in a hexahedron.
   using StiffnessField = std::function<ElasticTensor(const dealii::Point<3> &)>;
 
-  /// Values N_i and gradients of shape functions at a point of a hexahedron.
+  /// Shape functions of a hexahedron at one point.
   struct HexahedronPoint
   {
-    dealii::Point<3> unit, position;
-    /// Jacobian d(x, y, z) / d(unit coordinates).
-    dealii::Tensor<2, 3> jacobian;
+    dealii::Point<3> unit,         ///< Coordinates in the unit cube [0, 1]^3.
+      position;                    ///< Position x, y, z in body axes.
+    dealii::Tensor<2, 3> jacobian; ///< d(x, y, z) / d(unit coordinates).
     /// Weight of a quadrature point times det(jacobian).
-    double                            JxW = 0.;
-    std::vector<double>               N;
+    double              JxW = 0.;
+    std::vector<double> N; ///< Values of the shape functions.
+    /// Gradients of the shape functions by x, y, z.
     std::vector<dealii::Tensor<1, 3>> gradients;
   };
 
-  /// Data of the incompatible modes (amplitudes a) of a trilinear hexahedron.
+  /// Incompatible modes of a trilinear hexahedron, with nine amplitudes a.
   struct IncompatibleModes
   {
     /// Matrix A (9 x 24) of a = A u, u the nodal displacements; may be empty.
     dealii::FullMatrix<double> A;
-    /// det J_0 J_0^-T, with the Jacobian J_0 at the element center.
+    /// Matrix det(J_0) J_0^-T with the Jacobian J_0 at the element center.
     dealii::Tensor<2, 3> middle;
   };
 
   /// The isoparametric hexahedron of degree 1 or 2 with full integration. DoF 3
-  /// i + c is the component c at its node i.
+  /// i + c is the displacement component c at node i.
   ///
   /// For degree 1, incompatible modes of Taylor, Beresford and Wilson (1976),
   /// which pass the patch test, prevent locking in bending:
   ///   u = sum N_i u_i + sum_k (1 - xi_k^2) a_k.
   /// Gradients of the modes are (det J_0 / det J) J_0^-T grad (1 - xi_k^2) with
   /// the Jacobian J_0 at the center. The nine amplitudes a are condensed on
-  /// each element: a = A u with A = -K_aa^-1 K_au.
-  ///
-  /// Geometry and shape functions are computed by deal.II on one cell, which
-  /// each call maps to the given nodes: not thread-safe.
+  /// each element: a = A u with A = -K_aa^-1 K_au. Functions map one cell of
+  /// deal.II to the given nodes: not thread-safe.
   class Hexahedron
   {
   public:
+    /// Positions of the nodes of a hexahedron, in the order of FE_Q.
     using Nodes = std::vector<dealii::Point<3>>;
 
+    /// Constructs the element of @p degree 1 (8 nodes) or 2 (27 nodes).
     explicit Hexahedron(const unsigned int degree);
 
+    /// Returns the polynomial degree, 1 or 2.
     unsigned int
     degree() const
     {
       return fe.degree;
     }
 
+    /// Returns the number of nodes, 8 or 27.
     unsigned int
     n_nodes() const
     {
@@ -83,24 +86,27 @@ namespace lamella
       return fe.get_unit_support_points()[i];
     }
 
-    /// Returns the cell after setting mapping() to positions relative to the
-    /// first of @p nodes, which avoids loss of digits far from the origin.
+    /// Returns deal.II's cell after setting mapping() to @p nodes, relative to
+    /// the first of them to avoid loss of digits far from the origin.
     dealii::Triangulation<3>::active_cell_iterator
     cell(const Nodes &nodes) const;
 
+    /// Returns the mapping that cell() sets.
     const dealii::Mapping<3> &
     mapping() const
     {
       return geometry;
     }
 
+    /// Returns the shape functions at the unit coordinates @p unit.
     HexahedronPoint
     evaluate(const Nodes &nodes, const dealii::Point<3> &unit) const;
 
-    /// Returns the Gauss points of full integration.
+    /// Returns the shape functions at the Gauss points of full integration.
     std::vector<HexahedronPoint>
     quadrature_points(const Nodes &nodes) const;
 
+    /// Returns the incompatible modes, condensed with the elasticity @p C.
     IncompatibleModes
     incompatible_modes(const Nodes &nodes, const StiffnessField &C) const;
 

@@ -25,9 +25,9 @@ namespace lamella
                      const double                tolerance,
                      std::vector<double>        &crossings);
 
-  /// Adds the parameters t of intersections with the curved edge @p x(s), s in
-  /// [0, 1]: roots of the distance from the line, which are bracketed by the
-  /// signs at five points.
+  /// Adds to @p crossings the parameters t at which the line a + t d intersects
+  /// the curved edge @p x(s), s in [0, 1], within @p tolerance [length]. Of two
+  /// intersections within a quarter of the edge, both may be missed.
   void
   add_curve_crossings(const std::function<dealii::Point<2>(const double)> &x,
                       const dealii::Point<2>                              &a,
@@ -35,8 +35,8 @@ namespace lamella
                       const double         tolerance,
                       std::vector<double> &crossings);
 
-  /// Returns 0, the @p breaks in (0, 1) in ascending order, and 1, without
-  /// duplicates (within 1e-9).
+  /// Returns 0, those of the parameters @p breaks that are in (0, 1), and 1,
+  /// ascending and without duplicates (within 1e-9).
   std::vector<double>
   merge_breaks(std::vector<double> breaks);
 } // namespace lamella

@@ -17,39 +17,40 @@
 
 namespace lamella
 {
-  /// Description of a body as read from a scene: placement, section, theory
-  /// (Sec. 2 of the paper) and axial mesh. make_bodies() constructs the body.
+  /// Description of a body as read from a scene: placement, section, theory and
+  /// axial mesh. make_bodies() constructs the body.
   struct BodyDescription
   {
-    /// Names of the body and of its section.
-    std::string name, section;
-    /// Theory of the body, beam or solid (the first of `Theories`).
+    std::string name, ///< Name of the body.
+      section;        ///< Name of its cross-section.
+    /// Theory of the body; the first one if it varies along the axis.
     Theory theory;
-    /// Theory of each axial range (`Theories`); may be empty.
+    /// Theory of each axial range (entry `Theories`); empty if it is constant.
     TheoryPieces pieces;
     /// Position and axes in the scene.
     Placement placement;
-    /// Length and elements along the axis, of beams and solids.
+    /// Length and elements along the axis.
     AxisMesh axis;
-    /// Stiffness of springs on unconstrained rigid motions, as a fraction of E
-    /// A / L, 0 to 0.01 (Stabilization).
+    /// Stiffness of springs against unconstrained rigid motions, as a fraction
+    /// (0 to 0.01) of E A / L; 0: none.
     double stabilization = 0.;
-    /// True if the body has an isostatic support.
+    /// True if an isostatic support removes free rigid motions of the body.
     bool is_held = false;
-    /// True if the body has finite rotations (TotalLagrangianBeam).
+    /// True for finite rotations, false for small displacements and rotations.
     bool has_finite_rotations = false;
-    /// Refinement of the hexahedra of a solid.
+    /// Refinement of the hexahedra of a solid; unused for beams.
     SolidRefinement refinement;
   };
 
-  /// The entries of `subsection Body NAME` and its subsection `Kinematics`. The
+  /// Entries of `subsection Body NAME` and its subsection `Kinematics`. The
   /// former (defaults in parentheses, scene axes, units of the scene) are
-  ///   Section          a name of the scene's sections
-  ///   Origin           of the section at the start of the axis   (0, 0, 0)
-  ///   Axis, Up         direction of y; direction whose normal part is z (y, z)
-  ///   Length           of the axis
+  ///   Section          name of a section of the scene
+  ///   Origin           position of the start of the axis         (0, 0, 0)
+  ///   Axis             direction of the axis, y                  (y)
+  ///   Up               direction whose part normal to Axis is z  (z)
+  ///   Length           length of the axis
   ///   Stabilization    fraction of E A / L, 0 to 0.01            (0)
-  ///   Isostatic support  true or false                          (false)
+  ///   Isostatic support  true or false                           (false)
   /// `Kinematics` has the entries of TheoryParameters, AxisParameters and
   /// SolidParameters; entries that the theory does not need are ignored.
   struct BodyParameters
@@ -58,11 +59,11 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the body @p name; the current subsection of @p prm must be that
-    /// of the body. @p scene_theory is the default of the theory; @p sections
-    /// are the names of all sections. Throws InputError, which names the entry,
-    /// for an unknown section, a length that is not positive, parallel Axis and
-    /// Up, EBBT with elements other than B4, and other invalid entries.
+    /// Returns the description of the body @p name from its subsection, the
+    /// current one of @p prm. @p scene_theory is the default theory;
+    /// @p sections are the names of all sections. Throws InputError, with the
+    /// name of the entry, for an unknown section, a length <= 0, parallel Axis
+    /// and Up, EBBT with elements other than B4, and other invalid entries.
     static BodyDescription
     parse(dealii::ParameterHandler       &prm,
           const std::string              &name,
@@ -72,11 +73,11 @@ namespace lamella
 
   /// Constructs the bodies of @p descriptions with the section @p meshes.
   /// Solids may use @p memory_limit bytes (0: memory of the machine). Beams
-  /// with the same mesh and theory share a Section. Nodes of SV-N, and of
-  /// bodies with `Theories`, have all section functions until choose_fields()
-  /// selects some of them. Throws InputError for a body longer than 1e7 times
-  /// the extent of its section (beyond double precision), for a beam with fewer
-  /// axis nodes than processes, and as HexahedralMesh. Collective.
+  /// with the same mesh and theory share a Section. In Saint-Venant theory and
+  /// with several theories along the axis, all nodes have all section functions
+  /// until choose_fields() selects some. Throws InputError for a body longer
+  /// than 1e7 times its section (beyond double precision), for a beam with
+  /// fewer axis nodes than processes, and as HexahedralMesh. Collective.
   Bodies
   make_bodies(const std::vector<BodyDescription> &descriptions,
               const SectionMeshes                &meshes,

@@ -10,17 +10,16 @@
 namespace lamella
 {
   /// Position and orientation of a body in the scene: the origin o of its
-  /// section at y = 0, and the rotation R (member axes). Rows of R are the body
-  /// axes x (across), y (along the beam), z (up) in scene components. A scene
-  /// point X has the body coordinates x_body; a vector v has v_body:
+  /// section at y = 0, and the rotation R. Rows of R are the body axes x
+  /// (across), y (along the beam), z (up) in scene components. A scene point X
+  /// has body coordinates x_body; a scene vector v has body components v_body:
   ///   x_body = R (X - o),   X = o + R^T x_body,   v_body = R v.
-  /// Functions of Body have arguments and results in scene axes.
   struct Placement
   {
-    /// Scene position of the section's lower left corner (or of its mesh file's
-    /// origin) at the start of the axis.
+    /// Scene position of the section's lower left corner, or of the origin of
+    /// its mesh file, at the start of the axis.
     dealii::Point<3> origin;
-    /// Body axes, by default those of the scene.
+    /// Rotation matrix R; its rows are the body axes. The identity by default.
     Triad axes = unit_triad();
 
     /// Returns the placement with y along @p axis and z as near to @p up as
@@ -67,8 +66,8 @@ namespace lamella
       return transpose(axes) * R * axes;
     }
 
-    /// Returns T with strain(scene) = T strain(body), order of Eq. 4 with
-    /// engineering shear strains. Stresses use T^-T, as T is not orthogonal.
+    /// Returns the matrix T from body to scene axes of strains xx, yy, zz, xy,
+    /// xz, yz with engineering shears; for stresses the matrix is T^-T.
     ElasticTensor
     strain_to_scene() const
     {

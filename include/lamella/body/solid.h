@@ -22,14 +22,14 @@ namespace lamella
   class SurfaceNode;
 
   /// A body of hexahedra (a section mesh extruded along the axis), the
-  /// three-dimensional reference of beam theories: Q1 with incompatible modes
-  /// or Q2, with hanging nodes where it is locally refined. DoF 3 i + c is
-  /// displacement component c, in body axes, at node i. A "cell" of Location is
-  /// a hexahedron. Hexahedra of equal ply and shape share their matrices.
+  /// reference of beam theories: Q1 with incompatible modes or Q2, with hanging
+  /// nodes in local refinement. DoF 3 i + c is displacement component c, in
+  /// body axes, at node i. Hexahedra of equal ply and shape share their
+  /// matrices.
   class Solid : public Body
   {
   public:
-    /// Constructs a solid of @p degree 1 or 2 with refinement in body axes.
+    /// Constructs a solid of @p degree 1 or 2; @p refinement is in body axes.
     Solid(const std::string                 &name,
           std::shared_ptr<const SectionMesh> section,
           const AxisMesh                    &axis,
@@ -128,12 +128,14 @@ namespace lamella
     std::vector<double>
     line_breaks(const dealii::Point<3> &a,
                 const dealii::Point<3> &b) const override;
+    /// Returns the polynomial degree of the hexahedra, 1 or 2.
     unsigned int
     degree() const
     {
       return element.degree();
     }
 
+    /// Returns the mesh, in body axes.
     const HexahedralMesh &
     hexahedra() const
     {
@@ -146,7 +148,7 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
-    /// Returns displacement, strain and stress at @p place of one element.
+    /// Returns displacement, strain and stress at a point of one element.
     virtual FieldSample
     sample_at_element_point(const Location::Place &place,
                             const Vector          &u) const;
@@ -157,17 +159,19 @@ namespace lamella
     {
       return element;
     }
+    /// Returns the node positions of @p cell, body axes.
     Hexahedron::Nodes
     nodes_of(const unsigned int cell) const;
     /// Returns the DoFs of @p cell in the order of Hexahedron.
     std::vector<DofIndex>
     dofs_of(const unsigned int cell) const;
-    /// Return elastic law and ply axes of @p cell at @p x, all in body axes.
+    /// Returns the elastic law of @p cell at the point @p x, in body axes.
     ElasticLaw
     law(const unsigned int cell, const dealii::Point<3> &x) const
     {
       return laws.at(mesh.cells()[cell].ply, {x[0], x[2]});
     }
+    /// Returns the ply axes of @p cell at the point @p x, in body axes.
     Triad
     ply_axes(const unsigned int cell, const dealii::Point<3> &x) const
     {
@@ -179,8 +183,8 @@ namespace lamella
     std::vector<double>
     relative_displacements(const unsigned int cell, const Vector &u) const;
 
-    /// Returns law() with the thermal strain at @p unit, the point @p x. Degree
-    /// 1 uses the temperature at the element center.
+    /// Returns the elastic law with the thermal strain at @p x, @p unit in unit
+    /// coordinates. Degree 1 uses the temperature at the element center.
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<3> &unit,
@@ -189,8 +193,8 @@ namespace lamella
   private:
     friend class SolidSecondOrder;
 
-    /// A set of hexahedra with equal matrices: the number of one hexahedron of
-    /// the set, and the hexahedra of this process.
+    /// A set of hexahedra with equal element matrices: the index of one of
+    /// them, and the indices of all that this process owns.
     struct Kind
     {
       unsigned int              cell = 0;
@@ -225,8 +229,7 @@ namespace lamella
     std::vector<Location>
     locate(const dealii::Point<3> &point, const double tolerance) const;
 
-    /// Returns unit coordinates and distance of the point of @p cell nearest
-    /// @p x.
+    /// Returns unit coordinates and distance of the point in @p cell near @p x.
     std::pair<dealii::Point<3>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;
 
@@ -236,7 +239,7 @@ namespace lamella
                const unsigned int      face,
                const dealii::Point<3> &unit) const;
 
-    /// Hanging nodes by node number.
+    /// Hanging nodes of the mesh by their node index.
     using HangingNodes =
       std::map<unsigned int, const HexahedralMesh::HangingNode *>;
 
@@ -258,7 +261,7 @@ namespace lamella
                        const double                tolerance,
                        std::vector<double>        &crossings) const;
 
-    /// Returns the pairs (cell, face) of @p surface.
+    /// Returns the element faces (cell, face) of the surface @p surface.
     std::vector<std::pair<unsigned int, unsigned int>>
     faces_of(const std::string &surface) const;
 

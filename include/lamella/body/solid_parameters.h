@@ -22,8 +22,8 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the refinement of a body at @p placement, with balls in body
-    /// axes. Throws InputError for an invalid ball, a radius that is not
+    /// Returns the mesh refinement of a body at @p placement, with balls in
+    /// body axes. Throws InputError for an invalid ball, a radius that is not
     /// positive, and more than 8 divisions.
     static SolidRefinement
     parse(const Entries &in, const Placement &placement);

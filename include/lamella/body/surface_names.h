@@ -15,15 +15,15 @@ namespace lamella
     std::string
     end_name(const bool at_start);
 
-    /// Returns true if @p surface is `all`.
+    /// Returns true if @p surface is `all`: ends and lateral surfaces.
     bool
     is_whole_surface(const std::string &surface);
 
-    /// Returns true if @p surface is composed of surfaces (`ends` or `all`).
+    /// Returns true if @p surface is `ends` or `all`, which combine surfaces.
     bool
     is_compound_surface(const std::string &surface);
 
-    /// Returns true if @p surface is equal to @p part or contains it.
+    /// Returns true if the surface @p surface is @p part or contains it.
     bool
     covers(const std::string &surface, const std::string &part);
   } // namespace surface_names

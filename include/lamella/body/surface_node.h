@@ -26,11 +26,11 @@ namespace lamella
     }
 
     /// Distributes the area of this hanging node to the two nodes that
-    /// constrain it, half to each, and removes it.
+    /// constrain it, half to each; has_point() is false afterwards.
     void
     distribute_to_ends(SurfaceNode &one_end, SurfaceNode &other_end);
 
-    /// Returns true if meet() has been called.
+    /// Returns true if the node has a location, set by meet().
     bool
     has_point() const
     {

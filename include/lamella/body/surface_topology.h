@@ -13,52 +13,53 @@
 
 namespace lamella
 {
-  /// Facets of a surface and numbers of their nodes, for continuous functions
-  /// on the surface such as mortar multipliers. Facets share a node if their
-  /// elements do; nodes that merely coincide (lips of a slit) are different.
+  /// Facets (element faces) of a surface and numbers of their nodes, for
+  /// continuous functions on the surface such as mortar multipliers. Facets
+  /// share a node if their elements do, not if nodes merely coincide.
   ///
   /// Each facet has two Gauss-Lobatto grids, s running fastest: `grid` with
   /// (degree_s + 1) x (degree_t + 1) nodes, used by contact, and `trace` of the
-  /// trace degrees, which determines the displacement. Each grid has its own
-  /// node numbers, from 0.
+  /// trace degrees, for displacements. Node numbers of each grid begin at 0.
   struct SurfaceTopology
   {
+    /// A facet with the numbers of its nodes.
     struct Facet
     {
-      SurfaceFacet side;
-      /// Node numbers: grid[j * (degree_s + 1) + i] is at the i-th
-      /// Gauss-Lobatto point of s and the j-th of t; trace likewise.
-      std::vector<unsigned int> grid, trace;
+      SurfaceFacet side; ///< Element face and its parameters s, t.
+      /// Nodes for contact; entry j * (degree_s + 1) + i is at the i-th
+      /// Gauss-Lobatto point of s and the j-th of t.
+      std::vector<unsigned int> grid,
+        trace; ///< Nodes of the displacement, ordered likewise.
     };
 
-    /// A hanging grid node in a locally refined solid, in the middle of an edge
-    /// of another facet: v(node) = (v(ends[0]) + v(ends[1])) / 2.
+    /// A hanging node of `grid` in a locally refined solid, in the middle of an
+    /// edge of another facet. Its value is the mean of the ends of this edge.
     struct HangingNode
     {
-      unsigned int                node = 0;
-      std::array<unsigned int, 2> ends{};
+      unsigned int                node = 0; ///< Number of the hanging node.
+      std::array<unsigned int, 2> ends{};   ///< Nodes at the ends of the edge.
     };
 
-    /// Facets in the order of Body::surface_facets().
+    /// All facets, in the order of Body::surface_facets().
     std::vector<Facet> facets;
-    /// Numbers of nodes of `grid` and of `trace` on the surface.
-    unsigned int n_grid = 0, n_trace = 0;
-    /// Hanging nodes; beams have none.
+    /// Number of nodes of contact (Facet::grid) on the surface.
+    unsigned int n_grid = 0, n_trace = 0; ///< Number of nodes of Facet::trace.
+    /// Hanging nodes of the surface; empty for beams.
     std::vector<HangingNode> hanging;
 
-    /// Adds the facet @p side with the nodes @p grid and @p trace, by node
-    /// numbers of the body (any unique integers).
+    /// Adds the facet @p side. @p grid and @p trace are its nodes for contact
+    /// and displacement, numbered by any unique integers.
     void
     add(const SurfaceFacet               &side,
         const std::vector<std::uint64_t> &grid,
         const std::vector<std::uint64_t> &trace);
 
-    /// Returns the number of the grid node at the point @p place, if any.
+    /// Returns the number of the contact node at @p place; empty if not found.
     std::optional<unsigned int>
     grid_node(const Location::Place &place) const;
 
-    /// Adds the hanging node @p node between @p ends, by node numbers of the
-    /// body, if all three are on the surface. Call after all facets are added.
+    /// Adds the hanging node @p node between @p ends, numbered as in add(), if
+    /// all three are on the surface. Call after all facets are added.
     void
     add_hanging(const std::uint64_t                 node,
                 const std::array<std::uint64_t, 2> &ends);

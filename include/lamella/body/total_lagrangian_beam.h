@@ -12,13 +12,12 @@ namespace lamella
   /// kinematics of Beam. Green's strain and the second Piola-Kirchhoff stress
   /// give section forces W (FiniteStrainSectionOperator) and nodal forces
   ///   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
-  /// over the undeformed axis. Displacements are linear in the DoFs, so
-  /// supports and dead loads are those of a Beam.
+  /// over the undeformed axis, for node i and section function alpha. Supports
+  /// and dead loads are those of a Beam: displacements are linear in the DoFs.
   ///
   /// Output has Green's strain E and as stress R^T sigma R, the Cauchy stress
   /// in axes that rotate with the material. For output, E_yy and transverse
   /// shear strains are fitted by quadratic polynomials along each element.
-  /// Limited to B4 elements and to LE or TE-N, N > 1.
   class TotalLagrangianBeam : public Beam
   {
   public:
@@ -44,7 +43,7 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   protected:
-    /// Returns the section forces for Green's strain.
+    /// Returns the section forces, nonlinear in @p q due to Green's strain.
     SectionForces
     section_forces(const SectionOperator &section_operator,
                    const FieldParts      &q) const override;
@@ -53,7 +52,8 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
 
-    /// Calls @p use with a block per own axis element and section cell.
+    /// Calls @p use with a block per locally owned axis element and section
+    /// cell.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -62,7 +62,7 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Returns the amplitudes of the functions at @p point, at @p on_axis.
+    /// Returns the amplitudes of section functions in the cell of @p point.
     FieldParts
     parts_at(const SectionPoint &point,
              const AxisPoint    &on_axis,
@@ -80,8 +80,8 @@ namespace lamella
     double
     rotation_along(const unsigned int cell, const Vector &u) const;
 
-    /// Return a block per section cell for the axis element @p cell, without
-    /// values or with zeros.
+    /// Return a matrix block per section cell for the axis element @p cell,
+    /// without values or with zeros.
     std::vector<StiffnessBlock>
     empty_blocks(const unsigned int cell) const;
     std::vector<StiffnessBlock>
@@ -100,15 +100,15 @@ namespace lamella
                const Vector                &correction,
                std::vector<StiffnessBlock> &blocks) const;
 
-    /// Adds the section @p tangent at station @p k of @p cell to @p block.
+    /// Adds the section @p tangent at Gauss point @p k of @p cell to @p block.
     void
     add_station(const unsigned int                              cell,
                 const unsigned int                              k,
                 const FiniteStrainSectionOperator::CellTangent &tangent,
                 StiffnessBlock                                 &block) const;
 
-    /// Subtracts the assumed-strain terms of the section @p tangents from @p
-    /// block of the axis element @p cell (FiniteStrainSectionOperator).
+    /// Subtracts the assumed-strain terms of the section @p tangents from
+    /// @p block of the axis element @p cell (FiniteStrainSectionOperator).
     void
     subtract_assumed_strain(
       const unsigned int                                           cell,

@@ -45,7 +45,8 @@ namespace lamella
     FieldSample
     sample_at_element_point(const Location::Place &place,
                             const Vector          &u) const override;
-    /// Calls @p use with one block per hexahedron of this process.
+    /// Calls @p use with the tangent stiffness of each locally owned
+    /// hexahedron.
     void
     for_each_tangent_block(
       const Vector                                      &u,

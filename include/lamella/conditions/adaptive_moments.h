@@ -15,7 +15,7 @@ namespace lamella
   /// Integrals of a distributed load over its cells. f is the load on the unit
   /// interval (dim 1) or square (dim 2) of a cell; phi_k are products of
   /// Lagrange polynomials through Gauss-Lobatto points:
-  ///   moment_k = integral f phi_k,
+  ///   moment_k = integral f phi_k
   /// These are consistent nodal forces if f is a traction.
   template <int dim>
   struct Moments
@@ -32,21 +32,21 @@ namespace lamella
       std::array<double, dim> extent{};
     };
 
-    /// Moments of_cells[c][k] of cell c, the first parameter running fastest: k
-    /// = k_t (degree_s + 1) + k_s.
+    /// Moments of_cells[c][k] of cell c and polynomial k, the first parameter s
+    /// running fastest: k = k_t (degree_s + 1) + k_s.
     std::vector<std::vector<dealii::Tensor<1, 3>>> of_cells;
-    /// Sum of integral |f| over all cells, and the estimated error of the
-    /// integrals. The estimate misses peaks of f between all evaluation points.
-    double size = 0., error = 0.;
-    /// Integral of f over all cells by the midpoint rule, 2e4 points in total.
+    /// Integral of |f| over all cells [force].
+    double size = 0., error = 0.; ///< Estimated error of the integrals [force].
+    /// Integral of f over all cells by the midpoint rule with 2e4 points.
     dealii::Tensor<1, 3> independent;
-    /// Largest difference between `independent` and its values on three finer
-    /// grids; 0 (not computed) if it agrees with the moments to 1 % of `size`.
+    /// Largest difference between `independent` and midpoint rules on three
+    /// finer grids; 0 if `independent` agrees with the moments to 1 % of
+    /// `size`.
     double independent_error = 0.;
-    /// Largest number of bisections along one parameter, and the cell and the
-    /// point (parameters) where they occurred; zero without bisections.
-    unsigned int       bisections = 0, cell = 0;
-    dealii::Point<dim> place;
+    /// Largest number of bisections of a cell along one of its parameters.
+    unsigned int bisections = 0,
+                 cell       = 0; ///< Index of the cell with most bisections.
+    dealii::Point<dim> place; ///< Parameters of the point with most bisections.
   };
 
   /// Integrates the loads f on @p cells by Gauss rules of degree + 3 points per
@@ -55,15 +55,14 @@ namespace lamella
   /// of errors is below 1e-9 of Moments::size. A box is also bisected if values
   /// on a finer midpoint grid are outside the range of values at its Gauss
   /// points. The integration ends after 1e6 evaluations, with the remaining
-  /// error in Moments::error.
-  ///
-  /// If @p constant is true, all f are assumed smooth: no midpoint grid is
-  /// evaluated and no box is bisected.
+  /// error in Moments::error. If @p constant is true, all f are assumed smooth:
+  /// no midpoint grid is evaluated and no box is bisected.
   ///
   /// The error of a box is estimated by Gauss rules of degree + 3 and degree +
   /// 4 points, by the halves of the box if these rules differ, and by values
-  /// just inside its edges. A box is bisected at most 45 times along a
-  /// parameter (resolution of doubles).
+  /// just inside its edges. Peaks of f between all evaluation points are
+  /// missed. A box is bisected at most 45 times along a parameter (resolution
+  /// of doubles).
   template <int dim>
   Moments<dim>
   adaptive_moments(const std::vector<typename Moments<dim>::Cell> &cells,

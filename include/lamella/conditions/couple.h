@@ -30,41 +30,40 @@ namespace lamella
       return all;
     }
 
-    /// Returns the forces t dA at points() displaced to @p x [force].
+    /// Returns the forces at points() moved to the positions @p x [force].
     std::vector<dealii::Tensor<1, 3>>
     forces(const std::vector<dealii::Point<3>> &x) const;
 
-    /// Returns the derivative of forces() at @p x in the direction @p u, the
-    /// displacements of the points.
+    /// Returns the derivative of forces() at the positions @p x in the
+    /// direction of the displacements @p u of the points.
     std::vector<dealii::Tensor<1, 3>>
     change(const std::vector<dealii::Point<3>>     &x,
            const std::vector<dealii::Tensor<1, 3>> &u) const;
 
-    /// Coefficients of two vectors linear in the displacements u of the points.
-    /// With r = x - c, the mean rotation of the surface is
-    ///   spin    = J^-1 integral of r x u dA,
-    /// and the change dJ of the area tensor, times the vector theta of t(x), is
-    ///   stretch = dJ theta
-    ///           = integral of 2 (r . u) theta - (r . theta) u
-    ///             - (u . theta) r dA.
-    /// The symmetric part of the derivative of the forces is
-    ///   df . v = -(spin(u) . stretch(v) + stretch(u) . spin(v)) / 2.
-    /// Entry [k][p] is the coefficient of u at point p in component k. The
-    /// derivative also has a skew part, since a moment of fixed direction is
-    /// not conservative for spatial rotations.
+    /// Derivative of the forces of a couple by displacements u of its points.
+    /// Its symmetric part, for virtual displacements v, is
+    ///   df . v = -(spin(u) . stretch(v) + stretch(u) . spin(v)) / 2
+    /// with two vectors linear in u. Entry [k][p] of their coefficients is for
+    /// component k and u at point p. The skew part is omitted: a moment of
+    /// fixed direction is not conservative for spatial rotations.
     struct CoupleRotation
     {
-      std::array<std::vector<dealii::Tensor<1, 3>>, 3> spin, stretch;
+      /// Mean rotation J^-1 integral of r x u dA of the surface, r = x - c.
+      std::array<std::vector<dealii::Tensor<1, 3>>, 3> spin,
+        /// Change dJ theta = integral of 2 (r . u) theta - (r . theta) u
+        /// - (u . theta) r dA of the area tensor J times theta (Couple).
+        stretch;
     };
+    /// Returns spin and stretch for points() moved to the positions @p x.
     CoupleRotation
     rotation_of(const std::vector<dealii::Point<3>> &x) const;
 
-    /// Returns the forces t dA on the undeformed surface (small displacements).
+    /// Returns the forces on the undeformed surface, for small displacements.
     PointForces
     dead_load() const;
 
   private:
-    /// Centroid c, J^-1 and theta (class description) at displaced points.
+    /// Centroid c, J^-1 and theta (see Couple) for points at their positions x.
     struct Place
     {
       dealii::Tensor<1, 3> center;

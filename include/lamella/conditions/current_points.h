@@ -11,15 +11,16 @@ namespace lamella
 {
   /// Material points of a body at any displacement u (vector of DoFs). Forces
   /// F_k at the points have the generalized forces
-  ///   f(u) = sum over k of R_k(u)^T F_k,   R_k the rows of point k at u
-  /// where each row gives a displacement component per change of the DoFs
-  /// (Body::rows_at()). Keeps a reference to the body, which must outlive this.
+  ///   f(u) = sum over k of R_k(u)^T F_k,
+  /// where the three rows of R_k give the displacement of point k per change of
+  /// the DoFs (Body::rows_at()). The body must outlive this object.
   class CurrentPoints
   {
   public:
+    /// Constructs the points at @p locations of @p body.
     CurrentPoints(const Body &body, std::vector<Location> locations);
 
-    /// Returns R_k(u), three rows per point.
+    /// Returns the derivatives R_k(u) of displacements, three rows per point.
     std::vector<std::vector<LinearFunctional>>
     rows(const Vector &u) const;
 
@@ -27,18 +28,18 @@ namespace lamella
     std::vector<dealii::Tensor<1, 3>>
     displacements(const Vector &u) const;
 
-    /// Adds sum_k R_k(u)^T F_k with the @p forces F_k to f.
+    /// Adds the generalized forces of the point @p forces at @p u to f.
     void
     add_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
                const Vector                            &u,
                Vector                                  &f) const;
 
-    /// Returns R_k(u) w, the displacements due to the DoF increment @p w.
+    /// Returns the displacements of the points due to the DoF increment @p w.
     std::vector<dealii::Tensor<1, 3>>
     changes(const Vector &u, const Vector &w) const;
 
-    /// Adds @p factor sum_k dR_k^T F_k to f, with the @p forces F_k and the
-    /// derivative dR_k of the rows R_k at @p u in the direction @p w.
+    /// Adds @p factor times the derivative of add_forces() at @p u in the
+    /// direction @p w to f, for constant @p forces.
     void
     add_rotated_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
                        const double                             factor,
@@ -46,7 +47,7 @@ namespace lamella
                        const Vector                            &w,
                        Vector                                  &f) const;
 
-    /// Calls @p use for the blocks of the matrix of add_rotated_forces().
+    /// Calls @p use with the blocks of the matrix of add_rotated_forces().
     void
     for_each_rotation_block(
       const std::vector<dealii::Tensor<1, 3>>           &forces,

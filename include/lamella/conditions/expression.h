@@ -24,11 +24,12 @@ namespace lamella
       : expression(expression)
     {}
 
+    /// @copydoc Formula(const std::string &)
     Formula(const char *expression)
       : expression(expression)
     {}
 
-    /// Converts @p value with 17 digits, which the parser restores exactly.
+    /// Converts @p value to text with 17 digits, without loss of precision.
     template <typename Number,
               typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
     Formula(const Number value)
@@ -42,7 +43,7 @@ namespace lamella
       return expression;
     }
 
-    /// Returns whether no value is set, such as the pressure of a point force.
+    /// Returns true if no value is set, as for the pressure of a point force.
     bool
     empty() const
     {
@@ -71,7 +72,7 @@ namespace lamella
     double
     operator()(const dealii::Point<3> &x) const;
 
-    /// Returns whether the text contains none of x, y, z.
+    /// Returns true if the function is constant: x, y, z do not occur.
     bool
     is_constant() const
     {

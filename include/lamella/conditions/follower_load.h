@@ -18,26 +18,28 @@ namespace lamella
   public:
     virtual ~FollowerLoad() = default;
 
-    /// Returns whether the load stiffness df/du is not symmetric.
+    /// Returns true if the load stiffness df/du may be unsymmetric.
     virtual bool
     is_unsymmetric() const
     {
       return true;
     }
 
-    /// Adds @p factor times f(u) to @p f.
+    /// Adds @p factor times the nodal forces at the displacement @p u to @p f.
     virtual void
     add_forces(const double factor, const Vector &u, Vector &f) const = 0;
 
-    /// Adds @p factor times df/du @p w, the derivative at @p u, to @p f.
+    /// Adds to @p f the derivative of the nodal forces at @p u in the direction
+    /// @p w, times @p factor.
     virtual void
     add_derivative(const double  factor,
                    const Vector &u,
                    const Vector &w,
                    Vector       &f) const = 0;
 
-    /// Calls @p use for the blocks of the load stiffness, the symmetric part of
-    /// -@p factor df/du; blocks have no values if @p with_values is false.
+    /// Calls @p use with blocks that sum to -@p factor times the symmetric part
+    /// of the derivative of the nodal forces by @p u; if @p with_values is
+    /// false, blocks have only DoFs, no values.
     virtual void
     for_each_stiffness_block(
       const double                                       factor,
@@ -46,39 +48,32 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const = 0;
   };
 
+  /// Loads of a body with finite rotations.
   using FollowerLoads = std::vector<std::unique_ptr<FollowerLoad>>;
 
-  /// Returns whether @p load is a couple or a follower pressure.
+  /// Returns true if @p load is a couple or a follower pressure.
   bool
   is_follower_load(const Load &load);
 
-  /// Returns whether @p load must be applied to @p body as a FollowerLoad: if
-  /// it is a follower load and the body has finite rotations, or if the body
-  /// has rotational DoFs (Body::constraints_rotate()).
+  /// Returns true if @p load, not a temperature, must be applied to @p body as
+  /// a FollowerLoad: if the body has finite rotations and @p load is a couple
+  /// or a follower pressure, or if the body has rotational DoFs.
   bool
   depends_on_state(const Load &load, const Body &body);
 
-  /// Returns the FollowerLoad of @p load on its region @p region of @p body:
-  /// - for a follower pressure p(X) per deformed area, with material
-  ///   coordinates s, t and test function v, integrated over each facet by
-  ///   Gauss points:
-  ///     f . v = -integral p v . (x_,s x x_,t) ds dt;
-  /// - for a couple M, tractions t on the current surface:
-  ///     t = theta x (x - c),   J theta = M,
-  ///   with centroid c and area tensor J of the current points x, weighted by
-  ///   undeformed area (Couple); M keeps its direction at any rotation;
-  /// - for any other load, forces of fixed direction.
-  /// Throws InputError as add_load() does, and if a pressure varies more within
-  /// an element than the Gauss points resolve.
+  /// Returns the forces of @p load on its region @p region of @p body at any
+  /// displacement: FollowerPressure for a follower pressure, a Couple on the
+  /// current surface for a moment (its direction is fixed), otherwise forces of
+  /// fixed direction. Throws InputError as add_load() does, and if a pressure
+  /// varies more within an element than the Gauss points resolve.
   std::unique_ptr<FollowerLoad>
   follower_load(const Load &load, const Region &region, const Body &body);
 
-  /// Returns the thermal load on @p body as a FollowerLoad with the forces of
-  /// Body::add_thermal_load_at().
+  /// Returns the thermal load on @p body, Body::add_thermal_load_at().
   std::unique_ptr<FollowerLoad>
   turning_heat(const Body &body);
 
-  /// Returns the weight of @p body under @p acceleration as a FollowerLoad.
+  /// Returns the weight of @p body for @p acceleration [length / s^2].
   std::unique_ptr<FollowerLoad>
   follower_weight(const dealii::Tensor<1, 3> &acceleration, const Body &body);
 } // namespace lamella

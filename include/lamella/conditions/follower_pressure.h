@@ -14,11 +14,12 @@ namespace lamella
 {
   /// A pressure p(X) per deformed area, opposite to the current outward normal.
   /// The work of p on a virtual displacement v of the surface x(s, t) is
-  ///   f . v = -integral p v . (x_,s x x_,t) ds dt
-  /// integrated by Gauss points of each facet, with material coordinates s, t.
+  ///   f . v = -integral p v . (x_,s x x_,t) ds dt,
+  /// with material coordinates s, t, integrated by Gauss points of each facet.
   class FollowerPressure : public FollowerLoad
   {
   public:
+    /// Evaluates the pressure @p load at Gauss points of @p region on @p body.
     FollowerPressure(const Load &load, const Region &region, const Body &body);
     void
     add_forces(const double factor, const Vector &u, Vector &f) const override;
@@ -35,8 +36,8 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// A Gauss point at (s, t) with p times its weight, the values of the trace
-    /// functions (shape functions on the facet) and their derivatives.
+    /// A Gauss point at (s, t) with p times its weight, the values of the shape
+    /// functions on the facet (trace functions) and their derivatives.
     struct GaussPoint
     {
       dealii::Point<2>    st;
@@ -53,19 +54,19 @@ namespace lamella
 
       FacetMap
       moved(const Vector &u) const;
-      /// Returns -@p factor df/du for the displacements u of the trace nodes,
-      /// at the deformed facet @p at.
+      /// Returns -@p factor times the derivative of the nodal forces by nodal
+      /// displacements, at the deformed facet @p at.
       dealii::FullMatrix<double>
       stiffness(const FacetMap &at, const double factor) const;
     };
-    /// Evaluates the trace functions of @p facet at @p point.
+    /// Evaluates the shape functions on @p facet at @p point.
     static void
     evaluate(const SurfaceFacet &facet, GaussPoint &point);
     /// Returns the nodal forces on @p facet, times @p factor; @p now is the map
     /// of the deformed facet.
     static std::vector<dealii::Tensor<1, 3>>
     forces_on(const Facet &facet, const FacetMap &now, const double factor);
-    /// Returns the trace nodes of @p facet.
+    /// Returns the nodes that determine the displacement of @p facet.
     static std::vector<Location>
     nodes_of(const Body &body, const SurfaceFacet &facet);
     static Facet

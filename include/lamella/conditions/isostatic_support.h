@@ -27,12 +27,12 @@ namespace lamella
   /// A point of a body at which a contact force along a normal may act.
   struct PotentialContact
   {
-    unsigned int         body = 0;
-    dealii::Point<3>     position;
-    dealii::Tensor<1, 3> normal;
+    unsigned int         body = 0; ///< Index of the body.
+    dealii::Point<3>     position; ///< Undeformed position, scene axes.
+    dealii::Tensor<1, 3> normal;   ///< Unit normal, scene axes.
   };
 
-  /// Returns the normal displacement n . u at the contact point @p place as a
+  /// Returns the normal displacement at the contact point @p place as a
   /// functional of the DoFs; empty if the body does not contain the point.
   std::optional<BodyFunctional>
   row_of(const PotentialContact &place, const Bodies &bodies);
@@ -52,8 +52,8 @@ namespace lamella
   void
   clear_isostatic_motions(std::vector<Support> &supports);
 
-  /// Returns the constraints r(u) = 0 of the isostatic support @p hold, one per
-  /// removed rigid motion. @p support is its index among all supports.
+  /// Returns the constraints of the isostatic support @p hold, one per removed
+  /// rigid motion. @p support is its index among all supports.
   std::vector<PrescribedFunctional>
   rows_of_isostatic_support(const IsostaticSupport &hold,
                             const unsigned int      support,

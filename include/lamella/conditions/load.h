@@ -29,7 +29,8 @@ namespace lamella
     std::array<Formula, 3> force;
     /// Pressure on a surface, positive into the body; empty for a force.
     Formula pressure;
-    /// True if the pressure remains normal to the surface, per deformed area.
+    /// True if the pressure remains normal to the deformed surface, per
+    /// deformed area; false if it keeps its initial direction and area.
     bool is_follower = false;
     /// Moment on a surface [force x length], scene components, applied as
     /// tractions linear over the surface (Couple).
@@ -39,13 +40,13 @@ namespace lamella
     std::optional<dealii::Tensor<1, 3>> total = {};
     /// Temperature above that of the stress-free state [K].
     Formula temperature = {};
-    /// Index of the history of load factors (LoadFactor::of()).
+    /// Index of the load's factor (LoadFactor::of()); 0: that of the scene.
     unsigned int history = 0;
   };
 
   /// Point forces that do the same work on all discrete displacements of a body
   /// as a load t on one of its regions. On a surface they are integral phi_k t
-  /// dA at the nodes X_k of each facet, with the shape functions phi_k of the
+  /// dA at the nodes of each facet, with the shape functions phi_k of the
   /// displacement on the facet; for constant t on a plane facet they are at
   /// Gauss points. Constant t is integrated exactly except on curved facets.
   struct PointForces
@@ -55,20 +56,18 @@ namespace lamella
     /// Forces in scene components [force].
     std::vector<dealii::Tensor<1, 3>> forces;
 
-    /// Resultant [force], and its moment about the origin [force x length].
-    dealii::Tensor<1, 3> force, moment;
-    /// True if t is not constant. Otherwise, the members below are not set.
+    dealii::Tensor<1, 3> force, ///< Resultant force [force].
+      moment; ///< Moment of the forces about the scene's origin [force length].
+    /// True if the load is not constant; otherwise members below are not set.
     bool checked = false;
-    /// Integral of |t| [force]; zero if t vanished at all integration points.
-    double size = 0.;
-    /// Resultant by the midpoint rule with its error, and the error of the
-    /// adaptive integration [force] (Moments).
-    dealii::Tensor<1, 3> independent;
-    double               independent_error = 0., error = 0.;
-    /// Largest number of bisections in the adaptive integration, and the point
-    /// in the scene where they occurred.
+    /// Integral of |load| [force]; 0 if it vanished at all integration points.
+    double               size = 0.;
+    dealii::Tensor<1, 3> independent; ///< Resultant by the midpoint rule.
+    double independent_error = 0.,    ///< Error of `independent` [force].
+      error = 0.; ///< Estimated error of the adaptive integration [force].
+    /// Largest number of bisections of a cell by the adaptive integration.
     unsigned int     bisections = 0;
-    dealii::Point<3> place;
+    dealii::Point<3> place; ///< Point in the scene with most bisections.
   };
 
   /// Returns the point forces of @p load at load factor 1 on @p region of
@@ -78,17 +77,16 @@ namespace lamella
   PointForces
   point_forces(const Load &load, const Region &region, const Body &body);
 
-  /// Adds the forces @p at on @p body to the load vector f: f . v is the sum of
-  /// force . v(x) for any displacement v.
+  /// Adds the point forces @p at on @p body to the load vector f.
   void
   add_point_forces(const Body &body, const PointForces &at, Vector &f);
 
   /// Resultant of a load, which reactions must balance, for the summary.
   struct LoadResultant
   {
-    std::string name;
-    /// Force, and moment about the origin, of all regions at load factor 1.
-    dealii::Tensor<1, 3> force, moment;
+    std::string          name;  ///< Name of the load.
+    dealii::Tensor<1, 3> force, ///< Force on all regions at load factor 1.
+      moment; ///< Moment about the scene's origin, of all regions.
     /// True if the load is a temperature, without force and moment.
     bool is_temperature = false;
     /// Notes on the integration, and on load components on which the
@@ -106,9 +104,9 @@ namespace lamella
   LoadResultant
   add_load(const Load &load, const Bodies &bodies, BlockVector &f);
 
-  /// Converts the total of each of @p loads to a force density total / M, with
-  /// M the length or area of all its regions. Must be called before other uses
-  /// of the loads. Throws InputError for regions outside of their body.
+  /// Converts the resultant `total` of each of @p loads to a force per length
+  /// or area of its regions. Must be called before other uses of the loads.
+  /// Throws InputError for regions outside of their body.
   void
   distribute_total_forces(std::vector<Load> &loads, const Bodies &bodies);
 

@@ -12,31 +12,30 @@ namespace lamella
 {
   /// Load factors of a load step, which multiply loads, prescribed
   /// displacements and motions of obstacles. t_0 is the factor of the scene
-  /// (`Load factors`). Each load, support or obstacle with its own history
-  /// (`Factors`) has a factor t_k. The load vector is
+  /// (`Load factors`). Each load, support or obstacle with the entry `Factors`
+  /// has its own factor t_k, k > 0. The load vector is
   ///   f(t) = t_0 f_0 + sum_k t_k f_k.
-  /// Temperatures have their own factor, which rises to 1 in the increments of
-  /// the first load step.
+  /// The factor of temperatures rises to 1 in the first load step.
   class LoadFactor
   {
   public:
-    /// History index of temperatures.
+    /// Index of the factor of temperatures, an argument of of().
     static constexpr unsigned int heat = static_cast<unsigned int>(-1);
 
-    /// Constructs the factors t_0 = @p scene and t_1, t_2, ... = @p own.
+    /// Constructs the factors of the scene and of loads with entry `Factors`.
     LoadFactor(const double scene = 0., std::vector<double> own = {})
       : scene(scene)
       , own(std::move(own))
     {}
 
-    /// Returns t_0.
+    /// Returns the factor of the scene.
     double
     of_scene() const
     {
       return scene;
     }
 
-    /// Returns t_k with k = @p history; 0 is the factor of the scene.
+    /// Returns the factor with the index @p history; 0: the scene's.
     double
     of(const unsigned int history) const
     {
@@ -48,7 +47,7 @@ namespace lamella
       return own[history - 1];
     }
 
-    /// Adds the factor of another history and returns its index.
+    /// Adds the factor of another load, support or obstacle; returns its index.
     unsigned int
     add(const double factor)
     {
@@ -69,14 +68,14 @@ namespace lamella
       return result;
     }
 
-    /// Returns factors of zero for everything except temperatures.
+    /// Returns zero factors for everything except temperatures (factor 1).
     LoadFactor
     without_loads() const
     {
       return {0., std::vector<double>(own.size(), 0.)};
     }
 
-    /// Returns factors of zero for everything, including temperatures.
+    /// Returns zero factors for everything, including temperatures.
     LoadFactor
     unloaded() const
     {
@@ -94,6 +93,7 @@ namespace lamella
       return result;
     }
 
+    /// Serializes all members (Boost.Serialization).
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

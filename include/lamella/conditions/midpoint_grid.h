@@ -17,22 +17,24 @@ namespace lamella
   class MidpointGrid
   {
   public:
+    /// A cell of the load, with its force f.
     using Cell = typename Moments<dim>::Cell;
 
-    /// Evaluates f on @p cell, one of @p n_cells cells. The number of points is
-    /// multiplied by @p finer.
+    /// Evaluates the load on @p cell, one of @p n_cells cells, with @p finer
+    /// times the usual number of points along each parameter.
     MidpointGrid(const Cell       &cell,
                  const std::size_t n_cells,
                  const double      finer);
 
-    /// Returns f at the midpoints, the first parameter running fastest.
+    /// Returns the load at the midpoints, the first parameter running fastest.
     const std::vector<dealii::Tensor<1, 3>> &
     values() const
     {
       return kept;
     }
 
-    /// Returns the largest ForceRange::beyond() of values of f in @p box.
+    /// Returns the largest distance of the load in @p box from the @p range of
+    /// values at Gauss points (ForceRange::beyond()).
     double
     beyond(const ParameterBox<dim> &box, const ForceRange &range) const;
 
