@@ -10,62 +10,67 @@
 
 namespace lamella
 {
-  /// A box in the unit square (or interval) of a cell of a load, created by
-  /// bisection, with the corners `low` and `high`.
+  /// Box in the parameters of a cell under a line load (interval [0, 1]) or a
+  /// surface load (unit square), created by repeated bisection.
   template <int dim>
   struct ParameterBox
   {
-    dealii::Point<dim> low, high;
-    /// Number of bisections along each parameter.
+    dealii::Point<dim> low, ///< Corner with the smallest parameters.
+      high;                 ///< Corner with the largest parameters.
+    /// Number of times the cell was halved along each parameter.
     std::array<unsigned int, dim> bisections{};
 
     double
-    volume() const;
+    volume() const; ///< Returns the product of the side lengths.
 
     dealii::Point<dim>
-    center() const;
+    center() const; ///< Returns the midpoint of the box.
 
-    /// Returns the two halves along parameter @p d.
+    /// Returns the two boxes that halving along parameter @p d gives.
     std::array<ParameterBox, 2>
     halves(const unsigned int d) const;
   };
 
-  /// Smallest and largest components of the loads f passed to add().
+  /// Smallest and largest components of the load vectors passed to add().
   struct ForceRange
   {
-    dealii::Tensor<1, 3> low, high;
-    bool                 empty = true;
+    dealii::Tensor<1, 3> low, ///< Smallest value of each component.
+      high;                   ///< Largest value of each component.
+    bool empty = true;        ///< True until add() is called.
 
     void
-    add(const dealii::Tensor<1, 3> &f);
+    add(const dealii::Tensor<1, 3> &f); ///< Extends the range by @p f.
 
-    /// Returns the distance of @p f from the range, after the range is widened
-    /// by a quarter of its width on both sides.
+    /// Returns the largest excess of a component of @p f beyond its range
+    /// widened by a quarter on both sides; 0 if there is none.
     double
     beyond(const dealii::Tensor<1, 3> &f) const;
   };
 
-  /// A Gauss rule for the integrals of f phi_k (load times polynomial k, see
-  /// Moments) over a box of a cell.
+  /// A Gauss rule for the moments of a load over a box of a cell: the integrals
+  /// of f phi_k, load f times Lagrange polynomial phi_k (Moments).
   template <int dim>
   class MomentRule
   {
   public:
+    /// A cell with its load f and polynomial degrees (Moments::Cell).
     using Cell = typename Moments<dim>::Cell;
 
-    /// Constructs a rule of degree + 3 + @p more points along each parameter.
+    /// Constructs the rule on @p box with p + 3 + @p more Gauss points along
+    /// each parameter, where p is the polynomial degree of @p cell.
     MomentRule(const Cell              &cell,
                const ParameterBox<dim> &box,
                const unsigned int       more);
 
+    /// Returns the number of Gauss points in the box.
     unsigned int
     n_points() const
     {
       return points;
     }
 
-    /// Returns the integral of f phi_k for each k, ordered as in
-    /// Moments::of_cells. Adds the values of f to @p range.
+    /// Returns the integral of f phi_k for each Lagrange polynomial k, the
+    /// first parameter running fastest. Adds the values of f to @p range.
     std::vector<dealii::Tensor<1, 3>>
     integrate(ForceRange &range) const;
 
@@ -80,7 +85,7 @@ namespace lamella
 
     Node
     node(const unsigned int q) const;
-    /// Returns the Gauss weight of @p node times the polynomial phi_k there.
+    /// Returns the Gauss weight of @p node times polynomial @p k at this node.
     double
     weighted(const Node &node, const unsigned int k) const;
 

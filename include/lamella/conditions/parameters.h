@@ -15,62 +15,65 @@
 
 namespace lamella
 {
-  /// Parses the text `BODY: rest` of @p entry. Returns the index of BODY in @p
-  /// bodies and the text after the colon. Throws InputError if there is no
-  /// colon or BODY is unknown; the message suggests the nearest name.
+  /// Parses the text `BODY: rest` of @p entry. Returns the index of BODY in the
+  /// names @p bodies, and the text after the colon. Throws InputError, which
+  /// suggests the most similar name, if BODY is unknown or there is no colon.
   std::pair<unsigned int, std::string>
   parse_on_body(const Entry &entry, const std::vector<std::string> &bodies);
 
-  /// Returns the regions in @p on, a list `BODY: point | line | body | SURFACE`
-  /// separated by semicolons. @p at has the positions of all points (one
-  /// region) and of the two ends of each line. Throws InputError if there is no
-  /// region, if a region is repeated, and if the number of positions is wrong.
+  /// Returns the regions in entry @p on, a list of `BODY: point | line | body |
+  /// SURFACE` separated by semicolons. Entry @p at has the positions of all
+  /// points or of both ends of the line. Throws InputError if there is no
+  /// region, a region is repeated, or the number of positions is wrong.
   std::vector<Region>
   parse_regions(const Entry                    &on,
                 const Entry                    &at,
                 const std::vector<std::string> &bodies);
 
-  /// The entry `Factors`: load factors of one load, support or obstacle.
+  /// Parameter `Factors`: one factor per load step for a single load, support
+  /// or obstacle, which replaces the load factor of the scene.
   struct HistoryParameters
   {
-    /// Declares the entry in the subsection that @p prm is in.
+    /// Declares `Factors` in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Adds the factors in @p in to @p steps, one per load step, and returns
-    /// the index of the history (LoadFactor::of()); 0 if the entry is empty.
-    /// Throws InputError if there is not one number per step.
+    /// Adds number k in `Factors` of @p in to @p steps[k], the factors of load
+    /// step k. Returns the argument of LoadFactor::of() that selects these
+    /// numbers; 0, the load factor of the scene, if the entry is empty. Throws
+    /// InputError if there is not one number per load step.
     static unsigned int
     parse(const Entries &in, std::vector<LoadFactor> &steps);
   };
 
-  /// The entries of a `subsection Support NAME`.
+  /// Parameters in `subsection Support NAME` of a scene file.
   struct SupportParameters
   {
-    /// Declares the entries in the subsection that @p prm is in.
+    /// Declares these parameters in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the support @p name; @p bodies are the names of all bodies. If
-    /// the displacement is empty, all components are zero; `free` leaves a
-    /// component free. A normal displacement is for surfaces only and excludes
-    /// displacement components. Throws InputError for invalid entries.
+    /// Returns the support @p name with the entries @p in; @p bodies are the
+    /// names of all bodies. If `u` is empty, all displacement components are
+    /// zero; the word `free` leaves one free. A normal displacement is for
+    /// surfaces only and excludes `u`. Throws InputError for invalid entries.
     static Support
     parse(const Entries                  &in,
           const std::string              &name,
           const std::vector<std::string> &bodies);
   };
 
-  /// The entries of a `subsection Load NAME`: `On`, `At`, and one kind of load.
+  /// Parameters in `subsection Load NAME` of a scene file: the regions (`On`,
+  /// `At`) and one force, traction or pressure.
   struct LoadParameters
   {
-    /// Declares the entries in the subsection that @p prm is in.
+    /// Declares these parameters in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the load @p name; @p bodies are the names of all bodies.
-    /// Expressions are not parsed yet. Throws InputError for invalid entries
-    /// and for regions on which a load of its kind cannot act.
+    /// Returns the load @p name with the entries @p in; @p bodies are the names
+    /// of all bodies. Expressions are not parsed yet. Throws InputError for
+    /// invalid entries and for regions on which a load of this kind cannot act.
     static Load
     parse(const Entries                  &in,
           const std::string              &name,

@@ -20,7 +20,7 @@ namespace lamella
   /// support or a load acts: entry `On = BODY: point | line | body | SURFACE`.
   struct Region
   {
-    /// Kind of region; `undefined` must not be used.
+    /// Geometry of a region; `undefined` until it is set.
     enum class Kind
     {
       undefined,
@@ -29,48 +29,49 @@ namespace lamella
       surface,
       body
     };
-    /// Index of the body in the scene.
+    /// Index of the body in the scene, from 0.
     unsigned int body = 0;
-    /// Kind, which determines the member below that is used.
+    /// Geometry. `point` and `line` use `at`, `surface` uses `surface`.
     Kind kind = Kind::undefined;
-    /// Name of a surface (bottom, top, start, ends, ...).
+    /// Surface name (bottom, top, start, ends, ...), empty for other kinds.
     std::string surface;
-    /// Positions of the points, or of the two ends of the line.
+    /// Positions of the points, or of the two ends of the line, scene axes
+    /// [length]; empty for other kinds.
     std::vector<dealii::Point<3>> at;
 
-    /// Returns whether this is a surface that contains the surface @p side.
+    /// Returns true if the region is a surface that contains surface @p side.
     bool
     covers(const std::string &side) const;
-    /// Returns whether this is a surface that contains the start section of the
-    /// body, or its end section if @p at_start is false.
+    /// Returns true if the region is a surface that contains the start section
+    /// of the body (@p at_start true) or its end section (false).
     bool
     covers_end(const bool at_start) const;
-    /// Returns whether this is the whole body, including its interior.
+    /// Returns true if the region is the whole body, including its interior.
     bool
     is_whole_body() const
     {
       return kind == Kind::body;
     }
-    /// Returns whether a point or line of this region is closer to @p x than
-    /// the distance @p near.
+    /// Returns true if the region consists of points or a line, and a point of
+    /// it is closer to @p x than the distance @p near.
     bool
     has_point_at(const dealii::Point<3> &x, const double near) const;
-    /// Returns whether this is a surface composed of several (`ends`, `all`).
+    /// Returns true if `surface` denotes several surfaces (`ends`, `all`).
     bool
     is_several_surfaces() const;
   };
 
-  /// Names of the kinds of regions; surfaces have individual names.
+  /// Names of region kinds in parameter files. Surfaces use their own names.
   template <>
   struct Names<Region::Kind>
   {
     static constexpr NameOf<Region::Kind> all[] = {
       {Region::Kind::point, "point"},
       {Region::Kind::line, "line"},
-      {Region::Kind::body, "body"}};
+      {Region::Kind::body, "body"}}; ///< Value and name of each kind.
   };
 
-  /// Returns locations that determine the displacement of @p body on @p region.
+  /// Returns points of @p body that determine its displacement on @p region.
   ///
   ///   Kind     locations
   ///   point    one for each position in `at`
@@ -79,30 +80,29 @@ namespace lamella
   ///   surface  Body::constraint_points()
   ///   body     Body::body_points()
   ///
-  /// RowReduction removes redundant constraints. Throws InputError, which names
-  /// the entry or subsection @p path, if a point or a line is not in the body
-  /// or the body has no such surface.
+  /// RowReduction removes redundant constraints. Throws InputError of entry @p
+  /// path if a point or line is not in the body or it has no such surface.
   std::vector<Location>
   region_locations(const Body        &body,
                    const Region      &region,
                    const std::string &path);
 
-  /// Returns for each of @p points one location per adjacent ply
-  /// (Body::locate()), since stresses jump between plies. Throws InputError,
-  /// which names the entry @p path, for a point outside of @p body.
+  /// Returns for each of @p points its locations in @p body, one per adjacent
+  /// ply, since stresses jump between plies. Throws InputError of the entry @p
+  /// path for a point outside of @p body.
   std::vector<std::vector<Location>>
   locate_in_plies(const Body                          &body,
                   const std::vector<dealii::Point<3>> &points,
                   const std::string                   &path);
 
-  /// Returns the first location of each point, sufficient for displacements.
-  /// Throws as locate_in_plies() does.
+  /// Returns one location in @p body, sufficient for displacements, for each of
+  /// @p points. Throws as locate_in_plies() does.
   std::vector<Location>
   locate_all(const Body                          &body,
              const std::vector<dealii::Point<3>> &points,
              const std::string                   &path);
 
-  /// Throws InputError with the entry @p path if @p body has no @p surface.
+  /// Throws InputError of entry @p path if @p body has no surface @p surface.
   void
   check_surface(const Body        &body,
                 const std::string &surface,

@@ -14,105 +14,108 @@
 
 namespace lamella
 {
-  /// The support constraints of one body, each a linear functional (row) of its
-  /// DoFs, as input of RowReduction.
+  /// Displacement constraints that supports impose on one body. Each is a
+  /// linear functional of its DoFs, a row of the constraint matrix.
   struct BodyConstraints
   {
-    /// Selects those of @p rows that belong to @p body, which has the index @p
-    /// index. Keeps references to @p body and @p rows.
+    /// Selects from @p rows, the constraints of all bodies, those of @p body
+    /// with the index @p index. Keeps references to @p body and @p rows.
     BodyConstraints(const Body                              &body,
                     const unsigned int                       index,
                     const std::vector<PrescribedFunctional> &rows);
 
-    /// Returns the indices of the nonempty rows, in groups that have no common
-    /// DoFs and can be eliminated independently.
+    /// Returns the indices of the constraints of this body in groups. Different
+    /// groups have no common DoF and can be eliminated independently.
     std::vector<std::vector<unsigned int>>
     groups() const;
 
-    const Body                              &body;
-    const std::vector<PrescribedFunctional> &prescribed;
-    /// Each row in terms of the DoFs that kinematic constraints of the body do
-    /// not eliminate; empty for rows of other bodies.
+    const Body                              &body;       ///< Constrained body.
+    const std::vector<PrescribedFunctional> &prescribed; ///< All constraints.
+    /// Functional of each constraint of the body after elimination of its
+    /// kinematic constraints; empty for constraints of other bodies.
     std::vector<LinearFunctional> functionals;
-    /// Displacement per unit of each DoF (Body::dof_scales()).
+    /// Displacement per unit value of each DoF (Body::dof_scales()).
     std::vector<double> sizes;
   };
 
-  /// The linearly independent constraint rows of a group, and the DoF that each
-  /// of them eliminates.
+  /// Linearly independent constraints of a group with common DoFs, and the DoF
+  /// that each of them eliminates.
   struct IndependentRows
   {
-    /// Indices of the rows in the list of all rows.
+    /// Indices of these constraints among all support constraints.
     std::vector<unsigned int> rows;
-    /// DoF that rows[k] eliminates.
+    /// DoF that constraint rows[k] eliminates, for each k.
     std::vector<DofIndex> pivots;
-    /// LU factors of the transpose of the matrix of rows and pivot columns.
+    /// LU factors of the transpose of the square matrix of these constraints
+    /// with the columns of the eliminated DoFs.
     std::shared_ptr<const dealii::SparseDirectUMFPACK> transposed;
   };
 
-  /// A constraint row during Gauss-Jordan elimination: its remaining entries,
-  /// in terms of displacements (DoFs times Body::dof_scales()), and its
-  /// right-hand side `value`.
+  /// Linear constraint sum_i entries[i] v_i = value during Gauss-Jordan
+  /// elimination. The unknowns v_i are DoFs times Body::dof_scales().
   struct FunctionalEquation
   {
-    unsigned int               number;
-    std::map<DofIndex, double> entries;
-    double                     value;
-    double                     largest = 0., at_start = 0.;
-    /// DoF that the row eliminates, if any.
+    unsigned int               number;  ///< Index of the constraint.
+    std::map<DofIndex, double> entries; ///< Nonzero coefficients.
+    double                     value;   ///< Right-hand side [length].
+    double largest = 0., ///< Largest magnitude of a coefficient at present.
+      at_start     = 0.; ///< Largest magnitude before the elimination.
+    /// DoF that this equation eliminates; invalid_dof_index until it is chosen.
     DofIndex pivot = dealii::numbers::invalid_dof_index;
 
+    /// Returns true if the equation eliminates a DoF.
     bool
     has_pivot() const
     {
       return pivot != dealii::numbers::invalid_dof_index;
     }
 
-    /// Returns whether the row has no pivot but an entry that is not
-    /// negligible.
+    /// Returns true if the equation eliminates no DoF yet and is not
+    /// negligible, compared with its coefficients before the elimination.
     bool
     is_open() const;
 
     void
-    find_largest();
+    find_largest(); ///< Sets `largest` to the maximum of |entries|.
 
     double
-    entry(const DofIndex dof) const;
+    entry(const DofIndex dof) const; ///< Returns the coefficient, or 0.
 
-    /// Subtracts @p factor times @p other from this row and removes the DoF
-    /// @p eliminated. Returns the DoFs of new entries (fill-in).
+    /// Subtracts @p factor times equation @p other from this one and removes
+    /// DoF @p eliminated. Returns the DoFs with new coefficients (fill-in).
     std::vector<DofIndex>
     subtract(const FunctionalEquation &other,
              const DofIndex            eliminated,
              const double              factor);
   };
 
-  /// Gauss-Jordan elimination of one group of constraint rows (RowReduction).
-  /// Entries of equations with a pivot are in terms of unscaled DoFs.
+  /// Gauss-Jordan elimination of one group of support constraints with common
+  /// DoFs. Equations that eliminate a DoF have unscaled DoFs as unknowns.
   class RowElimination
   {
   public:
-    /// Eliminates the rows with indices @p group among those of @p held.
+    /// Eliminates the constraints with the indices @p group in @p held, the
+    /// support constraints of the body.
     RowElimination(const std::vector<unsigned int> &group,
                    const BodyConstraints           &held);
 
-    /// Returns s if the rows @p group equal the rows of this object with each
-    /// DoF i replaced by i + s, as for equal supports of successive axis nodes.
+    /// Returns s if the constraints @p group equal the eliminated ones with
+    /// each DoF i replaced by i + s (as at successive axis nodes), else empty.
     std::optional<DofIndex>
     find_shift(const std::vector<unsigned int> &group,
                const BodyConstraints           &held) const;
 
-    /// Converts this to the elimination of the rows @p group, whose DoFs are
-    /// shifted by @p shift.
+    /// Converts this to the elimination of the equal constraints @p group,
+    /// whose DoF indices are larger by @p shift (find_shift()).
     void
     apply_shift_to(const std::vector<unsigned int> &group,
                    const DofIndex                   shift);
 
-    std::vector<unsigned int>       rows;
-    std::vector<FunctionalEquation> equations;
-    /// Largest prescribed value.
+    std::vector<unsigned int>       rows;      ///< Indices of constraints.
+    std::vector<FunctionalEquation> equations; ///< Eliminated constraints.
+    /// Largest magnitude of the prescribed displacements [length].
     double          largest_value = 0.;
-    IndependentRows independent;
+    IndependentRows independent; ///< Independent constraints, their DoFs.
 
   private:
     /// Factorizes the independent rows of @p functionals.

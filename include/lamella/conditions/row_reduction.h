@@ -13,65 +13,64 @@
 
 namespace lamella
 {
-  /// Elimination of the linear constraints R u = d of one body, after its
+  /// Elimination of the support constraints R u = d of one body, after its
   /// kinematic constraints: u = G v + u_p with the unconstrained DoFs v.
-  /// Gauss-Jordan elimination with rank detection, in each group of rows that
-  /// share DoFs, eliminates one DoF (pivot) per independent row:
+  /// Gauss-Jordan elimination with rank detection, in each group of constraints
+  /// with common DoFs, eliminates one DoF (pivot) per independent constraint:
   ///   R u = P u_P + Q u_Q,   u_P = P^-1 d - P^-1 Q u_Q,   u_P the pivots,
   /// exact to rounding, without a penalty. Coarse DoFs are eliminated first,
   /// which keeps the basis hierarchical. A pivot is at least a tenth of the
-  /// largest entry of its row; among rows with pivots of similar size, the
-  /// shortest is eliminated first, which limits fill-in. The result of a group
-  /// is reused for a group that differs by a shift along the axis only.
+  /// largest entry of its row of R. Among rows with pivots of similar size, the
+  /// shortest is eliminated first, against fill-in. The result is reused for
+  /// groups that differ by a shift along the axis.
   ///
-  /// A row counts as linearly dependent if all entries that remain after
+  /// A row of R is linearly dependent if all entries that remain after
   /// elimination are below 1e-6 of its largest original entry, with DoFs scaled
   /// by Body::dof_scales(). Its remaining right-hand side must be below 1e-6 of
-  /// the largest prescribed value. Keeps a reference to the kinematic
-  /// constraints of the body.
+  /// the largest value. Keeps a reference to the body's kinematic constraints.
   class RowReduction
   {
   public:
-    /// Eliminates those of @p rows that belong to @p body, which has the index
-    /// @p index. A row must not contain a DoF twice. Throws InputError, which
-    /// names supports by @p support_names, if rows contradict each other.
+    /// Eliminates the constraints in @p rows on @p body with the index @p
+    /// index. A constraint must not contain a DoF twice. Throws InputError with
+    /// names of supports (@p support_names) if constraints are contradictory.
     RowReduction(const Body                              &body,
                  const unsigned int                       index,
                  const std::vector<PrescribedFunctional> &rows,
                  const std::vector<std::string>          &support_names);
 
-    /// Returns the homogeneous constraints u = G v of supports and theory, with
-    /// which the stiffness is condensed.
+    /// Returns the homogeneous constraints on the DoFs due to supports and beam
+    /// theory, with which the stiffness matrix is condensed.
     const Constraints &
     constraints() const
     {
       return homogeneous;
     }
 
-    /// Returns the particular solution u_p, zero in unconstrained DoFs.
+    /// Returns DoFs that satisfy the supports, with zero unconstrained DoFs.
     const Vector &
     particular() const
     {
       return particular_solution;
     }
 
-    /// Returns the Lagrange multipliers mu (reactions) of the independent rows,
-    /// pairs (index of the row, force on the body), from R^T mu = @p residual,
-    /// internal minus external forces. Only the equations P^T mu = residual_P
-    /// of the pivots are solved, after condensation of kinematic constraints.
-    /// Dependent rows have no multiplier; resultants are still unique.
+    /// Returns the support reactions (Lagrange multipliers) of the linearly
+    /// independent constraints, pairs (index of the constraint, force on the
+    /// body). Of @p residual, internal minus external forces, only entries at
+    /// eliminated DoFs are used, after condensation of kinematic constraints.
+    /// Dependent constraints have no reaction; resultants are unique.
     std::vector<std::pair<unsigned int, double>>
     multipliers(const Vector &residual) const;
 
-    /// Returns the displacement w, zero except in pivots, whose work on a
-    /// residual is the weighted sum of its multipliers() mu:
-    ///   w . residual = sum_k weight(k) mu_k,   k the index of the row.
+    /// Returns the displacement w, zero in unconstrained DoFs, whose work on a
+    /// residual is the weighted sum of the reactions mu_k from multipliers():
+    ///   w . residual = sum_k weight(k) mu_k,   k the index of the constraint.
     Vector
     influence(const std::function<double(const unsigned int)> &weight) const;
 
   private:
-    /// Stores the result of @p elimination, one group of rows. Throws
-    /// InputError if rows contradict each other.
+    /// Stores the result @p elimination of a group. Throws InputError if its
+    /// constraints are contradictory.
     void
     keep(const RowElimination                    &elimination,
          const Body                              &body,

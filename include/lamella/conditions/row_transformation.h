@@ -13,11 +13,12 @@
 namespace lamella
 {
   /// Transforms linear and quadratic forms of the displacements u_k of points
-  /// to forms of the DoFs of a body. Three functionals per point, one per
-  /// component, express u_k by the DoFs.
+  /// to forms of the DoFs of a body. Three functionals per point, one for each
+  /// displacement component, express u_k by the DoFs.
   class RowTransformation
   {
   public:
+    /// Constructs from the three functionals @p of_places[k] of each point k.
     explicit RowTransformation(
       std::vector<std::vector<LinearFunctional>> of_places)
       : rows(std::move(of_places))
@@ -35,14 +36,15 @@ namespace lamella
       block.columns_ascend = true;
     }
 
+    /// Returns the DoFs on which the points depend, without matrix values.
     const StiffnessBlock &
     pattern() const
     {
       return block;
     }
 
-    /// Returns the matrix in DoFs of the quadratic form with the matrix @p
-    /// of_rows, whose row 3 k + c belongs to component c of u_k.
+    /// Returns the matrix, in terms of DoFs, of a quadratic form of the u_k
+    /// with matrix @p of_rows; its row 3 k + c belongs to component c of u_k.
     StiffnessBlock
     operator()(const dealii::FullMatrix<double> &of_rows) const
     {
@@ -61,7 +63,8 @@ namespace lamella
       return result;
     }
 
-    /// Returns the coefficients of sum_k weights[k] . u_k in pattern() DoFs.
+    /// Returns the coefficient of each DoF of pattern() in the linear form
+    /// sum_k @p weights[k] . u_k of the point displacements u_k.
     std::vector<double>
     form(const std::vector<dealii::Tensor<1, 3>> &weights) const
     {

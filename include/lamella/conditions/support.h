@@ -13,18 +13,20 @@
 
 namespace lamella
 {
-  /// An unconstrained rigid motion of a body. Such a body needs a
-  /// Stabilization, otherwise the scene is rejected.
+  /// A rigid motion of a body that no support constrains. A scene with such a
+  /// body is rejected unless it has a Stabilization.
   struct FreeMotion
   {
-    /// Translations, and rotations about the center times the size [length].
+    /// Three translations, then three rotations about the center of the body
+    /// times Body::size() [length].
     RigidMotion motion;
     /// Description for messages, such as "translation along x with rotation
     /// about y", without components below 1 %.
     std::string words;
 
-    /// Returns the displacement at @p x, for small rotations of its @p body,
-    ///   u(x) = t + w x (x - center), w = rotations / size.
+    /// Returns the displacement at @p x for small rotations of @p body,
+    ///   u(x) = t + w x (x - c), w = rotations / Body::size(),
+    /// with the translations t and the center c of the body.
     dealii::Tensor<1, 3>
     at(const dealii::Point<3> &x, const Body &body) const;
   };
@@ -35,46 +37,47 @@ namespace lamella
   {
     /// Index of the body in the scene.
     unsigned int body = 0;
-    /// Constrained rigid motions, set by find_isostatic_motions().
+    /// Rigid motions to constrain; set by find_isostatic_motions().
     std::vector<FreeMotion> motions = {};
   };
 
   /// Prescribed rigid motion of a surface: at load factor s, point X moves by
-  ///   u(X) = s d + (R(s theta) - 1) (X - c), R the rotation by s theta about
-  ///   c.
+  ///   u(X) = s d + (R(s theta) - 1) (X - c),
+  /// where R(s theta) is the rotation by the vector s theta about the center c.
   struct RigidRotation
   {
-    /// Translation d [length] and rotation vector theta [rad], scene axes.
-    dealii::Tensor<1, 3> translation, rotation;
-    dealii::Point<3>     about;
+    dealii::Tensor<1, 3>
+      translation,          ///< Translation at load factor 1 [length].
+      rotation;             ///< Rotation vector at load factor 1 [rad].
+    dealii::Point<3> about; ///< Center of the rotation, scene axes.
 
-    /// Returns u(X) at load factor @p s.
+    /// Returns the displacement u(X) of point @p X at load factor @p s.
     dealii::Tensor<1, 3>
     displacement(const double s, const dealii::Point<3> &X) const;
-    /// Returns du/ds = d + theta x R(s theta) (X - c).
+    /// Returns the derivative of displacement() with respect to @p s at @p X.
     dealii::Tensor<1, 3>
     rate(const double s, const dealii::Point<3> &X) const;
   };
 
-  /// Prescribed displacements (Dirichlet conditions),
-  ///   u_c(X) = s d_c for all X of its regions, or n(X) . u(X) = s d,
-  /// with the load factor s, or the displacements of a RigidRotation,
-  /// linearized for bodies with small rotations. Either `u` or `normal` is
-  /// used. RowReduction eliminates the constraints exactly.
+  /// Prescribed displacements (Dirichlet conditions) of regions: at load factor
+  /// s and for all points X,
+  ///   u_c(X) = s d_c for components c, or n(X) . u(X) = s d,
+  /// or the displacements of a RigidRotation, linearized for bodies with small
+  /// rotations. Either `u` or `normal` is used. RowReduction eliminates them.
   struct Support
   {
     /// Name in `subsection Support NAME`.
     std::string name;
-    /// Regions, possibly of several bodies.
+    /// Regions, possibly of several bodies, on which the support acts.
     std::vector<Region> on;
-    /// Components of d in scene axes [length]; free if without value.
+    /// Components at load factor 1, scene axes [length]; free if without value.
     std::array<std::optional<double>, 3> u;
-    /// Displacement d along the outward normal n [length]; 0 for symmetry.
+    /// Displacement along the outward normal at load factor 1 [length], 0 for
+    /// symmetry; empty if components `u` are prescribed.
     std::optional<double> normal = std::nullopt;
-    /// Rotation vector theta of a RigidRotation [rad], which has u as d.
+    /// Rotation vector [rad] of a RigidRotation with translation `u`, or empty.
     std::optional<dealii::Tensor<1, 3>> rotation = std::nullopt;
-    /// Center c of a RigidRotation; by default that of the bounding box of the
-    /// constrained points.
+    /// Center of the rotation; if empty, of the bounding box of the points.
     std::optional<dealii::Point<3>> about = std::nullopt;
     /// Set for an isostatic support, which has no regions and no values.
     std::optional<IsostaticSupport> isostatic = std::nullopt;
@@ -82,39 +85,40 @@ namespace lamella
     unsigned int history = 0;
   };
 
-  /// A linear constraint row(u) = value on the DoFs u of a body. row(u) is the
-  /// displacement of a point along a direction or, for an isostatic support, a
-  /// mean over points. Its multiplier is the reaction along the direction.
+  /// A linear constraint row(u) = value on the DoFs u of a body by a support.
+  /// row(u) is the displacement of a point along a direction or, for an
+  /// isostatic support, a mean over points. The Lagrange multiplier is the
+  /// reaction along the direction.
   struct PrescribedFunctional
   {
     /// Linear functional of the DoFs, without constant part.
     BodyFunctional row;
-    /// Value at load factor 1 if rotations are small [length].
+    /// Prescribed displacement at load factor 1 for small rotations [length].
     double value = 0.;
     /// Index of the support in the scene.
     unsigned int support = 0;
     /// Direction of the reaction or its resultant (unit vector, scene axes).
     dealii::Tensor<1, 3> direction;
-    /// Position of the reaction in the scene.
+    /// Undeformed point at which the reaction acts, scene axes.
     dealii::Point<3> position;
-    /// Moment of a unit reaction about the position; zero unless isostatic.
+    /// Moment of a unit reaction about `position`; zero unless isostatic.
     dealii::Tensor<1, 3> couple = {};
-    /// Support::history.
+    /// Copy of Support::history, the index of the history of load factors.
     unsigned int history = 0;
-    /// Location in the body; none for isostatic supports and where section DoFs
-    /// are prescribed (ends of bodies without finite rotations).
+    /// Constrained point of the body; empty for isostatic supports and where
+    /// section DoFs are prescribed (ends of bodies without finite rotations).
     std::optional<Location> location = {};
-    /// Prescribed rigid motion of the point, if its support has a rotation.
+    /// Rigid motion that the support prescribes; empty without a rotation.
     std::optional<RigidRotation> rotation = {};
 
-    /// Returns the value at load factor @p s with finite rotations [length].
+    /// Returns the prescribed displacement at load factor @p s [length].
     double
     value_at(const double s) const
     {
       return rotation ? direction * rotation->displacement(s, position) :
                         s * value;
     }
-    /// Returns the derivative of value_at() with respect to s.
+    /// Returns the derivative of value_at() with respect to load factor @p s.
     double
     rate_at(const double s) const
     {
@@ -122,7 +126,7 @@ namespace lamella
     }
   };
 
-  /// Returns the rigid motion that @p support with a rotation prescribes.
+  /// Returns the rigid motion that @p support prescribes by its rotation.
   RigidRotation
   rigid_rotation(const Support &support, const Bodies &bodies);
 
@@ -133,8 +137,8 @@ namespace lamella
   /// Returns the constraints of @p supports, ordered by support, region and
   /// point: up to three per point for displacement components, one per point
   /// for a normal displacement, one per rigid motion of an isostatic support.
-  /// They may be linearly dependent (RowReduction). Throws InputError for
-  /// regions outside of a body, and normal displacements on surfaces with
+  /// They may be linearly dependent (RowReduction). Throws InputError for a
+  /// region outside of a body or a normal displacement of a surface with
   /// corners.
   std::vector<PrescribedFunctional>
   prescribed_functionals(const std::vector<Support> &supports,
@@ -142,18 +146,17 @@ namespace lamella
 
   /// Returns the constraint @p prescribed of @p body linearized at the
   /// displacement @p u (Body::rows_at()), and the displacement along its
-  /// direction. The direction of a constraint with a RigidRotation rotates with
+  /// direction. If a RigidRotation is prescribed, the direction rotates with
   /// the section, so that independent constraints stay independent.
   std::pair<PrescribedFunctional, double>
   row_at(PrescribedFunctional prescribed, const Body &body, const Vector &u);
 
-  /// Returns the rigid motions of @p body (which has the index @p index) that
-  /// the constraints @p rows leave free: the null space of R E, with R the
-  /// matrix of the rows and E the rigid motions, by a singular value
-  /// decomposition with a threshold of 1e-8 of the largest singular value.
-  /// Body::omitted_rigid_motions() count as constrained.
-  ///
-  /// The motions are in echelon form, rotations first, for readable messages.
+  /// Returns the rigid motions of @p body (with the index @p index) that the
+  /// constraints @p rows leave free: the null space of the constraint matrix
+  /// times the six rigid motions, by a singular value decomposition with the
+  /// threshold 1e-8 of the largest singular value. Rigid motions that the body
+  /// cannot perform (Body::omitted_rigid_motions()) count as constrained. For
+  /// readable messages, the motions are in echelon form, rotations first.
   std::vector<FreeMotion>
   free_rigid_motions(const Body                              &body,
                      const unsigned int                       index,

@@ -9,15 +9,15 @@
 
 namespace lamella
 {
-  /// Evaluates a load at load factor 1 at points: the traction on a surface,
+  /// Values of a load at load factor 1: the traction at points of a surface,
   /// the force per length of a line, or the force at a point.
   class Traction
   {
   public:
-    /// Parses the expressions. Throws InputError as add_load() does.
+    /// Parses the expressions of @p load. Throws InputError if one is invalid.
     explicit Traction(const Load &load);
     ~Traction();
-    Traction(Traction &&) noexcept;
+    Traction(Traction &&) noexcept; ///< Moves the parsed expressions.
 
     /// Returns the load at @p x, scene axes; for a pressure p it is -p n with
     /// the outward unit @p normal n. Throws InputError if it is not finite.
@@ -25,7 +25,7 @@ namespace lamella
     operator()(const dealii::Point<3>     &x,
                const dealii::Tensor<1, 3> &normal) const;
 
-    /// Returns whether the load has the same value at all points of a plane.
+    /// Returns true if the load is the same at all points of a plane surface.
     bool
     is_constant() const;
 

@@ -8,13 +8,13 @@
 
 namespace lamella
 {
-  /// Search for the nodes at the start and the end of an undeformed body.
+  /// Search tree of the nodes at both end sections of an undeformed body.
   class BodyEnds
   {
   public:
-    explicit BodyEnds(const Body &body);
+    explicit BodyEnds(const Body &body); ///< Collects the end nodes.
 
-    /// Returns true if the node at @p x is at an end, to 1e-9 of the body size.
+    /// Returns true if an end node is at @p x, to 1e-9 of the body size.
     bool
     has(const dealii::Point<3> &x) const;
 

@@ -11,22 +11,23 @@ namespace lamella
 {
   /// Returns the closest-point projection of @p x onto a facet with the map
   /// X(s, t): the point (s, t) with stationary distance,
-  ///   X_,a . (x - X(s, t)) = 0,   a = s, t.
-  /// Newton's method from @p start uses the matrix a_ab - r . X_,ab with the
-  /// metric a_ab and r = x - X; X_,ab is from differences of X_,a. The map is
-  /// continued outside the unit square. Empty if it does not converge.
+  ///   X_,a . (x - X(s, t)) = 0,   a = s, t,
+  /// with X_,a the derivative of X. Newton's method from @p start uses the
+  /// matrix X_,a . X_,b - (x - X) . X_,ab; X_,ab is from differences of X_,a.
+  /// The map is continued outside the unit square. Empty without convergence.
   std::optional<dealii::Point<2>>
   projection_on(const FacetMap         &map,
                 const dealii::Point<3> &x,
                 const dealii::Point<2> &start);
 
-  /// Returns the closest-point projection of @p x, with outward normal @p n1,
-  /// onto @p surface: the nearest one within @p search_radius whose facet
-  /// normal n_2 opposes n_1. @p opposed is the smallest permitted cosine of the
-  /// angle between n_1 and -n_2. In the result the normal is n_2, and the
-  /// distance is the gap g = n_2 . (x - X_2), negative for penetration. The
-  /// motion of the projection does not enter the gradient, since X_,a . n_2 =
-  /// 0: delta g = n_2 . (delta x - delta X_2).
+  /// Returns the closest-point projection X_2 of @p x onto @p surface: the
+  /// nearest one within @p search_radius whose facet normal n_2 is opposite to
+  /// @p n1, the outward normal at x. @p opposed is the smallest permitted
+  /// cosine of the angle between n1 and -n_2. The result has n_2 as normal and
+  /// the gap g = n_2 . (x - X_2) as distance, negative for penetration. The
+  /// motion of X_2 on the facet does not enter the gradient, as tangents are
+  /// normal to n_2: delta g = n_2 . (delta x - delta X_2). Empty if there is no
+  /// projection.
   ///
   /// If the previous projection @p last is known, its facet is used again as
   /// long as the projection is at most 5 % of the facet length outside a side
@@ -40,10 +41,10 @@ namespace lamella
                            const std::optional<MeshSurface::FacetPoint> &last,
                            const double opposed = min_facing_cosine);
 
-  /// Returns the closest-point projection onto a rigid obstacle. The gap is g =
-  /// N . (x - p) for a plane with normal N through p, and g = |r| - R for a
-  /// cylinder of radius R, with the part r of x - p normal to its axis. Empty
-  /// on the axis.
+  /// Returns the closest-point projection of @p x, with outward normal @p n1,
+  /// onto @p obstacle within @p search_radius. The gap is g = N . (x - p) for a
+  /// plane with normal N through p, and g = |r| - R for a cylinder of radius R,
+  /// with the component r of x - p normal to its axis. Empty if r = 0.
   std::optional<SurfaceHit>
   closest_point_projection(const Obstacle             &obstacle,
                            const dealii::Point<3>     &x,

@@ -14,28 +14,29 @@ namespace lamella
   /// Weights and points of the gap constraints on one side of a contact,
   /// independent of the discretization of the body. Constraint r is
   ///   sum_k w_rk . u(X_k)
-  /// of any displacement field u at the points X_k. Its matrix row is the
-  /// product of the weights w_rk and the displacement rows of Body::rows(), so
-  /// another discretization of the same body, or the deformed body, can use the
-  /// same gaps and contact forces. A node pair has one point, with the weight
-  /// -n on First or n on Second. A weighted gap has the trace nodes of the
-  /// facets in its support, with the weights 1/A_i int phi_i psi_k n dA,
-  /// multiplier functions phi_i with integrals A_i, and trace functions psi_k.
+  /// for a displacement field u and points X_k. Its row in the constraint
+  /// matrix is the product of the weights w_rk and the displacement rows of
+  /// Body::rows(), so another discretization of the same body, or the deformed
+  /// body, can use the same gaps and contact forces. A node pair has one point,
+  /// with the weight -n on First or n on Second (normal n). A weighted gap has
+  /// the trace nodes of the facets in its support, with weights 1/A_i int phi_i
+  /// psi_k n dA, multiplier functions phi_i of integral A_i and trace functions
+  /// psi_k.
   struct ConstraintGeometry
   {
-    /// Point numbers k and weights w_rk of one constraint, scene axes.
+    /// Pairs (index in `places`, weight vector) of one constraint, scene axes.
     using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
 
-    /// Points X_k, by cells of the body for which the contact was created.
+    /// Points in the body for which the contact was created.
     std::vector<Location> places;
-    /// Weights of each constraint, by index of X_k; empty for an obstacle.
+    /// Weights of each constraint; empty for an obstacle.
     std::vector<Weights> weights;
   };
 
-  /// Returns the constraints of @p side as functionals of body @p index,
-  ///   B = W R,  row r: sum_k sum_c w_rk,c R_kc,
-  /// with the three displacement rows R_k of each point X_k in @p at, from
-  /// Body::rows() of any discretization of the body.
+  /// Returns the constraints of @p side as functionals of the @p n_dofs DoFs of
+  /// the body with index @p index: row r is sum_k sum_c w_rk,c R_kc with the
+  /// weights w_rk of @p side. @p at has the three displacement rows R_kc of
+  /// each point k, from Body::rows() of any discretization of the body.
   std::vector<BodyFunctional>
   body_rows(const unsigned int                                index,
             const DofIndex                                    n_dofs,

@@ -18,12 +18,12 @@
 
 namespace lamella
 {
-  /// Numbers of constraints that make the pairing of a contact invalid in a
-  /// state (Contact::pairing_is_valid()).
+  /// Numbers of constraints due to which the pairing of a contact is invalid at
+  /// the present displacements (Contact::pairing_is_valid()).
   struct PairingChange
   {
     /// Constraints in contact that a new search finds, and that are missing or
-    /// have at most 90 % of their area.
+    /// have at most 90 % of their area in the present pairing.
     unsigned int missing_constraints = 0;
     /// Constraints in contact whose projection has moved by more than a tenth
     /// of the point spacing, or whose normal has rotated by more than 0.1 rad.
@@ -31,6 +31,7 @@ namespace lamella
     /// Active constraints whose point has no projection on the other surface.
     unsigned int lost = 0;
 
+    /// Returns true if the pairing is valid.
     bool
     none() const
     {
@@ -41,12 +42,11 @@ namespace lamella
   /// Data of a Contact that a restart needs in addition to the State.
   struct ContactHistory
   {
-    /// Displacements and load factor of the last pairing; empty if undeformed.
-    BlockVector u;
-    LoadFactor  factor;
-    /// Paired points; empty if the contact was never moved.
+    BlockVector u;      ///< Displacements at the last pairing; empty if zero.
+    LoadFactor  factor; ///< Load factor at the last pairing.
+    /// Slave points with projections; empty before the first Contact::move().
     std::vector<GapPoint> points;
-    /// Discretization; a line contact may have switched to points.
+    /// Discretization; `line to roller` may have become `surface to surface`.
     Discretization discretization = Discretization::undefined;
   };
 
@@ -76,58 +76,61 @@ namespace lamella
     Contact &
     operator=(const Contact &) = delete;
 
-    /// Pairs the undeformed bodies. Throws InputError as make_interface() does.
+    /// Pairs the facing points of the undeformed @p bodies and stores their gap
+    /// constraints in @p interface. Throws InputError as make_interface() does.
     Contact(const ContactPair &contact,
             const Bodies      &bodies,
             ContactInterface  &interface);
 
-    /// Pairs the facing points anew at the displacements @p u, with the
-    /// obstacle at load factor @p factor, and updates the constraints. Throws
-    /// InputError if no points face each other.
+    /// Searches again which points face each other at the displacements @p u,
+    /// with an obstacle at load factor @p factor, and creates the constraints
+    /// anew. Throws InputError if no points face each other.
     void
     pair(const BlockVector &u, const LoadFactor &factor);
 
     /// Updates gaps, normals and constraints to the displacements @p u at load
-    /// factor @p factor, at the material points of pair(). Areas are kept.
+    /// factor @p factor, at the material points found by pair(). Areas of the
+    /// points are unchanged.
     ///
     /// Node-to-surface contact and weighted gaps use closest-point projections
-    /// onto the whole other surface, and b is the exact gradient of the gap.
-    /// Node pairs are unchanged, with the current averaged normal; b then omits
-    /// the rotation of the normal times the tangential offset of the nodes,
-    /// which pairing_is_valid() bounds. A constraint without any projection is
-    /// open: its functional is zero, and its gap is the search radius.
+    /// onto the whole other surface, and the exact gradient of the gap. Node
+    /// pairs use the current averaged normal. Their gradient omits the rotation
+    /// of the normal times the tangential offset of the nodes, which
+    /// pairing_is_valid() bounds. A constraint without any projection is open:
+    /// its functional is zero, and its gap is the search radius.
     void
     move(const BlockVector &u, const LoadFactor &factor);
 
     /// Begins a load step at the displacements @p u and load factor @p factor
-    /// of the last move(). Slips are measured from this state, or for points
-    /// that are paired later from their pairing.
+    /// of the last move(). Slips are measured from this configuration, or from
+    /// the pairing of a point if that is later.
     void
     begin_step(const BlockVector &u, const LoadFactor &factor);
 
-    /// Returns the history for restore().
+    /// Returns the data with which restore() continues this contact.
     ContactHistory
     memory() const;
 
-    /// Restores the contact from the history @p known, at the displacements
-    /// @p u and load factor @p factor of its constraints. Subsequent calls of
-    /// move() give bitwise identical results.
+    /// Restores the contact from the data @p known of memory(), and its
+    /// constraints at the displacements @p u and load factor @p factor.
+    /// Subsequent calls of move() give bitwise identical results.
     void
     restore(const ContactHistory &known,
             const BlockVector    &u,
             const LoadFactor     &factor);
 
+    /// Returns the gap constraints of this contact.
     const std::vector<GapConstraint> &
     rows() const
     {
       return interface.rows;
     }
 
-    /// Adds the contact forces B^T lambda to @p f, with the constraints that
-    /// move() would give at the displacements @p u and load factor @p factor,
-    /// their normal forces @p lambda and, with friction, the @p shear forces
-    /// along their tangents. The stored constraints are unchanged. Returns true
-    /// if all active constraints have a projection.
+    /// Adds the contact forces to the load vector @p f. The constraints are
+    /// those that move() would give at the displacements @p u and load factor
+    /// @p factor; they are not stored. Constraint i has the normal force @p
+    /// lambda[i] and, with friction, shear forces @p shear[i] along two
+    /// tangents. Returns false if a constraint with a force has no projection.
     bool
     add_forces_at(const BlockVector                       &u,
                   const LoadFactor                        &factor,
@@ -136,11 +139,12 @@ namespace lamella
                   BlockVector                             &f) const;
 
     /// Returns two slip functionals of each constraint i at the last move(),
+    /// one for each unit tangent t_a of its normal n, each with a functional
+    /// per body:
     ///   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
     ///   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
-    /// along the unit tangents t_a of its normal n, with trace functions psi_k,
-    /// multiplier functions phi_i and their integrals A_i. v_1 and v_2 are
-    /// displacements of the two sides. Each slip has one functional per body.
+    /// with trace functions psi_k, multiplier functions phi_i of integral A_i,
+    /// and displacements v_1 and v_2 of the two sides.
     std::vector<std::array<std::vector<BodyFunctional>, 2>>
     slip_constraints();
 
@@ -154,15 +158,15 @@ namespace lamella
                      const LoadFactor                &factor,
                      const std::vector<unsigned int> &active);
 
-    /// Returns true if the surface in contact with a roller has at least half
-    /// of the roller's curvature (CylinderContactLines::curvature()) at the
-    /// displacements @p u and load factor @p factor, so that contact over an
-    /// arc is about to form. @p active are the active constraints.
+    /// Returns true if contact with a roller over an arc is about to form: the
+    /// surface at the constraints @p active has at least half of the roller's
+    /// curvature at the displacements @p u and load factor @p factor.
     bool
     wraps_around(const BlockVector               &u,
                  const LoadFactor                &factor,
                  const std::vector<unsigned int> &active) const;
 
+    /// Returns true for contact along the line of a beam nearest to a roller.
     bool
     is_line() const
     {
@@ -176,33 +180,32 @@ namespace lamella
       return undeformed.contact().is_automatic;
     }
 
-    /// Replaces line contact with a roller by contact points at the next
-    /// pair(). Returns false if the discretization of the contact is fixed.
+    /// Replaces line contact with a roller by `surface to surface` at the next
+    /// pair(). Returns false if `auto` did not choose the discretization.
     bool
     switch_to_points();
 
-    /// Throws NumericsError if the search distance given in the scene excluded
-    /// points that are in contact (SearchCheck::check()).
+    /// Throws NumericsError if a point beyond the search distance of the scene
+    /// is in contact at @p u and @p factor (SearchCheck::check()). @p active
+    /// are the numbers of the active constraints.
     void
     require_found(const BlockVector               &u,
                   const LoadFactor                &factor,
                   const std::vector<unsigned int> &active);
 
-    /// Returns the node at an end of either body with the deepest penetration
-    /// into the other body at @p u and @p factor (deepest_node()), for small
-    /// rotations along undeformed normals.
+    /// Returns the end node of either body that penetrates the other most at @p
+    /// u and @p factor, for small rotations along undeformed normals, or empty.
     std::optional<EndPenetration>
     end_penetration(const BlockVector &u, const LoadFactor &factor) const;
 
-    /// Returns the deepest penetration at @p u and @p factor: of the body into
-    /// a roller, also between contact points
-    /// (CylinderContactLines::deepest_in()), or of one body into the other
-    /// (deepest_node()). Empty for line contact and planes.
+    /// Returns the deepest penetration at @p u and load factor @p factor, also
+    /// between contact points: of the body into a roller, or of one body into
+    /// the other. Empty for line contact and planes, and if there is none.
     std::optional<CylinderPenetration>
     cylinder_penetration(const BlockVector &u, const LoadFactor &factor) const;
 
     /// Returns true if a body passed through the roller or the other body
-    /// between the states @p before at @p from and @p u at @p to.
+    /// between displacements @p before (load factor @p from) and @p u (@p to).
     bool
     passes_through(const BlockVector &before,
                    const LoadFactor  &from,
@@ -214,8 +217,7 @@ namespace lamella
     /// deformed surfaces @p now at finite rotations, else the undeformed ones.
     const ContactSides &
     paired_sides(const ContactSides &now) const;
-    /// Sets `points` if empty: integration points of weighted gaps, else one
-    /// point per nodal constraint.
+    /// Sets `points` if empty: integration points, or one per nodal constraint.
     void
     find_points();
     /// Sets `points` and `integrals`, if empty, on the undeformed surfaces.
@@ -224,7 +226,7 @@ namespace lamella
     /// Pairs the undeformed bodies.
     void
     pair_undeformed();
-    /// For line contact, keeps one nodal constraint on each contact line.
+    /// For line contact, keeps one constraint on each contact line.
     void
     reduce_to_lines();
     /// For small rotations, moves the point of each contact line to the
@@ -235,30 +237,27 @@ namespace lamella
     /// opposite its contact point of largest weight.
     void
     set_constraint_positions();
-    /// Returns the gap integrals (integrate_gaps()) on @p sides over the
+    /// Returns the mortar integrals of all constraints on @p sides over the
     /// contact points @p on, with slips from @p held, if any.
     std::vector<GapIntegrals>
     integrate(const ContactSides        &sides,
               const MasterPoints         master_points,
               std::vector<GapPoint>     &on,
               SlipReferencePoints *const held = nullptr) const;
-    /// Adds @p forces, which act on trace nodes of the two surfaces of @p at,
-    /// to the load vector @p f.
+    /// Adds @p forces on trace nodes of the surfaces of @p at to @p f.
     void
     add_forces_of_nodes(
       const ContactSides                                                &at,
       const std::array<std::map<unsigned int, dealii::Tensor<1, 3>>, 2> &forces,
       BlockVector &f) const;
-    /// Returns the choice of master points opposite slave points on undeformed
-    /// bodies.
+    /// Returns the choice of points opposite slave points on undeformed bodies.
     MasterPoints
     master_points_at_rest() const
     {
       return undeformed.is_edge_contact() ? MasterPoints::projected :
                                             MasterPoints::paired;
     }
-    /// Returns the choice of master points opposite slave points on deformed
-    /// bodies.
+    /// Returns the choice of points opposite slave points on deformed bodies.
     MasterPoints
     master_points() const
     {
@@ -269,13 +268,13 @@ namespace lamella
     /// Returns the multiplier functions; null for single-point constraints.
     const SlaveSurface *
     functions() const;
-    /// Updates the interface's constraints from `integrals` on @p sides, the
-    /// surfaces at the displacements @p u and load factor @p factor.
+    /// Updates the constraints from `integrals` on @p sides, the surfaces at
+    /// the displacements @p u and load factor @p factor.
     void
     write(const ContactSides &sides,
           const BlockVector  &u,
           const LoadFactor   &factor);
-    /// Sets initial_gap, gap_rate and the normal of constraint @p k such that
+    /// Sets the normal, initial_gap and gap_rate of constraint @p k so that
     /// gap() is exact at the displacements @p u and load factor @p factor.
     void
     set_tangent_plane(const unsigned int k,
@@ -284,8 +283,7 @@ namespace lamella
     /// Sets the slip functionals from the integrals on @p sides.
     void
     assemble_slips(const ContactSides &sides);
-    /// Sets SlipConstraint::initial such that slip() measures from the
-    /// beginning of the step.
+    /// Sets SlipConstraint::initial so that slips count from the load step on.
     void
     offset_slips(const BlockVector &u, const LoadFactor &factor);
     /// Returns the index of the first point of each constraint.
@@ -301,8 +299,8 @@ namespace lamella
     std::vector<std::array<std::vector<BodyFunctional>, 2>>
     slip_constraints(const ContactSides          &sides,
                      const std::vector<Tangents> &tangents) const;
-    /// Returns, for all constraints, the slip along tangent @p a as a
-    /// functional of one body's DoFs.
+    /// Returns for each constraint the slip along its tangent number @p a as a
+    /// functional of the DoFs of the first or @p second body.
     std::vector<BodyFunctional>
     slip_constraints_on(const ContactSides          &sides,
                         const bool                   second,
@@ -315,9 +313,8 @@ namespace lamella
     /// master points in @p now and in `points`.
     std::vector<double>
     projection_drift(const std::vector<GapPoint> &now) const;
-    /// Returns the number of constraints that a new search on @p sides finds
-    /// with gaps below @p touching, and that this contact lacks or has for less
-    /// than 90 % of their area.
+    /// Returns the number of constraints with gaps below @p touching of a new
+    /// search on @p sides that are missing here or lack 10 % of the area.
     unsigned int
     count_missing_constraints(const ContactSides &sides,
                               const double        touching) const;
@@ -332,17 +329,16 @@ namespace lamella
     double      search_radius;
     SearchCheck search;
 
-    /// Lines of a contact with a roller.
+    /// Lines of a contact with a roller; null for other contacts.
     std::unique_ptr<CylinderContactLines> lines;
-    /// Points where gaps are measured; empty before any motion.
+    /// Slave points with projections; empty before the first move().
     std::vector<GapPoint> points;
     /// Displacements and load factor of the last pair().
     BlockVector pairing_u;
     LoadFactor  pairing_factor;
-    /// Integrals at the last move(); empty before motion or use of slips.
+    /// Mortar integrals at the last move(); empty before motion or slips.
     std::vector<GapIntegrals> integrals;
-    /// Displacements, load factor and slip reference points at the beginning of
-    /// the step; empty without friction.
+    /// Configuration and slip reference points at the begin of the load step.
     BlockVector         step_begin_u;
     LoadFactor          step_begin_factor;
     SlipReferencePoints held;
@@ -350,7 +346,7 @@ namespace lamella
     std::map<std::array<double, 3>, double> removed_overlap;
   };
 
-  /// Contacts of a scene, in order, at fixed addresses.
+  /// Contacts of a scene in their order there, at constant addresses.
   using Contacts = std::vector<std::unique_ptr<Contact>>;
 } // namespace lamella
 

@@ -13,8 +13,8 @@
 
 namespace lamella
 {
-  /// Discretization of the gap function (Eq. 16). Only `surface to surface`
-  /// passes patch tests on arbitrary meshes (doc/theory/contact.md).
+  /// Discretization of the gap function, Eq. 16 of Nagaraj et al. 2020. Only
+  /// `surface to surface` passes patch tests on arbitrary meshes.
   enum class Discretization
   {
     undefined,
@@ -25,10 +25,11 @@ namespace lamella
     surface_to_surface, ///< gaps averaged with slave hat functions
     edge_to_surface,    ///< slave nodes at the ends of the body against the
                         ///< master surface, in any direction
-    line_to_roller ///< the line of a finite-rotation beam that is nearest to a
-                   ///< cylinder axis, one row per station along it
+    line_to_roller ///< the line of a finite-rotation beam nearest to a cylinder
+                   ///< axis, one constraint per position along the axis
   };
 
+  /// Names of gap discretizations in parameter files.
   template <>
   struct Names<Discretization>
   {
@@ -38,7 +39,7 @@ namespace lamella
       {Discretization::node_to_surface, "node to surface"},
       {Discretization::surface_to_surface, "surface to surface"},
       {Discretization::edge_to_surface, "edge to surface"},
-      {Discretization::line_to_roller, "line to roller"}};
+      {Discretization::line_to_roller, "line to roller"}}; ///< Value and name.
   };
 
   /// Treatment of an initial overlap of the bodies (negative initial gap). An
@@ -48,20 +49,20 @@ namespace lamella
     undefined,
     resolve, ///< contact forces resolve it: an interference fit
     adjust,  ///< it is subtracted from the gaps, without strain
-    refuse   ///< an error
+    refuse   ///< it is an InputError
   };
 
+  /// Names of treatments of initial overlap in parameter files.
   template <>
   struct Names<Overclosure>
   {
     static constexpr NameOf<Overclosure> all[] = {
       {Overclosure::resolve, "resolve"},
       {Overclosure::adjust, "adjust"},
-      {Overclosure::refuse, "error"}};
+      {Overclosure::refuse, "error"}}; ///< Value and name of each treatment.
   };
 
-  /// Slave (nonmortar) side of a contact: its nodes, or the multiplier
-  /// functions on it, have the constraints.
+  /// Slave (nonmortar) side of a contact, on which contact forces are unknowns.
   enum class SlaveSide
   {
     undefined,
@@ -71,9 +72,11 @@ namespace lamella
     second
   };
 
+  /// Names of the slave side in parameter files.
   template <>
   struct Names<SlaveSide>
   {
+    /// Value and name of each choice.
     static constexpr NameOf<SlaveSide> all[] = {{SlaveSide::automatic, "auto"},
                                                 {SlaveSide::first, "first"},
                                                 {SlaveSide::second, "second"}};
@@ -81,36 +84,38 @@ namespace lamella
 
   /// Parameters of a contact between two named surfaces, as read by
   /// ContactParameters::parse(). The order of the surfaces determines signs
-  /// only: the normal n of Eq. 16 is the outward normal of the first.
+  /// only: the contact normal is the outward normal of the first.
   struct ContactPair
   {
     /// Name in `subsection Contact NAME`, used in messages, tables and files.
     std::string name;
-    /// Surfaces of two different bodies; `second` is unused with an obstacle.
-    Region first, second;
+    Region      first, ///< Surface of a body.
+      second;          ///< Surface of another body; unused with an obstacle.
     /// Rigid obstacle in place of `second`, or null. It has no nodes, so `node
     /// to node`, `edge to surface` and a slave side are excluded.
     std::shared_ptr<const Obstacle> obstacle;
 
-    /// Must be set: `undefined` fails an assertion.
+    /// Discretization of the gap function. Must be set.
     Discretization discretization = Discretization::undefined;
-    Enforcement    enforcement    = Enforcement::undefined;
-    Overclosure    overclosure    = Overclosure::resolve;
-    SlaveSide      slave_side     = SlaveSide::automatic;
+    /// Multiplier or penalty method that enforces the contact. Must be set.
+    Enforcement enforcement = Enforcement::undefined;
+    Overclosure overclosure = Overclosure::resolve; ///< Treats initial overlap.
+    SlaveSide   slave_side  = SlaveSide::automatic; ///< Side with constraints.
     /// Penalty parameter. For multiplier methods it affects convergence only.
     Penalty penalty;
-    /// `node to node`: nodes form a pair if their tangential offset is at most
-    /// this fraction of the root of their tributary area.
+    /// For `node to node`: nodes form a pair if their tangential offset is at
+    /// most this fraction of the root of their tributary area.
     double tolerance = 1e-6;
-    /// Points farther apart get no constraint [length]; empty: automatic.
+    /// Distance beyond which points get no constraint [length]; empty: `auto`.
     std::optional<double> search_distance;
     /// Coulomb friction coefficient mu; 0 for frictionless contact.
     double friction = 0.;
-    /// True if the discretization was chosen by `auto`: `line to roller` then
-    /// becomes `surface to surface` once contact extends beyond a line, and an
-    /// `edge to surface` contact is added at body ends.
+    /// True if `auto` chose the discretization: `line to roller` then becomes
+    /// `surface to surface` once contact extends beyond a line, and an `edge to
+    /// surface` contact is added at body ends. False if the scene gives it.
     bool is_automatic = false;
-    /// Number of the contact to which this one was added at body ends.
+    /// For a contact that was added at body ends: number of the contact between
+    /// the surfaces, which reports both; else empty.
     std::optional<unsigned int> part_of;
   };
 

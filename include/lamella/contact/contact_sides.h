@@ -20,20 +20,22 @@ namespace lamella
   class ContactSides
   {
   public:
-    /// Creates the undeformed sides, with the obstacle at its initial position.
+    /// Creates the undeformed surfaces, with an obstacle in initial position.
     ContactSides(const ContactPair &contact, const Bodies &bodies);
 
-    /// Creates the sides displaced by @p u from @p undeformed, which must
-    /// outlive this object, with the obstacle at load factor @p factor.
+    /// Creates the surfaces of @p undeformed, which must outlive this object,
+    /// displaced by @p u, with an obstacle at load factor @p factor.
     ContactSides(const ContactSides &undeformed,
                  const BlockVector  &u,
                  const LoadFactor   &factor);
 
+    /// Returns the parameters of the contact, after set_discretization().
     const ContactPair &
     contact() const
     {
       return pair;
     }
+    /// Returns all bodies of the scene.
     const Bodies &
     bodies() const
     {
@@ -56,47 +58,49 @@ namespace lamella
       return pair.discretization == Discretization::edge_to_surface;
     }
 
+    /// Returns true for deformed surfaces, false for undeformed ones.
     bool
     are_displaced() const
     {
       return undeformed != nullptr;
     }
 
-    /// Returns the surface of a side; null if the second side is an obstacle.
+    /// Returns the first or @p second surface; null for an obstacle.
     const MeshSurface *
     surface(const bool second) const;
 
-    /// Returns the obstacle at its current position; null for two bodies.
+    /// Returns the obstacle at its current position; null between two bodies.
     std::shared_ptr<const Obstacle>
     obstacle() const
     {
       return standing;
     }
 
-    /// Returns the surface nodes of a side with current positions and normals,
-    /// and undeformed tributary areas; for edge contact, only those at body
-    /// ends. Empty for an obstacle.
+    /// Returns the nodes of the first or @p second surface with current
+    /// positions and normals, and undeformed tributary areas; for edge contact,
+    /// only nodes at body ends. Empty for an obstacle.
     std::vector<SurfacePoint>
     points(const bool second) const;
 
-    /// Returns the surface points at body ends, for any discretization.
+    /// Returns the nodes of the first or @p second surface at body ends.
     std::vector<SurfacePoint>
     end_points(const bool second) const;
 
-    /// Return, for each trace node of surface(), its location in the body, and
-    /// its three displacement components as functionals of the DoFs (of their
-    /// increments at finite rotations).
+    /// Returns the location in the body of each trace node of the first or @p
+    /// second surface. Trace nodes are those of the displacements on facets.
     const std::vector<Location> &
     trace_locations(const bool second) const;
+    /// Returns for each trace node of the first or @p second surface its three
+    /// displacement components as functionals of (increments of) the DoFs.
     const std::vector<std::vector<LinearFunctional>> &
     trace_rows(const bool second) const;
-    /// Returns trace_rows() of the trace nodes @p numbers only.
+    /// Returns the displacement functionals of the trace nodes @p numbers only.
     std::vector<std::vector<LinearFunctional>>
     trace_rows(const bool                       second,
                const std::vector<unsigned int> &numbers) const;
 
   private:
-    /// Returns @p points of a side, moved to their current positions.
+    /// Returns @p points of a surface, moved to their current positions.
     std::vector<SurfacePoint>
     displaced_points(const bool second, std::vector<SurfacePoint> points) const;
 
@@ -106,7 +110,7 @@ namespace lamella
       return second ? pair.second : pair.first;
     }
 
-    /// Returns the displacements of the trace nodes of a displaced side.
+    /// Returns the displacements of the trace nodes of a displaced surface.
     std::vector<dealii::Tensor<1, 3>>
     trace_displacements(const bool second) const;
 

@@ -13,18 +13,17 @@
 
 namespace lamella
 {
-  /// Point on the undeformed surface of a body that penetrates a roller or the
-  /// other body, with its depth [length] and body number.
+  /// A point on the surface of a body that penetrates a roller or another body.
   struct CylinderPenetration
   {
-    dealii::Point<3> position;
-    double           depth     = 0.;
-    bool             of_second = false;
+    dealii::Point<3> position;          ///< Undeformed position, scene axes.
+    double           depth     = 0.;    ///< Penetration, positive [length].
+    bool             of_second = false; ///< True: point of the second body.
   };
 
-  /// Returns true if a point spacing @p spacing along a beam is too coarse for
-  /// contact with a roller of @p radius [both lengths]. Half a spacing off the
-  /// contact line, normal and force have an error of 0.5 spacing / radius.
+  /// Returns true if contact points at the distance @p spacing along a beam are
+  /// too coarse for contact with a roller of @p radius [both lengths]. Half a
+  /// spacing off the contact line, the normal has the error spacing / 2 radius.
   inline bool
   are_too_coarse_for(const double spacing, const double radius)
   {
@@ -33,14 +32,14 @@ namespace lamella
     return 0.5 * spacing > coarse_angle * radius;
   }
 
-  /// Arc of active contact points on a roller, in the direction of the beam
-  /// axis: point spacing and arc length [length].
+  /// Arc of active contact points on a roller, measured along the beam axis.
   struct ContactArc
   {
-    double spacing = 0., length = 0.;
+    double spacing = 0., ///< Distance of adjacent contact points [length].
+      length       = 0.; ///< Length of the arc [length].
 
-    /// Returns true if the contact is a line: its force is shared by two
-    /// points, and weighted gaps may activate a third.
+    /// Returns true if the arc is so short that the contact is a line: two
+    /// points share its force, and weighted gaps may activate a third.
     bool
     is_line() const
     {
@@ -48,42 +47,44 @@ namespace lamella
     }
   };
 
-  /// Returns the arc of the constraints @p active of @p interface.
+  /// Returns the arc of the constraints @p active (numbers in @p interface).
   ContactArc
   contact_arc(const ContactInterface          &interface,
               const std::vector<unsigned int> &active);
 
-  /// Contact lines between a beam and a roller. At each station along the
-  /// roller axis, a material line of the surface runs along the beam; its
-  /// contact point is the one nearest to the roller axis, which moves as the
-  /// beam bends. At this point the gap
-  ///   g = |r| - R,   r the part of x - c normal to the axis through c,
-  /// is stationary along the line, so the motion of the point does not enter
-  /// the gradient of g. At a distance d from it, the normal is off by d / R.
+  /// Contact lines between a beam and a roller. Material lines of the surface
+  /// run along the beam, one per position along the roller axis. The contact
+  /// point of a line is its point nearest to the roller axis, which changes as
+  /// the beam bends. At this point the gap
+  ///   g = |r| - R,   r the component of x - c normal to the axis through c,
+  /// with the roller radius R is stationary along the line, so the gradient of
+  /// g omits the motion of the point. At a distance d, the normal turns by d /
+  /// R.
   class CylinderContactLines
   {
   public:
-    /// Creates lines through the contact points of @p interface, nodal
-    /// constraints of @p surface against @p roller. On each line, removes all
+    /// Creates lines through the contact points of @p interface, constraints of
+    /// single nodes of @p surface against @p roller. On each line, removes all
     /// constraints except the one nearest to the roller.
     CylinderContactLines(const MeshSurface &surface,
                          const Obstacle    &roller,
                          ContactInterface  &interface);
 
-    /// Moves the slave points of @p points, one per line, to the points of the
-    /// deformed surface @p now nearest to the axis of @p roller. A point
-    /// remains on its facet up to 5 % of the facet length outside a side with
-    /// an adjacent facet. If no point of a line is stationary, its end is used.
+    /// Moves the slave points @p points, one per contact line, along the lines
+    /// to the points of the deformed surface @p now nearest to the axis of @p
+    /// roller. A point stays on its facet up to 5 % of the facet length outside
+    /// a side with an adjacent facet. Without a minimum of the distance, the
+    /// end of the line is used.
     void
     follow(const MeshSurface     &now,
            const Obstacle        &roller,
            std::vector<GapPoint> &points) const;
 
-    /// Returns the largest curvature of the deformed surface @p now over that
-    /// of @p roller, on the active lines through the undeformed points
-    /// @p places of @p surface, from the gaps one node spacing before and
-    /// behind the closest point. From a value of 1 on, the surface wraps around
-    /// the roller, and no equilibrium has a single contact line.
+    /// Returns the largest ratio of the curvature of the deformed surface @p
+    /// now to that of @p roller, on contact lines through the undeformed points
+    /// @p places of @p surface. It is computed from the gaps one node spacing
+    /// before and behind the closest point. For ratios above 1, the surface
+    /// wraps around the roller, and no equilibrium has a single contact line.
     static double
     curvature(const Obstacle                      &roller,
               const MeshSurface                   &surface,
@@ -92,8 +93,8 @@ namespace lamella
 
     /// Returns the deepest penetration into @p roller on lines through all
     /// nodes of @p surface, deformed as @p now, among points whose normal
-    /// points to the roller axis. Empty if none, or for a roller along the
-    /// body.
+    /// points to the roller axis. Empty if there is none or the roller is along
+    /// the body.
     static std::optional<CylinderPenetration>
     deepest_in(const Obstacle    &roller,
                const MeshSurface &surface,
@@ -109,14 +110,14 @@ namespace lamella
     using Line = std::vector<Piece>;
 
     /// Returns the line on @p surface at the coordinate @p station along the
-    /// axis of @p roller, as facets in sequence.
+    /// axis of @p roller, as a sequence of facets.
     static Line
     line_at(const MeshSurface &surface,
             const Obstacle    &roller,
             const double       station);
 
     /// Returns the point of @p line on the deformed surface @p now nearest to
-    /// the axis, starting from the previous point @p last.
+    /// the axis of @p roller, starting from the previous point @p last.
     static MeshSurface::FacetPoint
     nearest_point_on_line(const Line                    &line,
                           const MeshSurface             &now,

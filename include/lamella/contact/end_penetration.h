@@ -12,20 +12,19 @@ namespace lamella
   /// A node of a body that penetrates the surface of the other body.
   struct EndPenetration
   {
-    /// True if the node is on the second body.
-    bool second = false;
-    /// Penetration, and depth of the penetrated cell [length].
-    double depth = 0., cell = 0.;
-    /// Closest-point projection of the node.
+    /// True for a node of the second body, false for one of the first.
+    bool   second = false;
+    double depth  = 0., ///< Penetration [length].
+      cell = 0.; ///< Depth of the penetrated cell along its normal [length].
+    /// Closest-point projection of the node onto the other surface.
     MeshSurface::FacetPoint at = {};
   };
 
   /// Returns the node of either body with the deepest penetration into the
-  /// other surface in the configuration @p now. If @p of_ends, only nodes at
-  /// body ends are considered: a face that slides over an end has no constraint
-  /// at the end's nodes unless these are contact points. Projections are at
-  /// most @p search_radius away [length]. @p paired are the surfaces at the
-  /// last pairing.
+  /// other surface in the configuration @p now; empty if none penetrates. If @p
+  /// of_ends, only nodes at body ends are considered: a surface that slides
+  /// over an end has no constraint at its nodes. Projections are at most @p
+  /// search_radius away [length]. @p paired are the surfaces when paired.
   std::optional<EndPenetration>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,

@@ -7,9 +7,9 @@
 
 namespace lamella
 {
-  /// Enforcement of the contact constraints by the law g + a lambda = 0 of an
-  /// active constraint, with the compliance a = 1 / eps [length / force] for
-  /// `penalty` and a = 0 for the other two methods (doc/theory/contact.md).
+  /// Enforcement of contact constraints. An active constraint satisfies g + a
+  /// lambda = 0 with gap g, force lambda and compliance a = 1 / eps for
+  /// `penalty` (parameter eps [force / length]), else a = 0.
   enum class Enforcement
   {
     undefined,
@@ -19,13 +19,14 @@ namespace lamella
     exact                 ///< Lagrange multipliers: g >= 0
   };
 
+  /// Names of the enforcement methods in parameter files.
   template <>
   struct Names<Enforcement>
   {
     static constexpr NameOf<Enforcement> all[] = {
       {Enforcement::penalty, "penalty"},
       {Enforcement::augmented_lagrangian, "augmented lagrangian"},
-      {Enforcement::exact, "exact"}};
+      {Enforcement::exact, "exact"}}; ///< Value and name of each method.
   };
 
   /// Unit of a penalty parameter. A small penalty permits penetration; a large
@@ -33,15 +34,16 @@ namespace lamella
   enum class PenaltyKind
   {
     undefined,
-    automatic, ///< a multiple of the row's local stiffness
-    per_node,  ///< force / length, as in the paper's Eq. 23
+    automatic, ///< a multiple of the local stiffness of the cells in contact
+    per_node,  ///< force / length, as in Eq. 23 of Nagaraj et al. 2020
     per_area   ///< force / length^3, times the tributary area: mesh-independent
   };
 
-  /// Names of the numeric penalties in a scene (`auto` replaces the number).
+  /// Names of units of a numeric penalty; `auto` needs no unit.
   template <>
   struct Names<PenaltyKind>
   {
+    /// Value and name of each unit.
     static constexpr NameOf<PenaltyKind> all[] =
       {{PenaltyKind::per_area, "area"}, {PenaltyKind::per_node, "node"}};
   };
@@ -49,34 +51,34 @@ namespace lamella
   /// Penalty parameter of a contact, as given in a scene file.
   struct Penalty
   {
-    /// Unit of `value`. Must be set: row_penalty() asserts that.
+    /// Unit of `value`. Must be set before row_penalty().
     PenaltyKind kind = PenaltyKind::undefined;
     /// Positive penalty; if `automatic`, a multiple of the local stiffness.
     double value = 0.;
   };
 
   /// Stiffness E_n A / h [force / length] of the cell behind one side of a
-  /// contact constraint: a bar of cross section A and length h.
+  /// contact constraint: a bar of modulus E_n, cross section A and length h.
   struct LocalStiffness
   {
-    /// Elastic modulus E_n of the ply and depth h of the cell along the normal
-    /// [force / length^2, length]; tributary area A [length^2].
-    double normal_modulus = 0., area = 0., depth = 0.;
+    double normal_modulus = 0., ///< Modulus along the normal [force/length^2].
+      area                = 0., ///< Tributary area [length^2].
+      depth               = 0.; ///< Cell depth along the normal [length].
   };
 
   /// Returns the penalty parameter of one constraint [force / length]:
   ///   automatic   value * min over both sides of E_n A / h
   ///   per_node    value
   ///   per_area    value * A, A that of @p first (both sides have the same)
-  /// with the normal modulus E_n, tributary area A and cell depth h > 0 of
-  /// LocalStiffness. `automatic` also suits unsupported bodies.
+  /// with the members of @p penalty, and the normal modulus E_n, tributary area
+  /// A and cell depth h > 0 of @p first and @p second. No support is needed.
   double
   row_penalty(const Penalty        &penalty,
               const LocalStiffness &first,
               const LocalStiffness &second);
 
-  /// Returns the contact force epsilon max(0, -g) for the gap @p g and the
-  /// penalty @p epsilon. It acts along the normal on the second body.
+  /// Returns the contact force epsilon max(0, -g) for the gap @p g [length] and
+  /// the penalty parameter @p epsilon [force / length].
   double
   contact_force(const double epsilon, const double g);
 } // namespace lamella

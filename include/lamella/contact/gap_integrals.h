@@ -21,43 +21,46 @@ namespace lamella
   /// functions of either surface; n is the normal outward from the slave side.
   struct GapIntegrals
   {
-    /// Area A_i = sum a_q phi_i over points with a projection [length^2].
-    double area = 0.;
-    /// Averages of the gap g [length] and of the normal n.
-    double               gap = 0.;
-    dealii::Tensor<1, 3> normal;
-    /// Average slip_increment_of(), if reference points are given.
+    /// Multiplier function's integral over projected points [length^2].
+    double               area = 0.;
+    double               gap  = 0.; ///< Average gap [length].
+    dealii::Tensor<1, 3> normal;    ///< Average normal, not of length 1.
+    /// Average slip in the load step [length]; zero without reference points.
     dealii::Tensor<1, 3> slip_increment;
-    /// Averages of psi_k n and psi_k (I - n n) for trace node k. The latter
-    /// times a tangent t is the weight of the slip along t.
+    /// Averages for one trace node with trace function psi and the normal n.
     struct OfNode
     {
-      dealii::Tensor<1, 3>          normal;
+      /// Average of psi n, with the trace function psi and the normal n.
+      dealii::Tensor<1, 3> normal;
+      /// Average of psi (I - n n), with trace function psi and normal n.
       dealii::SymmetricTensor<2, 3> tangential;
     };
-    boost::container::flat_map<unsigned int, OfNode> slave, master;
+    boost::container::flat_map<unsigned int, OfNode>
+      slave,  ///< Averages by number of the trace node on the slave side.
+      master; ///< Averages by number of the trace node on the master side.
   };
 
-  /// Choice of the master point opposite a slave point, for its gap.
+  /// Choice of the point opposite a slave point on the master surface.
   enum class MasterPoints
   {
-    paired,   ///< the stored point; n is the averaged normal
+    paired,   ///< the stored point; the gap is along the averaged normal
     projected ///< current closest-point projection (closest_point_projection())
   };
 
   /// Returns the mortar integrals of the @p n_rows constraints of a contact at
-  /// the contact points @p points, on the current surfaces @p sides; the slave
-  /// is the second side if @p on_second. @p functions are the multiplier
-  /// functions; if null, constraint k has point k only.
+  /// the contact points @p points, on the current surfaces @p sides. The slave
+  /// is the second surface if @p on_second, else the first. @p functions are
+  /// the multiplier functions; if null, constraint k has point k only.
   ///
   /// MasterPoints::projected replaces the opposite points in @p points by
   /// closest-point projections within @p search_radius [length], and omits
   /// points without a projection. The gap is g = n_2 . (x_1 - x_2) with the
   /// exact gradient n . (delta x_2 - delta x_1), n = -n_2. MasterPoints::paired
   /// uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 - x_1); this gradient
-  /// is exact if x_2 - x_1 is along n.
+  /// is exact if x_2 - x_1 is along n. x and n_1, n_2 are points and normals of
+  /// the slave (1) and master (2).
   ///
-  /// If @p held, the reference points of the beginning of the step, are given,
+  /// If reference points @p held of the beginning of the load step are given,
   /// computes slips, and adds reference points for newly facing points.
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides    &sides,
@@ -78,8 +81,9 @@ namespace lamella
                         const double           search_radius,
                         std::vector<GapPoint> &points);
 
-  /// Returns the constraints to which contact point @p point number @p number
-  /// contributes, with its weight a_q phi_i(X_q) in each (integrate_gaps()).
+  /// Returns the constraints to which @p point with the index @p number
+  /// contributes, with weights: area times multiplier function in @p functions.
+  /// If these are null, it contributes to constraint @p number with its area.
   std::vector<std::pair<unsigned int, double>>
   shares_of(const SlaveSurface *functions,
             const unsigned int  number,

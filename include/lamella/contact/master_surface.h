@@ -10,12 +10,12 @@
 
 namespace lamella
 {
-  /// Intersection of a line with a surface, with MeshSurface::smooth_normal().
-  /// For an obstacle, `facet` is invalid_unsigned_int.
+  /// Intersection of a line with a surface; `normal` is continuous on meshes.
   struct SurfaceHit : public Hit
   {
+    /// Index of the intersected facet; invalid_unsigned_int for an obstacle.
     unsigned int facet = dealii::numbers::invalid_unsigned_int;
-    /// Coordinates on the unit square of the facet, up to 1e-7 outside it.
+    /// Point in the unit square of the facet, up to 1e-7 outside it.
     dealii::Point<2> st;
   };
 
@@ -27,36 +27,36 @@ namespace lamella
     virtual ~MasterSurface() = default;
 
     /// Returns the nearest intersection of the surface with the line x + t d,
-    /// |t| <= @p search_radius and unit vector d, entering the body (d against
-    /// the outward normal). `distance` is t, negative for overlap.
+    /// |t| <= @p search_radius, at which the unit vector @p d points into the
+    /// body. `distance` is t, negative for overlap. Empty if there is none.
     virtual std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
          const double                search_radius) const = 0;
 
-    /// Returns approximately the outward normal nearest to @p x, a first guess
-    /// for find_master_point() (0 on the axis of a cylinder).
+    /// Returns approximately the outward normal at the surface point nearest to
+    /// @p x, to start find_master_point(); 0 on the axis of a cylinder.
     virtual dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const = 0;
   };
 
-  /// Point of the master surface opposite a slave point X_1 with normal n_1.
+  /// Point of the master surface opposite a slave point.
   struct MasterPoint
   {
-    SurfaceHit hit;
-    /// Unit normal n of find_master_point(); the initial gap is hit.distance.
+    SurfaceHit hit; ///< Point on the master surface; `distance` is the gap.
+    /// Unit averaged normal of both surfaces, outward from the slave.
     dealii::Tensor<1, 3> normal;
-    /// Angle between n_1 and -n_2 [rad]; 0 for parallel surfaces.
+    /// Angle between both surfaces' normals [rad]; 0 for parallel surfaces.
     double angle = 0.;
   };
 
-  /// Smallest cosine of the angle between n_1 and -n_2 of facing points: cos 60
-  /// degrees, and 0 at an edge where a surface ends.
-  constexpr double min_facing_cosine = 0.5, min_facing_cosine_edge = 0.;
+  /// Smallest cosine of the angle between the normals n_1 and -n_2 in contact.
+  constexpr double min_facing_cosine      = 0.5,
+                   min_facing_cosine_edge = 0.; ///< Limit where a surface ends.
 
   /// Returns the point X_2 of @p other that the point @p x = X_1 with outward
-  /// normal @p n1 faces: the intersection of @p other with the line from X_1
-  /// along the averaged normal
+  /// normal @p n1 faces: the intersection of @p other, with outward normal n_2,
+  /// and the line from X_1 along the averaged normal
   ///   n = (n_1(X_1) - n_2(X_2)) / |n_1(X_1) - n_2(X_2)|.
   /// The relation is symmetric: the point opposite X_2 is X_1, with the normal
   /// -n. A fixed-point iteration starts from n = n_1, or from normal_near() if
@@ -75,6 +75,7 @@ namespace lamella
   class ObstacleSurface : public MasterSurface
   {
   public:
+    /// Constructs the surface of @p obstacle, which must not be null.
     explicit ObstacleSurface(std::shared_ptr<const Obstacle> obstacle);
 
     std::optional<SurfaceHit>

@@ -26,9 +26,9 @@ namespace lamella
   /// At smooth joints, normals of adjacent facets differ by the interpolation
   /// error of curves. Contact therefore uses a continuous normal: the average
   ///   n_i ~ sum over facets int L_i n dA
-  /// at each node i of the Gauss-Lobatto grids of the facets, as in
-  /// Body::surface_points(), interpolated by the functions L_i of the grid. At
-  /// edges sharper than 45 degrees, each side has its own normals.
+  /// at each node i of the Gauss-Lobatto grids of the facets, interpolated by
+  /// the functions L_i of the grid, with facet normals n. At edges sharper than
+  /// 45 degrees, each side has its own normals.
   ///
   /// Displacements of a facet are polynomials determined by their values at its
   /// trace nodes, a Gauss-Lobatto grid. SurfaceTopology gives shared and
@@ -36,7 +36,7 @@ namespace lamella
   class MeshSurface : public MasterSurface
   {
   public:
-    /// Creates the undeformed surface; @p surface is one of Body::surfaces().
+    /// Creates the undeformed surface @p surface of @p body (Body::surfaces()).
     MeshSurface(const Body &body, const std::string &surface);
 
     /// Creates the deformed surface from @p undeformed with the displacements
@@ -45,96 +45,97 @@ namespace lamella
     MeshSurface(const MeshSurface                       &undeformed,
                 const std::vector<dealii::Tensor<1, 3>> &u);
 
+    /// Position and tangents at a point of a facet (FacetMap::Place).
     using Place = FacetMap::Place;
 
     /// A surface patch, one side of a cell, with all data for contact.
     struct Facet
     {
+      /// Sets `side` and `map` only.
       Facet(const SurfaceFacet &side, const FacetMap &map)
         : side(side)
         , map(map)
       {}
 
-      SurfaceFacet side;
-      FacetMap     map;
-      /// 1D Lagrange bases in s and t on the nodes of the grid (normals) and of
-      /// the trace (displacements); static lifetime.
-      const GaussLobattoBasis *grid_s = nullptr, *grid_t = nullptr,
-                              *trace_s = nullptr, *trace_t = nullptr;
-      /// Bounding ball of the facet [length], for the coarse test of
-      /// intersect_facet(), and outward unit normal at the center.
-      dealii::Point<3>     center;
-      double               radius = 0.;
-      dealii::Tensor<1, 3> normal;
-      /// Numbers of the trace nodes, the first coordinate running fastest.
+      SurfaceFacet             side; ///< Location of the facet in the body.
+      FacetMap                 map;  ///< Map X(s, t) from the unit square.
+      const GaussLobattoBasis *grid_s  = nullptr; ///< Basis in s, for normals.
+      const GaussLobattoBasis *grid_t  = nullptr; ///< Basis in t, for normals.
+      const GaussLobattoBasis *trace_s = nullptr; ///< Displacement basis in s.
+      const GaussLobattoBasis *trace_t = nullptr; ///< Displacement basis in t.
+      dealii::Point<3>         center;      ///< Center of a bounding ball.
+      double                   radius = 0.; ///< Radius of the bounding ball.
+      dealii::Tensor<1, 3>     normal; ///< Outward unit normal at s = t = 1/2.
+      /// Indices of the trace nodes, the first coordinate running fastest.
       std::vector<unsigned int> trace_nodes;
-      /// Numbers of the grid nodes in MeshSurface::grid_nodes(), the first
-      /// coordinate running fastest, and in SurfaceTopology.
-      std::vector<unsigned int> grid_nodes, nodes_of_body;
-      /// True if there is an adjacent facet, or the end of the body, beyond the
-      /// sides s = 0, s = 1, t = 0 and t = 1.
-      std::array<bool, 4> has_neighbor{}, at_body_end{};
-      /// `is_flat`: plane parallelogram all of whose nodes have its normal.
-      /// Elastic modulus of the ply along the normal at the center
-      /// [force/length^2]; depth of the cell behind the facet [length].
+      /// Indices in MeshSurface::grid_nodes(), s running fastest.
+      std::vector<unsigned int> grid_nodes,
+        nodes_of_body; ///< Grid node numbers in SurfaceTopology.
+      /// True if there is an adjacent facet at the sides s = 0, 1 and t = 0, 1.
+      std::array<bool, 4> has_neighbor{},
+        at_body_end{}; ///< True if the body ends at s, t = 0, 1.
+      /// True for a plane parallelogram all of whose nodes have its normal.
       bool   is_flat        = false;
-      double normal_modulus = 0., depth = 0.;
+      double normal_modulus = 0., ///< Ply's modulus along `normal`.
+        depth = 0.; ///< Depth of the cell behind the facet [length].
     };
 
+    /// Returns the body to which the surface belongs.
     const Body &
     body() const
     {
       return surface_body;
     }
 
-    /// Returns the facets; facet numbers are indices here.
+    /// Returns all facets. Facet numbers are indices in this vector.
     const std::vector<Facet> &
     facets() const
     {
       return all_facets;
     }
 
-    /// Returns the outward unit normal of @p facet at @p place (from its map).
+    /// Returns the outward unit normal of @p facet from its map at @p place.
     dealii::Tensor<1, 3>
     outward_normal(const Facet &facet, const Place &place) const;
 
-    /// Returns the continuous unit normal at @p st, n ~ sum_i L_i(s, t) n_i,
-    /// with the node normals n_i in the Gauss-Lobatto basis of the facet grid.
+    /// Returns the unit normal at the point @p st = (s, t) of @p facet that is
+    /// interpolated from node normals and continuous across smooth joints.
     dealii::Tensor<1, 3>
     smooth_normal(const Facet &facet, const dealii::Point<2> &st) const;
 
-    /// A grid node, shared by facets that join smoothly; at a sharp edge there
-    /// is one for each side. @p normal is the unit normal n_i.
+    /// A node at which normals are stored, shared by facets that join smoothly.
+    /// At a sharp edge there is one node for each side.
     struct GridNode
     {
-      dealii::Point<3>     position;
-      dealii::Tensor<1, 3> normal;
+      dealii::Point<3>     position; ///< Position, scene axes.
+      dealii::Tensor<1, 3> normal;   ///< Unit normal, mean over facets.
     };
 
-    /// Returns the grid nodes of all facets, to which weighted gaps belong.
+    /// Returns the grid nodes of all facets; weighted gaps belong to them.
     const std::vector<GridNode> &
     grid_nodes() const
     {
       return nodes;
     }
 
-    /// Returns the location of grid node @p node in the body.
+    /// Returns the location of grid node number @p node in the body.
     Location
     grid_location(const unsigned int node) const;
 
+    /// A node on a side of a larger facet (SurfaceTopology::HangingNode).
     using HangingNode = SurfaceTopology::HangingNode;
 
-    /// Returns the hanging nodes, as indices in grid_nodes(). Nodes between
-    /// which a node hangs come later if they hang themselves.
+    /// Returns the hanging nodes, as indices in grid_nodes(). The end nodes of
+    /// the side on which a node hangs come later if they hang themselves.
     const std::vector<HangingNode> &
     hanging_nodes() const
     {
       return hanging;
     }
 
-    /// Sets @p values to the trace shape functions of @p facet at @p st, in the
-    /// order of trace_nodes: tensor products of Gauss-Lobatto bases, so that
-    /// u(s, t) is the sum of @p values times trace displacements.
+    /// Sets @p values to the shape functions of the trace nodes of @p facet at
+    /// @p st: displacements u(s, t) are the sum of @p values times those of the
+    /// trace nodes, in the order of Facet::trace_nodes.
     void
     evaluate_trace(const Facet            &facet,
                    const dealii::Point<2> &st,
@@ -147,20 +148,19 @@ namespace lamella
       return trace_locations.size();
     }
 
-    /// Returns the location in the body of trace node @p node.
+    /// Returns the location in the body of trace node number @p node.
     Location
     trace_location(const unsigned int node) const;
 
-    /// A point (s, t) on the facet of the given number.
+    /// A point of the surface, given by facet and parameters.
     struct FacetPoint
     {
-      unsigned int     facet = 0;
-      dealii::Point<2> st;
+      unsigned int     facet = 0; ///< Index in facets().
+      dealii::Point<2> st;        ///< Parameters (s, t) in the unit square.
     };
 
-    /// Returns the surface point at the location @p location in the body; at an
-    /// edge, on the facet whose normal is closest to @p normal. Empty if the
-    /// location is on no facet.
+    /// Returns the surface point at @p location in the body; at an edge, on the
+    /// facet whose normal is closest to @p normal. Empty if it is on no facet.
     std::optional<FacetPoint>
     place_of(const Location             &location,
              const dealii::Tensor<1, 3> &normal) const;
@@ -174,16 +174,16 @@ namespace lamella
                     const dealii::Point<3>     &x,
                     const dealii::Tensor<1, 3> &d) const;
 
-    /// Returns the nearest intersection with the facets @p facets, at most
-    /// @p search_radius away in either direction.
+    /// Returns the nearest intersection of the line x + t d with the facets
+    /// numbered @p facets, at most @p search_radius away in either direction.
     std::optional<SurfaceHit>
     intersect_facets(const std::vector<unsigned int> &facets,
                      const dealii::Point<3>          &x,
                      const dealii::Tensor<1, 3>      &d,
                      const double                     search_radius) const;
 
-    /// Returns the nearest intersection, among facets whose boxes meet the
-    /// segment from x - search_radius d to x + search_radius d.
+    /// Returns the nearest intersection of the line x + t d with the surface,
+    /// with |t| <= @p search_radius; empty if there is none.
     std::optional<SurfaceHit>
     meet(const dealii::Point<3>     &x,
          const dealii::Tensor<1, 3> &d,
@@ -193,8 +193,8 @@ namespace lamella
     dealii::Tensor<1, 3>
     normal_near(const dealii::Point<3> &x) const override;
 
-    /// Returns the facets (ascending) whose boxes meet the bounding box of
-    /// @p points: a superset of those within their convex hull.
+    /// Returns the numbers (ascending) of the facets whose bounding boxes meet
+    /// the bounding box of @p points.
     std::vector<unsigned int>
     facets_near(const std::vector<dealii::Point<3>> &points) const;
 
@@ -212,8 +212,8 @@ namespace lamella
     /// than 45 degrees, and finds the hanging nodes.
     void
     split_at_edges(const SurfaceTopology &topology);
-    /// Returns the one of @p numbers, the grid nodes at one node of the body,
-    /// whose normal is within 45 degrees of @p normal.
+    /// Returns the one of the coincident grid nodes @p numbers whose normal is
+    /// within 45 degrees of @p normal.
     std::optional<unsigned int>
     on_side(const std::vector<unsigned int> &numbers,
             const dealii::Tensor<1, 3>      &normal) const;
@@ -221,7 +221,7 @@ namespace lamella
     void
     find_hanging_nodes(const SurfaceTopology                        &topology,
                        const std::vector<std::vector<unsigned int>> &sides);
-    /// Sets the normals n_i (end nodes' mean at hanging nodes) and is_flat.
+    /// Computes node normals (at hanging nodes from end nodes) and is_flat.
     void
     average_normals();
     /// Creates the bounding boxes of the facets in axes of the first facet.
@@ -245,11 +245,11 @@ namespace lamella
     BoxSearch            boxes;
   };
 
-  /// Master surface that consists of some facets of a MeshSurface. Keeps
-  /// references to both constructor arguments.
+  /// Master surface that consists of some facets of a MeshSurface.
   class SurfacePart : public MasterSurface
   {
   public:
+    /// Selects the facets numbered @p facets of @p whole; keeps references.
     SurfacePart(const MeshSurface               &whole,
                 const std::vector<unsigned int> &facets)
       : whole(whole)

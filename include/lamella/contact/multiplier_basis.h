@@ -15,19 +15,21 @@ namespace lamella
 {
   /// Multiplier functions phi_i (hat functions) on the grid of the slave nodes,
   /// with their mortar integrals for weighted_gaps(). Grid cells lie between
-  /// adjacent Gauss-Lobatto points of a facet; phi_i is bilinear in (s, t) on
-  /// each cell. Call add() at all points of a cell, then close().
+  /// adjacent Gauss-Lobatto points of a facet; phi_i is bilinear in the facet
+  /// parameters on each cell. Call add() at all points of a cell, then close().
   class MultiplierBasis
   {
   public:
-    /// A grid cell, a part of a facet between adjacent nodes.
+    /// A grid cell: the rectangle of a facet between adjacent slave nodes.
     struct Cell
     {
-      unsigned int                number;
-      const MeshSurface::Facet   *facet;
-      dealii::Point<2>            low, high;
-      std::array<unsigned int, 4> nodes;
+      unsigned int              number;  ///< Index of the facet.
+      const MeshSurface::Facet *facet;   ///< Facet of the slave surface.
+      dealii::Point<2>          low,     ///< Smallest parameters (s, t).
+        high;                            ///< Largest parameters (s, t).
+      std::array<unsigned int, 4> nodes; ///< Grid nodes at the corners.
 
+      /// Returns the facet parameters of @p unit, a point in the unit square.
       dealii::Point<2>
       at(const dealii::Point<2> &unit) const
       {
@@ -36,8 +38,10 @@ namespace lamella
       }
     };
 
+    /// Creates the grid cells on the slave surface of @p sides.
     explicit MultiplierBasis(const ContactSurfacePair &sides);
 
+    /// Returns the grid cells of all facets.
     const std::vector<Cell> &
     cells() const
     {
@@ -45,24 +49,25 @@ namespace lamella
     }
 
     /// Adds the integrals of the four hat functions over the whole @p cell,
-    /// whether or not it faces the other side.
+    /// whether or not it faces the master surface.
     void
     add_full_areas(const Cell &cell);
 
-    /// Adds the integration point @p st of @p cell, with area @p weight and the
-    /// opposite point @p opposite, to the mortar integrals.
+    /// Adds the integration point @p st of @p cell, with the area @p weight and
+    /// the point @p opposite on the master surface, to the mortar integrals.
     void
     add(const Cell             &cell,
         const dealii::Point<2> &st,
         const double            weight,
         const MasterPoint      &opposite);
 
-    /// Completes the integrals on @p cell; no more points may be added.
+    /// Completes the integrals on @p cell; no more points may be added to it.
     void
     close(const Cell &cell);
 
-    /// Computes the weighted gaps by grid nodes and sets all of @p result
-    /// except its points. @p parts are the facing parts of each facet.
+    /// Computes one weighted gap per grid node and stores all in @p result
+    /// except for its integration points. @p parts are the polygons of each
+    /// facet that face the master surface.
     void
     finish(std::vector<std::vector<Polygon>> parts, Gaps &result);
 

@@ -8,15 +8,15 @@
 
 namespace lamella
 {
-  /// Returns the discretization of the contact @p sides. `automatic` becomes
-  /// node to node if every node that faces the other surface within
-  /// @p search_radius faces one of its nodes, else surface to surface.
+  /// Returns the discretization of contact between the surfaces @p sides. For
+  /// `automatic` it is node to node if every node that faces the other surface
+  /// within @p search_radius faces one of its nodes, else surface to surface.
   Discretization
   choose_discretization(const ContactSides &sides, const double search_radius);
 
-  /// Returns the gaps of node-to-node contact: one per node pair
-  /// (pair_node_to_node()), with the smaller of both tributary areas. Counts
-  /// unpaired nodes in @p interface.
+  /// Returns the gaps of node-to-node contact, one per pair of nodes at most @p
+  /// search_radius apart (pair_node_to_node()), with the smaller of both
+  /// tributary areas. Stores numbers of unpaired nodes in @p interface.
   Gaps
   node_to_node(const ContactSides &sides,
                const double        search_radius,

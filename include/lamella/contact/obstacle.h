@@ -18,7 +18,7 @@ namespace lamella
   /// a plane) or a roller (infinite circular cylinder), in prescribed motion.
   struct Obstacle
   {
-    /// Shape; it must be set: `undefined` fails an assertion in meet().
+    /// Shape of an obstacle; `undefined` until it is set.
     enum class Shape
     {
       undefined,
@@ -28,7 +28,7 @@ namespace lamella
 
     /// Name in `subsection Obstacle NAME`, and in `Second` of contacts.
     std::string name;
-    Shape       shape = Shape::undefined;
+    Shape       shape = Shape::undefined; ///< Plane or cylinder.
     /// Initial position of a point of the plane or of the cylinder axis.
     dealii::Point<3> point;
     /// Unit normal out of the half space, or direction of the cylinder axis.
@@ -37,17 +37,18 @@ namespace lamella
     double radius = 0.;
     /// Prescribed translation at load factor 1 [length], scene axes.
     dealii::Tensor<1, 3> displacement;
-    /// Load history of the displacement (LoadFactor::of()).
+    /// Index of the load history of the displacement (LoadFactor::of()).
     unsigned int history = 0;
 
-    /// Returns the displacement at load factor @p factor.
+    /// Returns the displacement at load factor @p factor [length].
     dealii::Tensor<1, 3>
     displacement_at(const LoadFactor &factor) const
     {
       return factor.of(history) * displacement;
     }
 
-    /// Returns the largest depth with a unique nearest surface point.
+    /// Returns the largest depth at which the nearest surface point is unique:
+    /// the radius of a cylinder, infinity for a plane.
     double
     depth() const
     {
@@ -55,7 +56,7 @@ namespace lamella
                                      radius;
     }
 
-    /// Returns the part of @p v normal to the cylinder axis.
+    /// Returns the component of @p v normal to the cylinder axis.
     dealii::Tensor<1, 3>
     across_axis(const dealii::Tensor<1, 3> &v) const
     {
@@ -63,19 +64,20 @@ namespace lamella
     }
   };
 
+  /// Names of the shapes of obstacles in parameter files.
   template <>
   struct Names<Obstacle::Shape>
   {
     static constexpr NameOf<Obstacle::Shape> all[] = {
       {Obstacle::Shape::plane, "plane"},
-      {Obstacle::Shape::cylinder, "cylinder"}};
+      {Obstacle::Shape::cylinder, "cylinder"}}; ///< Value and name.
   };
 
-  /// Intersection of a line with a surface; `normal` is outward, of length 1.
+  /// Intersection of a line with a surface.
   struct Hit
   {
-    dealii::Point<3>     position;
-    dealii::Tensor<1, 3> normal;
+    dealii::Point<3>     position; ///< Position, scene axes.
+    dealii::Tensor<1, 3> normal;   ///< Outward unit normal of the surface.
     /// Distance along the line [length], negative against its direction: a gap.
     double distance = 0.;
   };
@@ -85,9 +87,9 @@ namespace lamella
   /// which the line enters the obstacle against its outward normal:
   ///   plane:     t = (p - x) . N / (d . N),
   ///   cylinder:  |r + t e| = R, the smaller root t,
-  /// with point p, direction N and radius R of the obstacle, and the parts r
-  /// and e of x - p and d normal to the axis. Empty if the line is parallel to
-  /// the surface, leaves the half space, or misses the cylinder.
+  /// with point p, direction N and radius R of the obstacle, and the components
+  /// r and e of x - p and d normal to the axis. Empty if the line is parallel
+  /// to the surface, leaves the half space, or misses the cylinder.
   std::optional<Hit>
   meet(const Obstacle             &obstacle,
        const dealii::Point<3>     &x,
