@@ -15,36 +15,43 @@
 
 namespace lamella
 {
-  /// Strengths of an orthotropic material in its own axes. X, Y, Z are the
-  /// directions 1, 2, 3, with t for tension and c for compression; all values
-  /// are positive. Also used for ultimate strains (engineering shear strains).
+  /// Strengths of an orthotropic material in its axes 1, 2, 3, as positive
+  /// stresses [force/length^2]. The struct also stores ultimate strains; shear
+  /// values are then engineering shear strains.
   struct Strengths
   {
-    /// Strengths in tension and compression [force/length^2].
-    double Xt = 0., Xc = 0., Yt = 0., Yc = 0., Zt = 0., Zc = 0.;
-    /// Shear strengths in the planes 12, 13 and 23 [force/length^2].
-    double S12 = 0., S13 = 0., S23 = 0.;
+    double Xt  = 0.; ///< Tensile strength along axis 1.
+    double Xc  = 0.; ///< Compressive strength along axis 1.
+    double Yt  = 0.; ///< Tensile strength along axis 2.
+    double Yc  = 0.; ///< Compressive strength along axis 2.
+    double Zt  = 0.; ///< Tensile strength along axis 3.
+    double Zc  = 0.; ///< Compressive strength along axis 3.
+    double S12 = 0.; ///< Shear strength in the plane 12.
+    double S13 = 0.; ///< Shear strength in the plane 13.
+    double S23 = 0.; ///< Shear strength in the plane 23.
   };
 
-  /// Strengths of a sandwich core in its own axes: 1 along the ribbon of a
+  /// Strengths of a sandwich core in its material axes: 1 along the ribbon of a
   /// honeycomb (L), 2 across it (W), 3 through the thickness; all positive.
   struct CoreStrengths
   {
-    /// Compressive strength along 3, shear strengths in the planes 13 and 23.
-    double crushing = 0., shear_13 = 0., shear_23 = 0.;
+    double crushing = 0.; ///< Compressive strength along 3 [force/length^2].
+    double shear_13 = 0.; ///< Shear strength in the plane 13 [force/length^2].
+    double shear_23 = 0.; ///< Shear strength in the plane 23 [force/length^2].
   };
 
   /// Inclination parameters p of Puck's inter-fiber fracture criterion,
-  /// dimensionless: slopes of the fracture curve at zero normal stress on the
-  /// fracture plane, for shear along (pl) and across the fiber (pt), on the
-  /// tension and compression side. Defaults are for carbon fibers (Puck, Kopp
-  /// and Knops, Compos. Sci. Technol. 62 (2002) 371-378).
+  /// dimensionless: slopes of the fracture curve (shear stress over normal
+  /// stress on the fracture plane) at zero normal stress. Defaults are for
+  /// carbon fibers (Puck et al., Compos. Sci. Technol. 62 (2002) 371-378).
   struct PuckInclinations
   {
-    double pl_tension = 0.35, pl_compression = 0.3;
-    double pt_tension = 0.25, pt_compression = 0.25;
+    double pl_tension     = 0.35; ///< Shear along the fiber, tension side.
+    double pl_compression = 0.3;  ///< Shear along the fiber, compression side.
+    double pt_tension     = 0.25; ///< Shear across the fiber, tension side.
+    double pt_compression = 0.25; ///< Shear across the fiber, compression side.
 
-    /// Returns the values for glass fibers from the same source.
+    /// Returns the parameters for glass fibers (Puck, Kopp and Knops 2002).
     static PuckInclinations
     glass()
     {
@@ -52,34 +59,36 @@ namespace lamella
     }
   };
 
-  /// Material data in the material's own axes and the units of the scene.
-  /// Optional data that are unknown are empty.
+  /// Elastic constants, strengths, density and thermal expansion of a material,
+  /// in its material axes and the units of the scene file.
   struct Material
   {
     Material() = default;
 
-    /// Constructs a material with the constants @p elastic only.
+    /// Constructs a material that has only the elastic constants @p elastic.
     Material(const EngineeringConstants &elastic)
       : elastic(elastic)
     {}
 
     /// Elastic constants; the default values of zero are invalid.
     EngineeringConstants elastic;
-    /// Mass density [force s^2 / length^4], i.e. kg/m^3 or t/mm^3.
+    /// Mass density [force s^2 / length^4]; empty if unknown.
     std::optional<double> density;
-    /// Coefficients of thermal expansion alpha_1, alpha_2, alpha_3 [1/K].
+    /// Thermal expansion along the axes 1, 2, 3 [1/K]; empty if unknown.
     std::optional<dealii::Tensor<1, 3>> expansion;
-    /// Strengths as stresses, and as ultimate strains.
-    std::optional<Strengths> strengths, ultimate_strains;
-    /// Tensile yield stress of an isotropic material [force/length^2].
+    /// Strengths [force/length^2]; empty if unknown.
+    std::optional<Strengths> strengths;
+    /// Ultimate strains (strains at failure); empty if unknown.
+    std::optional<Strengths> ultimate_strains;
+    /// Tensile yield stress (isotropic) [force/length^2]; empty if unknown.
     std::optional<double> yield;
-    /// Strengths of a sandwich core. If set, the failure criteria treat the
-    /// material as a core.
+    /// Strengths of a sandwich core; empty if the material is not a core.
     std::optional<CoreStrengths> core;
-    PuckInclinations             inclinations;
+    /// Inclination parameters of Puck's inter-fiber fracture criterion.
+    PuckInclinations inclinations;
   };
 
-  /// Materials of the scene by name.
+  /// Materials of a scene file by name (`subsection Material NAME`).
   using Materials = std::map<std::string, Material>;
 
   /// Linear elasticity with an initial strain epsilon_0 due to temperature or
@@ -91,36 +100,36 @@ namespace lamella
   class ElasticLaw
   {
   public:
-    /// Stores C and epsilon_0 in the same axes, without checks.
+    /// Stores the stiffness [force/length^2] and the initial strain, both in
+    /// the same axes, without checks.
     explicit ElasticLaw(const ElasticTensor &stiffness,
                         const Voigt         &initial_strain = Voigt())
       : C(stiffness)
       , initial(initial_strain)
     {}
 
-    /// Returns the stiffness C [force/length^2].
+    /// Returns the elastic stiffness tensor [force/length^2].
     const ElasticTensor &
     stiffness() const
     {
       return C;
     }
 
-    /// Returns the initial strain epsilon_0, for which the stress is zero.
+    /// Returns the initial strain due to temperature or cure (at zero stress).
     const Voigt &
     initial_strain() const
     {
       return initial;
     }
 
-    /// Returns the stress C (@p strain - epsilon_0) [force/length^2] for the
-    /// total strain in the axes of this law.
+    /// Returns the stress [force/length^2] for the total strain @p strain.
     Voigt
     stress(const Voigt &strain) const
     {
       return C * (strain - initial);
     }
 
-    /// Returns the energy density W for the total @p strain [force/length^2].
+    /// Returns the elastic energy per volume for the total strain @p strain.
     double
     energy_density(const Voigt &strain) const
     {
@@ -128,7 +137,7 @@ namespace lamella
     }
 
   private:
-    /// Stiffness and initial strain in the same axes.
+    /// Elastic stiffness and initial strain, both in the same axes.
     ElasticTensor C;
     Voigt         initial;
   };

@@ -11,19 +11,21 @@
 
 namespace lamella
 {
-  /// Declares and parses a `subsection Material NAME`. It has exactly one of
+  /// Declares and parses `subsection Material NAME`, which has exactly one of
   /// the entries `Library`, `Engineering constants` (9 numbers) and `Isotropic`
-  /// (E, nu). Optional are `Strengths` (9, instead of the library's), `Ultimate
-  /// strains` (9), `Yield`, `Core strengths` (3) and `Puck inclinations`.
+  /// (E, nu). Optional entries are `Strengths` (9 numbers, which replace the
+  /// library's), `Ultimate strains` (9), `Yield`, `Core strengths` (3) and
+  /// `Puck inclinations`.
   struct MaterialParameters
   {
-    /// Declares the entries in the current subsection of @p prm.
+    /// Declares the entries of a material in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the material, with library values converted to @p units. Throws
-    /// InputError if not exactly one of the three entries is set, for invalid
-    /// constants, and for library materials without units (except hertz-200).
+    /// Returns the material that the entries @p in define. Values of library
+    /// materials are converted to @p units. Throws InputError unless exactly
+    /// one of Library, Engineering constants and Isotropic is set, for invalid
+    /// constants, and for library materials (but hertz-200) without units.
     static Material
     parse(const Entries &in, const Units &units);
   };

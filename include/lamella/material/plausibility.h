@@ -11,10 +11,10 @@
 
 namespace lamella
 {
-  /// Returns a warning if a modulus of @p material is outside of 1 MPa to 2
-  /// TPa, so that it is probably not in @p units. @p name is the name of the
-  /// material in the warning. Cores may be softer in their plane. The result is
-  /// empty if the moduli are plausible or the scene has no units.
+  /// Returns a warning if the moduli of @p material are probably not in
+  /// @p units: if all Young's moduli are below 1 MPa or a modulus is above 2
+  /// TPa. The warning names the material @p name. The result is empty if the
+  /// moduli are plausible or the scene has no units.
   std::string
   moduli_warning(const std::string &name,
                  const Material    &material,
@@ -28,14 +28,15 @@ namespace lamella
   ///   G_13 / E_1, G_23 / E_2      1e-3 to 10; only of plies (E_3 <= E_1)
   ///   density                     5 to 25,000 kg/m^3 (foams, osmium)
   ///   thermal expansion           below 1e-3 / K (rubbers have 3e-4)
-  /// Ratios are checked also in scenes without units. Each warning names the
-  /// worst value. @p name is the name of the material.
+  /// Ratios are also checked in scenes without units. Each warning names the
+  /// material @p name and the value farthest outside of the range.
   std::vector<std::string>
   material_warnings(const std::string &name,
                     const Material    &material,
                     const Units       &units);
 
-  /// Returns the name, e.g. E1, and the value of the largest Young's modulus.
+  /// Returns the name (E1, E2 or E3) and the value [force/length^2] of the
+  /// largest Young's modulus of @p material.
   std::pair<const char *, double>
   largest_modulus(const Material &material);
 } // namespace lamella

@@ -11,25 +11,25 @@
 
 namespace lamella
 {
-  /// Points X of a body with weights w, sum w = 1; sum w f(X) is a mean of f.
+  /// Weights (with sum 1) and points of a quadrature rule for a mean value.
   using BoxPoints = std::vector<std::pair<double, Location>>;
 
-  /// Returns the corners of the box with the center @p middle and the @p edges.
+  /// Returns the corners of a box with center @p middle and lengths @p edges.
   std::vector<dealii::Point<3>>
   box_corners(const dealii::Point<3>     &middle,
               const dealii::Tensor<1, 3> &edges);
 
-  /// Returns the quadrature points of the mean over a box in @p body,
+  /// Returns the quadrature points X_q and weights w_q of the mean of a field f
+  /// over the box with the center @p middle and the edge lengths @p edges in
+  /// @p body,
   ///   1/V int f dV = sum_q w_q f(X_q).
-  /// A flat box is averaged over its area, or over its length, or evaluated at
-  /// its point. Integrals over x, y and z are nested and divided into intervals
-  /// at element sides (Body::line_breaks()), so that fields are smooth within
-  /// intervals. An interval has p / 2 + 2 Gauss points for displacements of
-  /// degree p along it (exact to degree p + 2). In skewed elements, intervals
-  /// are divided into four; a quadrature error remains at element sides that
-  /// cross an interval. A flat box in a ply interface, or a point on an
-  /// interface, has two lists of points, the lower ply first. Throws
-  /// InputError, under the path @p path, if a corner or a point is not in the
+  /// If edges have zero length, the mean is over an area, a line or a point.
+  /// Integrals over x, y and z are nested and divided at element sides into
+  /// intervals with p / 2 + 2 Gauss points for displacements of degree p. In
+  /// skewed elements, intervals are divided into four. The result has one
+  /// quadrature rule. It has two rules, for the lower and the upper ply, if the
+  /// box is flat or a point and lies in a ply interface. Throws InputError,
+  /// which names the scene entry @p path, if a corner or a point is not in the
   /// body, or for more than 200,000 points. Not collective.
   std::vector<BoxPoints>
   box_points(const Body                 &body,

@@ -15,60 +15,62 @@
 
 namespace lamella
 {
-  /// Tractions t on plane faces of bodies in one state [force/length^2]:
+  /// Tractions t on plane faces of bodies [force/length^2] at one load factor:
   ///   t = factor sum_loads t_load - p n + q,
   /// with the load factor, the surface loads t_load, the contact pressure p,
   /// the face normal n and the friction traction q. Line and point loads and
-  /// support forces are not included, since only their resultants are known. A
-  /// contact with points on the face, on either side, contributes its
-  /// ContactTraction on the line through the point along the face normal.
+  /// support forces are not included, since only their resultants are known. If
+  /// a contact has contact points on the face, its p and q at a point x are
+  /// those where the line through x along n meets the slave surface.
   class FaceTractions
   {
   public:
-    /// Constructs a state without tractions.
+    /// Constructs an object with zero traction on all faces.
     FaceTractions() = default;
 
-    /// Stores @p loads at load factor @p factor, and the regions of
-    /// @p supports. Throws InputError for expressions that cannot be parsed.
+    /// Stores the surface loads among @p loads, multiplied by @p factor, and
+    /// the supported regions of @p supports (for is_free()). Throws InputError
+    /// if the formula of a load cannot be parsed.
     FaceTractions(const std::vector<Load>    &loads,
                   const LoadFactor           &factor,
                   const std::vector<Support> &supports = {});
 
-    /// Adds the traction of @p contact with its normal @p forces and, with
-    /// friction, the shear forces @p shears. Keeps a reference to @p contact.
+    /// Adds the traction of @p contact, whose contact points have the normal
+    /// forces @p forces and the shear forces @p shears (empty without
+    /// friction). Keeps a reference to @p contact.
     void
     add_contact(const ContactInterface                              &contact,
                 const dealii::ArrayView<const double>               &forces,
                 const dealii::ArrayView<const dealii::Tensor<1, 3>> &shears);
 
-    /// A plane face: name, one of its points, outward unit normal (scene).
+    /// A plane face of a body.
     struct Face
     {
-      unsigned int         body = 0;
-      std::string          surface;
-      dealii::Point<3>     origin;
-      dealii::Tensor<1, 3> normal;
-      /// Distance from the plane within which points lie on the face [length].
+      unsigned int         body = 0; ///< Index of the body in Bodies.
+      std::string          surface;  ///< Name of the surface of the body.
+      dealii::Point<3>     origin;   ///< A point of the face, scene axes.
+      dealii::Tensor<1, 3> normal;   ///< Outward unit normal, scene axes.
+      /// Largest distance of points on the face from its plane [length].
       double tolerance = 0.;
     };
 
-    /// Returns true if no part of @p face of @p body has a surface load, a
-    /// surface or body support, or a contact.
+    /// Returns true if no surface load, contact, or support (except of lines
+    /// and points) acts on any part of @p face, a face of @p body.
     bool
     is_free(const Body &body, const Face &face) const;
 
-    /// The traction at points of one face; keeps a reference to FaceTractions.
+    /// Evaluates the traction at points of one plane face of a body.
     class OnFace
     {
     public:
-      /// Finds the contacts with points on @p face.
+      /// Finds the contacts on @p face; keeps a reference to @p all tractions.
       OnFace(const FaceTractions &all, const Face &face);
 
-      /// Returns the traction at the point @p x of the face, scene components.
+      /// Returns the traction vector at the point @p x of the face, scene axes.
       dealii::Tensor<1, 3>
       operator()(const dealii::Point<3> &x) const;
 
-      /// Returns true if a contact has points on the face.
+      /// Returns true if at least one contact has contact points on the face.
       bool
       has_contacts() const
       {
@@ -76,8 +78,9 @@ namespace lamella
       }
 
     private:
-      /// A contact with points on the face: largest distance of its sides there
-      /// [length], and side of the body (1: second, -1: first).
+      /// A contact that has contact points on the face. `reach` is the search
+      /// distance along the normal [length]; `side` is 1 if the face belongs to
+      /// the second body of the contact, and -1 if it belongs to the first.
       struct ContactOnFace
       {
         const ContactTraction *traction;

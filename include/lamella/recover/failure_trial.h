@@ -12,27 +12,28 @@
 
 namespace lamella
 {
-  /// A load factor that was tried in the search for first failure.
+  /// Results at one load factor that the search for first ply failure tried.
   struct FailureTrial
   {
-    double load_factor = 0.;
+    double load_factor = 0.; ///< Multiplier of all loads of the scene.
     /// Smallest reserve factor of all plies; empty if no ply can fail.
     std::optional<double> reserve;
-    Checks                checks;
-    /// Rows of the probe table, as in StepResults.
+    Checks                checks; ///< Reactions, contact forces and residuals.
+    /// Fields at each probe, one entry per ply, as in StepResults::probes.
     std::vector<std::vector<FieldRow>> probes;
   };
 
-  /// Load factor at which the smallest reserve factor is 1.
+  /// Result of the search for the load factor of first ply failure, at which
+  /// the smallest reserve factor is 1.
   struct FirstFailure
   {
-    /// No ply fails at the load factor `safe`; a ply fails at `failing`.
-    double safe = 0., failing = 0.;
+    double safe    = 0.; ///< Largest load factor found at which no ply fails.
+    double failing = 0.; ///< Smallest load factor found at which a ply fails.
     /// The ply that fails at `failing`; empty if no failure was found.
     std::optional<PlyReserve> where;
     /// Load factors tried in the search, except those without a solution.
     std::vector<FailureTrial> trials;
-    /// Warnings about the state at `failing`, as for a load step.
+    /// Warnings about the solution at `failing`, one sentence each.
     std::vector<std::string> warnings;
   };
 } // namespace lamella

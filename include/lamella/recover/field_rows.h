@@ -11,57 +11,60 @@
 
 namespace lamella
 {
-  /// Ply number of a mean over several plies; 0 in tables, which count from 1.
+  /// Value of FieldRow::ply for a mean over several plies; tables show 0.
   constexpr unsigned int several_plies = dealii::numbers::invalid_unsigned_int;
 
-  /// Fields at a point, on one side of ply interfaces: a row of output tables.
+  /// Displacement, strains and stresses at a point of a body in one ply.
   struct FieldRow
   {
-    /// Name of the body.
-    std::string body;
+    std::string body; ///< Name of the body.
     /// Ply, from 0 at the bottom (tables count from 1), or `several_plies`.
     unsigned int ply = 0;
-    /// Undeformed position in the scene; the center of a box.
+    /// Position in the undeformed scene [length]; for a box its center.
     dealii::Point<3> position;
-    /// Displacement, strains and stresses, in scene axes and ply axes.
-    FieldSample sample;
+    FieldSample      sample; ///< Displacement, strains and stresses there.
   };
 
-  /// A row of the output of a line.
+  /// Fields at one point of an output line (`subsection Line NAME`).
   struct LineRow
   {
-    /// Arc length from the start, equal on both sides of a ply interface.
-    double   s = 0.;
-    FieldRow fields;
+    double   s = 0.; ///< Arc length from the start of the line [length].
+    FieldRow fields; ///< Fields at the point in one ply.
   };
 
-  /// A row of the output of a cut: point (i, j) of the grid on section cell
-  /// @p cell. Points between two cells occur once per cell.
+  /// Fields at one point of an output cut (`subsection Cut NAME`), which has a
+  /// grid of points on each section cell.
   struct CutRow
   {
-    unsigned int cell = 0, i = 0, j = 0;
-    FieldRow     fields;
+    unsigned int cell = 0; ///< Index of the section cell.
+    unsigned int i    = 0; ///< Index of the point along the first side, from 0.
+    unsigned int j = 0;  ///< Index of the point along the second side, from 0.
+    FieldRow     fields; ///< Fields at the point in the ply of the cell.
   };
 
-  /// Jumps of the traction at the ply interfaces that a line crosses.
+  /// Jumps of the traction at the ply interfaces that an output line crosses.
   struct InterfaceJump
   {
-    /// Number of interfaces that the line crosses.
-    unsigned int interfaces = 0;
-    /// Largest jump of the traction sigma . d, with the direction d of the
-    /// line, over the largest stress component on the line. It is a
+    unsigned int interfaces = 0; ///< Number of ply interfaces on the line.
+    /// Largest jump of the traction sigma . d, with the unit vector d along the
+    /// line, divided by the largest stress component on the line. It is a
     /// discretization error if the line is normal to the plies.
     double of_stress = 0.;
-    /// Largest jump over the largest traction on the line; 0 if rounding.
+    /// Largest jump of the traction divided by the largest traction on the
+    /// line; 0 if the jump is due to rounding.
     double of_traction = 0.;
   };
 
-  /// Relative equilibrium defects of `equilibrium` stresses for each probe,
-  /// line and cut: the largest difference from the traction on the upper face
-  /// over the largest transverse stress (recover/interlaminar.h).
+  /// Relative errors of transverse stresses from integrated equilibrium
+  /// (`Stress = equilibrium`): the largest difference between the integrated
+  /// stresses and the traction on the upper face of the laminate, divided by
+  /// the largest transverse stress. A value is empty if the probe, line or cut
+  /// requests other stresses.
   struct EquilibriumDefects
   {
-    std::vector<std::optional<double>> probes, lines, cuts;
+    std::vector<std::optional<double>> probes; ///< Error of each probe.
+    std::vector<std::optional<double>> lines;  ///< Error of each line.
+    std::vector<std::optional<double>> cuts;   ///< Error of each cut.
   };
 } // namespace lamella
 

@@ -11,83 +11,88 @@
 
 namespace lamella
 {
-  /// Contribution of one element along a beam's axis to the error of a goal.
+  /// Contribution of one element along a beam's axis to the error of a goal
+  /// (quantity of interest).
   struct ElementError
   {
-    /// Number of the body, and axial coordinates of the element [length].
-    unsigned int body  = 0;
-    double       begin = 0., end = 0.;
+    unsigned int body  = 0;  ///< Index of the beam in Bodies.
+    double       begin = 0.; ///< Axial coordinate of the first end [length].
+    double       end   = 0.; ///< Axial coordinate of the second end [length].
     /// Signed contribution to the error, in the unit of the goal.
     double error = 0.;
     /// Number of DoFs of the element's nodes, including shared nodes.
     unsigned int dofs = 0;
   };
 
-  /// Difference of the value of a goal between a model and a model with finer
-  /// axis elements, as a sum of contributions of elements and of contact.
+  /// Difference of a goal (quantity of interest) between a model and a model
+  /// with finer axis elements, as a sum of contributions of elements and of
+  /// contact, in the unit of the goal.
   struct LocalErrors
   {
-    std::vector<ElementError> elements;
-    /// True if the run is the finer model. An element then has half of the
-    /// contribution of the coarser element that contains it.
-    bool of_pairs = false;
-    /// Contribution of contact: gaps of the finer model's active constraints at
-    /// coarser displacements, and differences of contact forces.
-    double contact = 0.;
-    /// Rest of the difference; only rounding if the models are nested.
+    std::vector<ElementError> elements; ///< Contributions of axis elements.
+    /// True if `elements` are those of the finer model, each with an equal
+    /// fraction of the error of the coarser element that contains it; false if
+    /// they are those of the coarser model.
+    bool   of_pairs = false;
+    double contact  = 0.; ///< Contribution of gap and contact force errors.
+    /// Difference that is assigned neither to elements nor to contact; only
+    /// rounding if the finer elements subdivide the coarser ones.
     double remainder = 0.;
   };
 
-  /// Error tolerance of a goal, as given in a scene.
+  /// Error tolerance of a goal (quantity of interest), as given in a scene.
   struct Tolerance
   {
-    /// Largest error: a fraction of GoalResult::scale, or if `is_absolute` a
-    /// value in the unit of the goal.
+    /// Largest permitted error: in the unit of the goal if `is_absolute`, else
+    /// as a fraction of GoalResult::scale.
     double size        = 0.;
-    bool   is_absolute = false;
+    bool   is_absolute = false; ///< True: `size` has a unit; false: relative.
   };
 
-  /// A goal of a run with its error estimate, in the unit of the quantity.
+  /// Value and error estimate of a goal (quantity of interest), in its unit.
   struct GoalResult
   {
-    /// Name in the scene, for example `tip: uz`.
-    std::string name;
-    double      value = 0.;
-    /// Unit for output (NamedQuantity::unit()); empty if there is none.
-    std::string unit = {};
-    /// Signed error estimate, to be added to the value, and bound of |error|.
-    double estimate = 0., bar = 0.;
-    /// Lower limit of the bar, even if refinement passes converge fast.
+    std::string name;       ///< Name in the scene, for example `tip: uz`.
+    double      value = 0.; ///< Computed value in the last load step.
+    /// Label of the unit; empty for dimensionless goals and without units.
+    std::string unit     = {};
+    double      estimate = 0.; ///< Estimate of exact minus computed value.
+    double      bar      = 0.; ///< Estimated bound of |exact - computed value|.
+    /// Lower limit of the bar: twice the change of the value by mesh refinement
+    /// near supports; 0 if this was not computed.
     double least = 0.;
-    /// True if the bar is reliable; otherwise `why` gives the reason.
+    /// True if the bar is reliable; false if not, for the reason in `why`.
     bool        trusted = false;
-    std::string why;
-    /// True if the value converges under refinement (singularity_reason()).
+    std::string why; ///< Reason why the bar is unreliable; else empty.
+    /// True if the value converges; false at a stress singularity.
     bool has_limit = true;
-    /// Reference of relative errors, |value| or RunGoals::scale_of().
+    /// Reference value of relative errors: |value|, or the largest value of the
+    /// same kind if the value is near zero (RunGoals::scale_of()).
     double scale = 0.;
-    /// Tolerance, if the scene gives one.
+    /// Error tolerance; empty if the scene does not give one.
     std::optional<Tolerance> tolerance;
-    /// Signed contributions of sources to bar (Estimation: `estimate`).
+    /// Signed contributions of error sources (`axis`, `fields`, `section`,
+    /// `contact`, ...) to the bar; results of Estimation: to the estimate.
     std::vector<std::pair<std::string, double>> shares;
-    /// Contribution of the axis by elements; empty if unknown.
+    /// Estimated discretization error of each axis element; empty if unknown.
     std::optional<LocalErrors> local;
 
-    /// Returns true if the value is near zero, so that `scale` is not |value|.
+    /// Returns true if the value is near zero, so that relative errors refer to
+    /// the largest value of its kind (`scale`) instead of |value|.
     bool
     is_near_zero() const
     {
       return scale != std::abs(value);
     }
 
-    /// Returns the largest permitted error; the goal must have a tolerance.
+    /// Returns the largest permitted error. The goal must have a tolerance.
     double
     allowed_error() const
     {
       return tolerance->size * (tolerance->is_absolute ? 1. : scale);
     }
 
-    /// Returns true if the bar is reliable and within the tolerance.
+    /// Returns true if the goal has a tolerance and a reliable bar within it.
     bool
     met() const
     {

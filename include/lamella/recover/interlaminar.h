@@ -24,30 +24,32 @@ namespace lamella
   /// cells, with one or more layers of cells per ply.
   struct LaminateBox
   {
-    /// Frame at the lower left corner of the start: x across, z through plies.
+    /// Local axes x along the width, y along the beam and z through the plies,
+    /// with the origin at the lower left corner of the start section.
     Placement frame;
-    /// Width, length and height [length].
+    /// Width, length and height of the laminate [length].
     dealii::Point<3> size;
   };
 
-  /// Returns the geometry of @p body. Throws InputError with the path @p path
-  /// unless it is a laminate.
+  /// Returns the geometry of @p body. Throws InputError, which names the scene
+  /// entry @p path, if the body is not a laminate.
   LaminateBox
   laminate_box(const Body &body, const std::string &path);
 
-  /// Defect of the integration of equilibrium over the height [force/length^2]:
-  /// the difference `error` between the integrated stresses and the traction on
-  /// the upper face, the largest transverse stress `largest` (norms of {xz, yz,
-  /// zz}), and the largest in-plane stress `in_plane`.
+  /// Error of transverse stresses {xz, yz, zz} that are integrated from
+  /// equilibrium over the height of a laminate [force/length^2].
   struct EquilibriumDefect
   {
-    double error = 0., largest = 0., in_plane = 0.;
+    double error    = 0.; ///< |integrated stress - traction| on the upper face.
+    double largest  = 0.; ///< Largest norm of the transverse stresses.
+    double in_plane = 0.; ///< Largest in-plane stress.
 
-    /// Sets each member to its maximum with that of @p other.
+    /// Replaces each member by the larger of it and that of @p other.
     void
     add(const EquilibriumDefect &other);
 
-    /// Returns error / largest; 0 for errors below 1e-6 of in-plane stresses.
+    /// Returns the error relative to the largest transverse stress; 0 if the
+    /// error is below 1e-6 of the in-plane stresses (rounding).
     double
     relative() const;
   };
@@ -63,60 +65,43 @@ namespace lamella
   /// Numer. Meth. Eng. 40 (1997) 51-60). The results are continuous between
   /// plies. All other components are the `recovered` stresses (StressRecovery).
   ///
-  /// *Derivatives.* In-plane stresses are evaluated at the p Gauss points of
-  /// each element, along the axis and (layer-wise theories) across it, in the
-  /// element of the column and one more on each side. A polynomial, of degree p
-  /// across and p + 1 along the axis, is fitted and differentiated. If one
-  /// expansion spans the section (TE-N), its polynomial is used.
+  /// - Derivatives: a polynomial is fitted to the in-plane stresses at Gauss
+  ///   points of the element and its neighbors, and differentiated. If one
+  ///   expansion spans the section (TE-N), its polynomial is used across.
+  /// - Shear warping: with one quadratic cell per ply, the axial displacement
+  ///   lacks the warping of thick laminates by shear, which changes sigma_yy. A
+  ///   step of a predictor-corrector method adds its effect (Noor, Burton and
+  ///   Peters, Comput. Meth. Appl. Mech. Eng. 82 (1990) 341-363).
+  /// - Free edges: if elements are wider than thick, torsion leaves a sigma_xy
+  ///   at free sides. It is made to vanish there with the slowest decay of
+  ///   warping by torsion (Timoshenko and Goodier, Theory of Elasticity, Art.
+  ///   109). Boundary layers due to different plies are not resolved.
+  /// - Error: the difference between integrated stresses and traction on the
+  ///   upper face is stored (EquilibriumDefect), then subtracted in proportion
+  ///   to the height.
   ///
-  /// *Shear warping.* With one quadratic cell per ply, the axial displacement
-  /// of a thick laminate lacks the warping by shear. Its effect on sigma_yy is
-  /// corrected. The missing transverse shear strain S tau - gamma (shear stress
-  /// tau, shear compliance S, strain gamma of the displacements), integrated
-  /// over the thickness, is a displacement e:
-  ///   tau = tau_0 + P(tau'' - gamma''),   e,z = S tau - gamma,
-  ///   P: delta,z = -Q (e,yy + a + b z),   delta = 0 on both faces,
-  /// with the shear stress tau_0 without correction, derivatives '' along the
-  /// axis, the plane-stress stiffness Q, and a, b such that the resultants do
-  /// not change (a predictor-corrector method after Noor, Burton and Peters,
-  /// Comput. Meth. Appl. Mech. Eng. 82 (1990) 341-363). The correction delta =
-  /// P(...) has delta'' = c delta with the mean ratio c of tau_0'' (from the
-  /// fit) to tau_0. This is exact for waves; c = 0 if tau_0 is at most linear.
-  /// A correction above half of tau_0 is omitted.
-  ///
-  /// *Free edges.* In elements wider than thick, torsion leaves sigma_xy at
-  /// free sides, where it must vanish within about one height H. If e is the
-  /// fitted sigma_xy at a free side minus its mean through the thickness, then
-  /// sigma_xy is replaced by
-  ///   sigma_xy - e phi(x),   phi = 1 at the side and 0 at the other,
-  ///   phi'' = (pi / H)^2 (G_yz / G_xy) phi,
-  /// the slowest decay of warping by torsion (Timoshenko and Goodier, Theory of
-  /// Elasticity, Art. 109), with the mean G_xy of the plies and the harmonic
-  /// mean G_yz. The resultant of the change is exact for any phi. Boundary
-  /// layers between different plies, as in an angle-ply laminate in tension,
-  /// are not resolved.
-  ///
-  /// *Defect.* The difference between the integrated stresses and the traction
-  /// on the upper face is stored as equilibrium defect, then subtracted in
-  /// proportion to the height. An object is for one state of one body. A column
-  /// costs about a hundred Body::sample() per layer, cached. Not collective.
+  /// An object evaluates one solution of one body. A column costs about 100
+  /// Body::sample() per layer; it is cached. Not collective.
   class EquilibriumStress
   {
   public:
-    /// Keeps references to @p body (number @p number, a laminate) and its
-    /// displacements @p u; uses its @p tractions. Throws InputError with the
-    /// path @p path as laminate_box() does.
+    /// Keeps references to the laminate @p body (index @p number in Bodies),
+    /// its displacements @p u and the @p tractions on its faces. Throws
+    /// InputError, which names the scene entry @p path, if the body is not a
+    /// laminate.
     EquilibriumStress(const Body          &body,
                       const unsigned int   number,
                       const Vector        &u,
                       const FaceTractions &tractions,
                       const std::string   &path);
 
-    /// Returns all fields at @p location, in scene axes and in ply axes.
+    /// Returns displacement, strain and stress at @p location; the transverse
+    /// stresses are integrated from equilibrium.
     FieldSample
     sample(const Location &location);
 
-    /// Returns the defect of the columns evaluated since the last call.
+    /// Returns the largest error of the integrated stresses at all points
+    /// evaluated since the last call of this function.
     EquilibriumDefect
     reset_defect();
 
@@ -128,24 +113,23 @@ namespace lamella
     static std::vector<double>
     points_of(const dealii::Quadrature<1> &rule);
 
-    /// A section cell that a column passes through.
+    /// A section cell above a given point of the lower face of the laminate.
     struct Layer
     {
-      /// Heights above the lower face [length].
+      /// Heights of the cell's faces above the lower face [length].
       double       bottom, top;
       unsigned int ply;
     };
 
-    /// A function of the height z in a column: values at the nodes of each
-    /// layer, layer by layer, for the components xz, then yz, or for zz alone.
+    /// Values of sigma_xz, then of sigma_yz (or of sigma_zz alone) at the nodes
+    /// of all layers over the height.
     using Profile = dealii::Vector<double>;
 
-    /// Transverse stresses in the column over a point of the lower face:
-    /// profiles of {xz, yz} and of zz.
+    /// Transverse stresses over the height above a point of the lower face.
     struct Column
     {
       std::vector<Layer> layers;
-      /// Profiles of {xz, yz} and of zz.
+      /// Stresses {sigma_xz, sigma_yz}, and sigma_zz.
       Profile           shear, normal;
       EquilibriumDefect defect;
     };
@@ -159,11 +143,11 @@ namespace lamella
       std::vector<std::vector<double>> weights;
     };
 
-    /// Integrands of the equilibrium equations in a column.
+    /// Integrands of the equilibrium equations over the height.
     struct Sources
     {
-      /// `shear`: tau,z of {xz, yz} with its derivatives along y up to the
-      /// third; `normal`: -sigma_zz,zz; `strain`: gamma'' and gamma'''.
+      /// `shear`: d/dz {sigma_xz, sigma_yz} and its y-derivatives 1 to 3;
+      /// `normal`: -sigma_zz,zz; `strain`: d2/dy2, d3/dy3 {gamma_xz, gamma_yz}.
       std::array<Profile, 4> shear;
       Profile                normal;
       std::array<Profile, 2> strain;
@@ -183,30 +167,33 @@ namespace lamella
     column_at(const double x, const double y);
     Column
     make_column(const double x, const double y);
-    /// Subtracts the defect @p missed from @p column, linear in the height.
+    /// Subtracts the difference @p missed to the traction on the upper face
+    /// from the stresses of @p column, in proportion to the height.
     void
     distribute(const dealii::Tensor<1, 3> &missed, Column &column) const;
-    /// Returns {sigma_xz, sigma_yz, sigma_zz} of @p column at the height @p z,
-    /// in the layer of @p ply at or next to it.
+    /// Returns {sigma_xz, sigma_yz, sigma_zz} of @p column at the height @p z
+    /// in @p ply, or at the nearest height in this ply.
     dealii::Tensor<1, 3>
     transverse_stress(const Column      &column,
                       const unsigned int ply,
                       const double       z) const;
     std::vector<Layer>
     layers_at(const double x, const double y) const;
-    /// Returns the stencil at @p through for derivatives by coordinate @p d.
+    /// Returns the stencil for derivatives by coordinate @p d at @p through.
     Stencil
     stencil(const unsigned int d, const dealii::Point<3> &through) const;
     Sources
     sources(const std::vector<Layer> &layers, const double x, const double y);
-    /// Function phi of the class comment at a free side, and its slope by x.
+    /// Decay of a free-edge stress with the distance from a free side (1 at the
+    /// side, 0 at the other side), and its derivative by x.
     struct FreeEdgeDecay
     {
       double value, slope;
     };
     FreeEdgeDecay
     free_edge_decay(const unsigned int side, const double x) const;
-    /// Corrections of sigma_xy and sigma_xy,x due to free sides.
+    /// Corrections of sigma_xy and of its derivative by x that make sigma_xy
+    /// vanish at free sides, each with derivatives by y of order 0 to 4.
     struct FreeEdgeCorrection
     {
       dealii::Tensor<1, 5> of_value, of_slope;
@@ -216,7 +203,8 @@ namespace lamella
     free_edge_corrections(const std::vector<Layer> &layers,
                           const double              x,
                           const double              y);
-    /// Returns stress e (class comment) at a free side, with derivatives.
+    /// Returns sigma_xy at a free side minus its mean through the thickness,
+    /// with derivatives by y of order 0 to 4, at all sampling points of layers.
     const std::vector<dealii::Tensor<1, 5>> &
     free_edge_stress(const unsigned int        side,
                      const std::vector<Layer> &layers,
@@ -232,7 +220,7 @@ namespace lamella
                 Sources                               &all);
     /// Values sigma_xx, sigma_yy, sigma_xy, gamma_xz, gamma_yz of an element.
     using Sampled = std::array<double, 5>;
-    /// Derivatives of Sampled, by order along x and along y.
+    /// Derivatives of the values of Sampled: [m][n] has order m in x, n in y.
     using Derivatives = std::array<std::array<dealii::Tensor<1, 5>, 5>, 3>;
     /// Returns the derivatives at the height @p z in @p ply; updates the
     /// largest in-plane stress @p in_plane.
@@ -254,25 +242,28 @@ namespace lamella
     Profile
     plane_stress(const std::vector<Layer> &layers,
                  const Profile            &displacement) const;
-    /// Returns int sigma dz of {xy, yy}, then int sigma z / H dz.
+    /// Returns the section forces int sigma dz of @p stress {xy, yy}, then the
+    /// moments int sigma z / H dz with the height H of the laminate.
     std::array<double, 4>
     resultants(const std::vector<Layer> &layers, const Profile &stress) const;
-    /// Returns @p stress plus the stress of a strain a + b z such that its
-    /// resultants are zero.
+    /// Returns @p stress plus the stress of a strain a + b z, where a and b are
+    /// such that the resultants of the sum are zero.
     Profile
     without_resultants(const std::vector<Layer> &layers, Profile stress) const;
-    /// Returns the correction delta of shear stresses and its derivative along
-    /// y. @p shear contains tau_0 with its derivatives.
+    /// Returns the shear-warping correction of the stresses {sigma_xz,
+    /// sigma_yz} in @p shear, and its derivative by y.
     std::array<Profile, 2>
     correction(const std::vector<Layer>     &layers,
                const std::array<Profile, 4> &shear,
                const std::array<Profile, 2> &strain) const;
-    /// Returns P(tau'' - gamma'') for tau'' = @p shear, gamma'' = @p strain.
+    /// Returns the shear-warping correction of {sigma_xz, sigma_yz} for their
+    /// second derivatives @p shear, and those of the shear strains @p strain.
     Profile
     warped(const std::vector<Layer> &layers,
            const Profile            &shear,
            const Profile            &strain) const;
-    /// Returns {sigma_xz, sigma_yz, sigma_zz} of the traction on a face.
+    /// Returns {sigma_xz, sigma_yz, sigma_zz} due to the traction on the lower
+    /// (@p face = 0) or upper (1) face.
     dealii::Tensor<1, 3>
     face_stress(const unsigned int face, const double x, const double y) const;
     /// Returns the height of node @p i of @p layer.
@@ -286,9 +277,9 @@ namespace lamella
     const Vector     &u;
     const LaminateBox box;
     StressRecovery    recovery;
-    /// Tractions on the lower and the upper face.
+    /// Tractions on the lower and the upper face of the laminate.
     std::vector<FaceTractions::OnFace> faces;
-    /// True for free sides x = 0, x = W; decay length of torsional warping.
+    /// True for a free left, right side; decay length of torsional warping.
     std::array<bool, 2> is_free{};
     double              decay = 0.;
     /// Transformations of strains and stresses between scene and body axes.

@@ -13,24 +13,26 @@
 
 namespace lamella
 {
-  /// Entries of a `subsection Measure NAME`: Of, Over, References.
+  /// Entries of `subsection Measure NAME`, a difference of two probe results
+  /// that can be divided by a number or length: Of, Over, References.
   struct MeasureParameters
   {
     /// Declares the entries with defaults, patterns and descriptions.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Reads the measure @p name, a difference of columns of @p probes. Of has
+    /// Reads the measure @p name, a difference of results of @p probes. Of has
     /// the form PROBE[/PLY]: COLUMN - PROBE[/PLY]: COLUMN, Over is a number or
-    /// `distance`. Throws InputError for other forms, columns of different
-    /// kinds, a difference that is always zero, and if Over is zero.
+    /// `distance` (of the probes). Throws InputError for other forms, columns
+    /// of different units, a difference that is always zero, and if Over is
+    /// zero.
     static Measure
     parse(const Entries            &in,
           const std::string        &name,
           const std::vector<Probe> &probes);
   };
 
-  /// Throws InputError of `Measures` if one has the name of another object.
+  /// Throws InputError if a measure has the name of another object.
   void
   check_names_of_measures(const QuantityNames &names);
 } // namespace lamella

@@ -23,7 +23,7 @@ namespace lamella
   /// dissipation of a contact or of a strip of a contact.
   struct NamedQuantity
   {
-    /// Kind of object that the quantity belongs to.
+    /// Kind of object whose result is requested.
     enum class ObjectKind
     {
       undefined,
@@ -32,35 +32,34 @@ namespace lamella
       contact, ///< the resultant on the second side
       measure  ///< a difference of two quantities of probes
     };
-    ObjectKind of = ObjectKind::undefined;
-    /// Name of the probe, support, contact or measure.
-    std::string name;
+    ObjectKind  of = ObjectKind::undefined; ///< Kind of the object.
+    std::string name; ///< Name of the object in the scene.
     /// Ply of a probe on a ply interface, from 1 at the bottom; 0 if not given.
     unsigned int ply = 0;
     /// Column: for a probe `uz`, `syy`, ...; for a resultant `fx` to `fz`, `mx`
     /// to `mz`; for a contact also `pressure`, `width`, `width x` to `width z`,
     /// `dissipated`; for a measure `value`.
     std::string column;
-    /// First reference value of this quantity in the scene (References).
+    /// First reference value of this quantity in the scene; empty if none.
     std::optional<double> given;
-    /// Path of the entry that requests the quantity, for messages.
+    /// Path of the scene entry that requests the quantity, for error messages.
     std::string path = {};
-    /// Strip of a contact to which the quantity is restricted, if any.
+    /// Range of a coordinate in the contact; empty for the whole contact.
     std::optional<ContactStrip> strip = {};
-    /// Measure: (terms[0] - terms[1]) / `over`, with `over` not zero.
+    /// The two terms of a measure, (terms[0] - terms[1]) / over; else empty.
     std::vector<NamedQuantity> terms = {};
-    double                     over  = 1.;
-    /// True if `over` is the number 1, so that a measure has its terms' unit.
+    double                     over  = 1.; ///< Divisor of a measure, not 0.
+    /// True if a measure has the unit of its terms (divisor 1); else false.
     bool keeps_unit = true;
 
-    /// Returns the text in the scene: `upper_top: uz`, `middle/2: syz` with a
-    /// ply, `roller: fz in y 40 60` with a strip.
+    /// Returns the quantity as written in the scene: `upper_top: uz`; with a
+    /// ply `middle/2: syz`; with a range of y `roller: fz in y 40 60`.
     std::string
     label() const;
 
-    /// Returns a letter for the kind of quantity (only equal kinds are
-    /// compared): u displacement, e strain, s stress, j jump, f force, m
-    /// moment, p pressure, w width, d dissipation. A measure: as its terms.
+    /// Returns a letter for the kind of quantity: u displacement, e strain, s
+    /// stress, j stress jump, f force, m moment, p pressure, w width, d
+    /// dissipation. A measure has the kind of its terms.
     char
     kind() const;
 
@@ -70,44 +69,47 @@ namespace lamella
     unit(const Units &units) const;
   };
 
-  /// Returns the kind of @p column: its first letter; `e` for shear strains.
+  /// Returns the letter for the kind of quantity in @p column of probes.csv,
+  /// for example `s` for the stress `syz` and `e` for strains (also shear).
   char
   kind_of_column(const std::string &column);
 
-  /// A difference of a column at two probes, over a number or their distance.
+  /// A difference of two probe results, divided by a number or distance.
   struct Measure
   {
-    /// Name in `subsection Measure NAME`.
-    std::string name;
-    /// Quantity with its terms; `given` is the first reference value.
-    NamedQuantity quantity;
-    /// Reference values of `value`.
+    std::string   name;     ///< Name in `subsection Measure NAME`.
+    NamedQuantity quantity; ///< The two probe results and the divisor.
+    /// Reference values of the measure in the scene.
     std::vector<Reference> references;
   };
 
-  /// Throws InputError with the entry of @p quantity if it requests a ply that
-  /// is not among @p plies (from 1; "0" for a mean).
+  /// Throws InputError, which names the scene entry of @p quantity, if this
+  /// requests a ply that is not among @p plies, the plies that contain its
+  /// probe (numbers from 1; "0" for a mean over several plies).
   void
   check_ply(const NamedQuantity            &quantity,
             const std::vector<std::string> &plies);
 
-  /// Throws InputError: the probe of @p quantity is in several @p plies.
+  /// Throws InputError: @p quantity is not unique on an interface of @p plies.
   [[noreturn]] void
   refuse_interface(const NamedQuantity            &quantity,
                    const std::vector<std::string> &plies);
 
-  /// Names in a scene to which a quantity can refer, with their References.
+  /// Objects of a scene that have results, with their reference values.
   struct QuantityNames
   {
-    std::vector<Probe>                            probes;
-    std::map<std::string, std::vector<Reference>> supports, contacts;
-    std::vector<Measure>                          measures = {};
+    std::vector<Probe> probes; ///< Probes of the scene.
+    /// Reference values of each support, by its name.
+    std::map<std::string, std::vector<Reference>> supports;
+    /// Reference values of each contact, by its name.
+    std::map<std::string, std::vector<Reference>> contacts;
+    std::vector<Measure> measures = {}; ///< Measures of the scene.
   };
 
   /// Returns the quantity in @p text, NAME: COLUMN, or for a contact NAME:
   /// COLUMN in AXIS FROM TO. Throws InputError unless a probe, a measure, or
   /// exactly one support or contact has this name and column, for other forms,
-  /// and unless FROM < TO. check_strip() checks the position.
+  /// and unless FROM < TO. check_strip() checks the range.
   NamedQuantity
   parse_quantity(const Entry &text, const QuantityNames &names);
 
@@ -115,88 +117,89 @@ namespace lamella
   std::vector<NamedQuantity>
   parse_quantities(const Entry &text, const QuantityNames &names);
 
-  /// Returns the column of one of @p probes in @p text, PROBE: COLUMN or
+  /// Returns the result of one of @p probes in @p text, PROBE: COLUMN or
   /// PROBE/PLY: COLUMN. Throws InputError for other texts.
   NamedQuantity
   parse_probe_quantity(const Entry &text, const std::vector<Probe> &probes);
 
-  /// Throws InputError, with the path of @p quantity, unless its strip or width
-  /// is along an axis normal to the contact normal of @p points, and the strip
-  /// lies within the contact.
+  /// Throws InputError, which names the scene entry of the contact @p quantity,
+  /// if its width or strip (range of one coordinate) is not measured along a
+  /// tangent of the contact with the contact points @p points, or if the strip
+  /// is not within the contact.
   void
   check_strip(const NamedQuantity                        &quantity,
               const std::vector<ContactInterface::Point> &points);
 
-  /// Path of quantities that are requested by References only.
+  /// Value of NamedQuantity::path for quantities with reference values only.
   inline const char *const references_path = "References";
 
-  /// Returns every quantity with References; adds other probes to @p others.
+  /// Returns all quantities for which the scene gives reference values. Adds
+  /// the names of probes without reference values to @p others.
   std::vector<NamedQuantity>
   quantities_with_references(const QuantityNames      &names,
                              std::vector<std::string> &others);
 
-  /// Returns the mean pressure data of @p contact from @p rows at a step's end.
+  /// Returns the pressure and shear traction of @p contact for the results
+  /// @p rows of its contact points at the end of a load step.
   ContactTraction
   traction_of(const ContactSummary          &contact,
               const std::vector<ContactRow> &rows);
 
-  /// Thresholds for ResultNumbers::scale_of().
+  /// Thresholds for the reference of relative errors (ResultNumbers::scale_of).
   struct GoalRules
   {
     /// A value below this fraction of the largest value of its kind is near
-    /// zero; its errors then refer to the largest value.
+    /// zero. Relative errors then refer to the largest value.
     double near_zero = 1e-3;
-    /// Materials with values below this fraction of the scene's are ignored.
+    /// If the largest value in the material is below this fraction of the
+    /// largest value in the scene, relative errors refer to the latter.
     double nothing = arithmetic::negligible;
   };
 
-  /// Values at the last load step of all quantities that a NamedQuantity can
-  /// request. The object does not refer to the run.
+  /// Copies of all values that a NamedQuantity can request (last load step).
   class ResultNumbers
   {
   public:
-    /// Constructs an object without values, for a failed run.
+    /// Constructs an object without values, for an analysis that failed.
     ResultNumbers() = default;
 
-    /// Stores values of @p results. Throws InputError if no step was solved.
+    /// Copies values of @p results. Throws InputError if no step was solved.
     explicit ResultNumbers(const Results &results);
 
     /// Reads the output of to_json(); throws nlohmann::json::exception.
     explicit ResultNumbers(const nlohmann::json &json);
 
-    /// Returns a JSON object from which doubles are restored exactly.
+    /// Returns all values as JSON, from which doubles are restored exactly.
     nlohmann::json
     to_json() const;
 
-    /// Returns the value of @p quantity. Throws InputError at an interface of
-    /// plies with different values (by 1e-9) unless @p quantity names one of
-    /// the plies.
+    /// Returns the value of @p quantity. Throws InputError if its probe lies on
+    /// a ply interface, the values of both plies differ (by 1e-9 relatively),
+    /// and @p quantity does not name one of the plies.
     double
     value(const NamedQuantity &quantity) const;
 
-    /// Returns the displacement and the stress component (scene axes) of
-    /// largest magnitude at the probe @p name, in the first ply.
+    /// Returns the displacement component and the stress component (scene axes)
+    /// of largest magnitude at the probe @p name, in its lowest ply.
     std::vector<NamedQuantity>
     largest_at(const std::string &name) const;
 
-    /// Returns the largest magnitude of the kind of @p quantity: any
-    /// displacement, strain or stress of any probe, any force or moment of
-    /// supports and contacts, pressure at a point, width, or dissipation of any
-    /// contact. For a measure, the value for its terms over its divisor.
+    /// Returns the largest magnitude of all results of the same kind as
+    /// @p quantity: those of all probes, of all supports and contacts, or of
+    /// all contacts. For a measure, it is divided by its divisor.
     double
     largest_of_kind(const NamedQuantity &quantity) const;
 
-    /// Returns the largest strain or stress of all probes in the material of
-    /// the ply of @p quantity, in any body: a stiff face is no reference for a
-    /// soft core. If no other probe is in the material, the six components at
-    /// the point are compared. On an interface without a given ply, the
-    /// material with the smallest value is used, for a box over several plies
-    /// the values of the box. For other kinds: largest_of_kind().
+    /// Returns the largest strain or stress of all probes in the same material
+    /// as @p quantity, since stresses of a stiff face are no reference for a
+    /// soft core. On an interface without a given ply, the material with the
+    /// smallest value is used; for a box over several plies, the values of the
+    /// box. For other quantities, returns largest_of_kind().
     double
     largest_in_material(const NamedQuantity &quantity) const;
 
-    /// Returns the reference size of errors of @p quantity: its magnitude, or
-    /// if it is near zero largest_in_material().
+    /// Returns the reference value of relative errors of @p quantity: its
+    /// magnitude, or largest_in_material() if the quantity is near zero.
     double
     scale_of(const NamedQuantity &quantity, const GoalRules &rules = {}) const;
 
@@ -212,7 +215,7 @@ namespace lamella
       std::map<std::string, double> columns;
     };
 
-    /// Returns the largest magnitude of the columns of kind @p kind in @p row.
+    /// Returns the largest magnitude in columns of the kind @p kind of @p row.
     static double
     largest_of(const char kind, const ProbeRow &row);
 
@@ -220,13 +223,13 @@ namespace lamella
     std::vector<const ProbeRow *>
     rows_of(const std::string &probe) const;
 
-    /// Returns value() for a support or a contact.
+    /// Returns the value of @p quantity, a result of a support or a contact.
     double
     value_of_resultant(const NamedQuantity &quantity) const;
 
-    /// Resultants of supports on bodies, and of contacts on second sides.
+    /// Force and moment of each support and contact, by its name.
     std::map<std::string, std::vector<double>> supports, contacts;
-    /// Traction of each contact.
+    /// Traction of each contact, by its name.
     std::map<std::string, ContactTraction> tractions;
     std::vector<ProbeRow>                  probes;
   };

@@ -15,31 +15,32 @@
 
 namespace lamella
 {
-  /// Checks for results that suggest a mistake in the scene:
+  /// Checks of results for a probable mistake in the scene:
   /// - implausible values in the units of the scene: strains above 2 %,
   ///   displacements above the length of a body, loads with strains below 1e-9;
   /// - bodies without a contact that penetrate each other at the end of a load
   ///   step, although they were apart at the start;
   /// - bodies that move without strain and without a moving support.
-  /// Strains and displacements are evaluated at a thousand points of the
-  /// surface of each body; few of the points are near stress singularities.
+  /// Values are evaluated at a few hundred surface points of each body.
   class Plausibility
   {
   public:
-    /// Keeps a reference to @p structure. Checks values only with @p units.
+    /// Keeps a reference to @p structure. Values are checked only if @p units
+    /// are given, and penetration only for bodies without one of @p contacts.
     Plausibility(const Structure                     &structure,
                  const Units                         &units,
                  const std::vector<ContactInterface> &contacts);
 
-    /// Returns a sentence for each implausible result of the displacements @p u
-    /// and their @p checks. The @p last load step has additional checks.
+    /// Returns a warning for each implausible result of a load step with the
+    /// displacements @p u and the @p checks. Rigid-body motion is checked only
+    /// if this is the @p last load step.
     std::vector<std::string>
     plausibility_warnings(const BlockVector &u,
                           const Checks      &checks,
                           const bool         last);
 
   private:
-    /// The largest of some values, and its position.
+    /// Largest value of a quantity over several points, and the point.
     struct Extreme
     {
       double           value = 0.;
@@ -64,10 +65,10 @@ namespace lamella
       Extreme                       strain, displacement;
     };
 
-    /// Returns about 500 surface nodes of body @p b, evenly selected.
+    /// Returns about 500 surface nodes of the body with index @p b.
     std::vector<SurfacePoint>
     sample_nodes(const unsigned int b) const;
-    /// Returns about 500 points within the surface facets of body @p b.
+    /// Returns about 500 points in surface facets of the body with index @p b.
     std::vector<SurfacePoint>
     face_points(const unsigned int b) const;
     CurrentBody
@@ -78,27 +79,28 @@ namespace lamella
     add_unit_warnings(const std::vector<CurrentBody> &moved,
                       const bool                      is_rigid,
                       std::vector<std::string>       &sentences) const;
-    /// Adds a sentence on rigid motion of bodies without strain.
+    /// Adds a warning if bodies move without strain and no support moves.
     void
     add_rigid_motion(const std::vector<CurrentBody> &moved,
                      std::vector<std::string>       &sentences) const;
-    /// Returns the largest penetration of @p a into @p b, and its position.
-    /// With the displacements @p u of @p b, a point x of @p a coincides with
-    /// the material point X of b for which X + u(X) = x, found by Newton's
-    /// method from the nearest surface point.
+    /// Returns the largest penetration [length] of surface points of body @p a
+    /// into body @p b with displacements @p u. A point x of @p a coincides with
+    /// the material point X of @p b for which X + u(X) = x (Newton's method,
+    /// started at the nearest surface point).
     Extreme
     deepest(const CurrentBody &a,
             const CurrentBody &b,
             const unsigned int number_of_b,
             const Vector      &u) const;
-    /// Returns the distance of @p X, inside body @p b, from the nearest of the
-    /// tangent planes at the surrounding surface points. Zero below rounding.
+    /// Returns the distance of the point @p X inside the body with index @p b
+    /// from the nearest tangent plane at surface points around it; 0 if this is
+    /// negligible compared with the element size.
     double
     depth(const dealii::Point<3> &X, const unsigned int b) const;
     /// Returns true if an element center of @p a is initially inside @p b.
     bool
     are_nested(const Body &a, const Body &b) const;
-    /// Adds sentences on overlapping bodies without a contact.
+    /// Adds a warning for each pair of bodies without contact that penetrate.
     void
     add_overlaps(const std::vector<CurrentBody> &moved,
                  const BlockVector              &u,
@@ -107,9 +109,9 @@ namespace lamella
     const Structure &structure;
     const Bodies    &bodies;
     Units            units;
-    /// Pairs of bodies with a contact, the lower number first.
+    /// Pairs of bodies with a contact, by index, the smaller index first.
     std::set<std::pair<unsigned int, unsigned int>> contacts;
-    /// sample_nodes() and face_points() of each body, computed at first use.
+    /// Surface nodes and points in facets of each body, computed at first use.
     std::vector<std::vector<SurfacePoint>> nodes, faces;
   };
 } // namespace lamella

@@ -10,18 +10,20 @@
 
 namespace lamella
 {
-  /// Reserve factor of a ply by one failure criterion (doc/theory/strength.md).
+  /// Smallest reserve factor of a ply by one failure criterion, and its point
+  /// (doc/theory/strength.md).
   struct PlyReserve
   {
-    /// Number of the body in the scene; ply number from 0 at the bottom.
-    unsigned int body = 0, ply = 0;
-    /// Criterion as in the scene, and failure mode.
-    std::string criterion, mode;
-    /// Factor on mechanical stresses at which the ply fails; empty if none.
+    unsigned int body = 0;  ///< Index of the body in the scene, from 0.
+    unsigned int ply  = 0;  ///< Index of the ply, from 0 at the bottom.
+    std::string  criterion; ///< Name of the failure criterion in the scene.
+    std::string  mode;      ///< Failure mode, such as `fiber tension`.
+    /// Factor on mechanical stresses at which the ply fails; empty if the ply
+    /// does not fail at any factor.
     std::optional<double> reserve;
-    /// Value of the failure criterion; 1 at failure.
+    /// Value of the failure criterion at the computed stresses; 1 at failure.
     double index = 0.;
-    /// Undeformed position in the scene.
+    /// Position of the point in the undeformed scene [length].
     dealii::Point<3> position;
     /// Angle from axis 2 of the ply to the normal of the fracture plane,
     /// positive towards axis 3 [degrees]; empty if unknown.
@@ -30,15 +32,15 @@ namespace lamella
     double stress_discrepancy = 0.;
   };
 
-  /// Smallest reserve factor of a ply in a section of a beam.
+  /// Smallest reserve factor of a ply in one cross-section of a beam.
   struct ReserveAlong
   {
-    /// Number of the body in the scene; ply number from 0 at the bottom.
-    unsigned int body = 0, ply = 0;
-    /// Distance from the start of the axis, and position in the scene.
-    double           s = 0.;
-    dealii::Point<3> position;
-    /// Largest 1/R of the element stresses; empty if the section is excluded.
+    unsigned int     body = 0; ///< Index of the body in the scene, from 0.
+    unsigned int     ply  = 0; ///< Index of the ply, from 0 at the bottom.
+    double           s = 0.; ///< Distance from the start of the axis [length].
+    dealii::Point<3> position; ///< Point of the undeformed axis [length].
+    /// Largest inverse reserve factor by element stresses in the cross-section;
+    /// empty if an excluded box of `subsection Strength` contains it.
     std::optional<double> inverse_reserve;
   };
 } // namespace lamella

@@ -19,8 +19,8 @@
 
 namespace lamella
 {
-  /// Kind of strains and stresses at points shared by elements of a ply (axis
-  /// elements times section cells, or hexahedra). Plies are never averaged.
+  /// Method by which strains and stresses are computed at a point that several
+  /// elements of a ply share. Values of different plies are never averaged.
   enum class StressValues
   {
     undefined,
@@ -30,9 +30,11 @@ namespace lamella
     equilibrium ///< recovered, but transverse stresses by equilibrium
   };
 
+  /// Names of the values of StressValues in parameter files.
   template <>
   struct Names<StressValues>
   {
+    /// Value and name of each method to compute stresses.
     static constexpr NameOf<StressValues> all[] = {
       {StressValues::element, "element"},
       {StressValues::nodal, "nodal"},
@@ -56,20 +58,19 @@ namespace lamella
   ///   sigma(X) = sum_v N_v(X) P_v(X),   N_v trilinear, v its corners,
   /// which is continuous and reproduces what the fits reproduce (Blacker and
   /// Belytschko, Int. J. Numer. Meth. Eng. 37 (1994) 517-536).
-  /// - A corner whose patch determines fewer terms than another corner of the
-  ///   same elements, such as on a surface, uses the polynomial of the corner
-  ///   that shares most of its elements.
+  /// - If the patch of a corner (on a surface) determines fewer terms than that
+  ///   of another corner of the same elements, the polynomial of the corner
+  ///   that shares most of these elements is used.
   /// - A ply with one element through its thickness determines degree p - 1:
   ///   values are extrapolated from the reduced Gauss points. If p = 1, two
   ///   points are used along coordinates with one element, since the center
   ///   alone does not detect bending; locking errors are then included.
-  /// - A corner on the edge of a larger element uses that element's values.
-  /// - If degrees differ between elements (LE-1 beside LE-2), each has its own
-  ///   Gauss points, and the patch has the lowest degree.
-  /// - Along coordinates with zero Body::recovery_degrees(), the values at the
-  ///   point are used: Taylor theories are recovered along the axis only.
-  /// Each patch is fitted once, when first needed, for one state of one body. A
-  /// patch of eight bricks of degree p costs 8 p^3 calls of Body::sample().
+  /// - At a hanging node, the field of the larger element is used.
+  /// - If degrees differ between elements (LE-1 beside LE-2), the patch has the
+  ///   lowest degree.
+  /// - Taylor theories are recovered along the axis only.
+  /// Each patch is fitted when first needed. A patch of eight bricks of degree
+  /// p costs 8 p^3 calls of Body::sample().
   class StressRecovery
   {
   public:
@@ -79,89 +80,89 @@ namespace lamella
                    const Vector      &u,
                    const StressValues values);
 
-    /// Returns all fields at @p location as Body::sample(), with strains and
-    /// stresses of the chosen kind. Fits missing patches.
+    /// Returns the fields at @p location, with strains and stresses of the kind
+    /// that was passed to the constructor. Patches that are needed are fitted.
     FieldSample
     sample(const Location &location);
 
   private:
     using Place = Location::Place;
 
-    /// Cell and unit coordinates of a point, rounded to 1e-9; of several cells
-    /// at a point, the smallest cell number.
+    /// Unique key of a point in caches: the smallest index of the elements that
+    /// contain the point, and unit coordinates in it, rounded to 1e-9.
     using Key = std::pair<unsigned int, std::array<long, 3>>;
 
-    /// Recovered field at a node: weights and patch fits owned by this object.
+    /// Recovered field of a node: polynomials and their weights in a sum.
     using Source = std::vector<std::pair<double, const PatchFit *>>;
 
     static Key
     key_of(const Place &place);
 
-    /// Returns the strains and stresses of the element itself at @p place.
+    /// Returns the discontinuous element strains and stresses at @p place.
     FieldValues
     element_values(const unsigned int ply, const Place &place) const;
 
-    /// Returns the continuous field in the element of @p place: sum_v N_v P_v,
-    /// or for `nodal` the interpolated means.
+    /// Returns the continuous strains and stresses at @p place: the polynomials
+    /// of the nodes of its element, weighted by their shape functions.
     FieldValues
     field(const unsigned int ply, const Place &place);
 
-    /// Returns the nodes of the element at @p place, each with its shape
-    /// function at @p place: corners (trilinear N_v) for `recovered`,
-    /// Gauss-Lobatto points for `nodal`, only along recovered coordinates.
+    /// Returns the nodes of the element of @p place, each with the value of its
+    /// shape function at @p place. Nodes are the corners for `recovered`
+    /// stresses and Gauss-Lobatto points for `nodal` stresses.
     std::vector<std::pair<Place, double>>
     nodes(const Place &place) const;
 
-    /// Returns true if @p place is at a node of its element, to 1e-4 of its
-    /// size. A smaller element's corner on its edge is no node.
+    /// Returns true if @p place is a node of its element (not a hanging node).
     bool
     is_node(const Place &place) const;
 
-    /// Returns point @p place in each element of the ply that contains it.
+    /// Returns the point @p place in each element of the ply that contains it.
     const std::vector<Place> &
     meeting(const unsigned int ply, const Place &place);
 
-    /// Returns the fits for the values at @p node, equal for all elements.
+    /// Returns the recovered field at @p node as a weighted sum of polynomials.
     const Source &
     source(const unsigned int ply, const Place &node);
 
-    /// Returns the fit of the patch at @p node; for `nodal` its mean.
+    /// Returns the polynomial fitted to the patch of elements at @p node; for
+    /// `nodal` stresses the mean of the elements' values.
     const PatchFit &
     own_fit(const unsigned int ply, const Place &node);
 
-    /// Returns the lowest degrees of @p elements (Body::recovery_degrees_of()).
+    /// Returns the lowest polynomial degree of @p elements in each coordinate.
     std::array<unsigned int, 3>
     degrees_of(const std::vector<Place> &elements) const;
 
-    /// Returns the fits used at @p node: its own if it determines all terms;
-    /// else the mean over the corners with most terms and shared elements.
+    /// Returns the polynomial of the patch at @p node if the patch determines
+    /// all terms. Otherwise returns the mean of the polynomials of those
+    /// corners that determine most terms and share most elements.
     Source
     best_fits(const unsigned int ply, const Place &node);
 
-    /// Returns true if @p element, linear along @p d, has no neighbor along d.
+    /// Returns true if @p element has degree 1 and no neighbor along @p d.
     bool
     is_one_linear_layer(const unsigned int ply,
                         Place              element,
                         const unsigned int d);
 
-    /// Returns the values at the superconvergent reduced Gauss points.
+    /// Returns strains and stresses at the reduced Gauss points of @p elements.
     std::vector<PatchPoint>
     patch_points(const unsigned int ply, const std::vector<Place> &elements);
 
-    /// Returns the distinct frames of mean element edges in a patch, as
-    /// columns, for any order of the element coordinates.
+    /// Returns the edge vectors (columns) of @p elements, without duplicates.
     std::vector<dealii::Tensor<2, 3>>
     frames(const std::vector<Place> &elements) const;
 
     const Body        &body;
     const Vector      &u;
     const StressValues kind;
-    /// Body::recovery_degrees(): 0 along coordinates without recovery.
+    /// Polynomial degree in each coordinate; 0 in coordinates without recovery.
     const std::array<unsigned int, 3> degrees;
-    /// Unit coordinates in [0, 1] of the nodes of an element, if recovered.
+    /// Unit coordinates of the nodes of an element; empty without recovery.
     std::array<std::vector<double>, 3> node_coordinates;
 
-    /// Caches of element patches, values at Gauss points, fits and sources.
+    /// Caches of patches, Gauss point values, polynomials and fields of nodes.
     std::map<Key, std::vector<Place>>              element_patches;
     std::map<Key, std::vector<PatchPoint>>         gauss_points;
     std::map<Key, std::unique_ptr<const PatchFit>> fits;

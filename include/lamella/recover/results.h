@@ -18,28 +18,29 @@
 
 namespace lamella
 {
-  /// A contact constraint at the end of a load step: gap, force and geometry.
+  /// Results of one contact constraint at the end of a load step.
   struct ContactRow
   {
     /// Position, normal and area of the contact point.
     ContactInterface::Point point;
-    /// Initial gap in the undeformed bodies and gap at the end of the step
-    /// [length]; averages for mortar constraints.
-    double initial_gap = 0., gap = 0.;
-    /// Contact force lambda; divided by the point's area, the mean pressure.
+    double initial_gap = 0.; ///< Gap of the undeformed bodies [length].
+    double gap         = 0.; ///< Gap at the end of the load step [length].
+    /// Normal contact force, positive in compression [force].
     double force = 0.;
-    /// Force and moment on the second side, friction included.
+    /// Force on the second side (friction included), and its moment.
     Wrench on_second = {};
-    /// Friction: shear force on the second side, slip length, dissipation.
+    /// Friction results of the contact point.
     struct Friction
     {
-      dealii::Tensor<1, 3> shear;
-      bool                 slips      = false;
-      double               length     = 0.;
-      double               dissipated = 0.;
+      dealii::Tensor<1, 3> shear; ///< Shear force on the second side.
+      bool                 slips      = false; ///< True: slip; false: stick.
+      double               length     = 0.;    ///< Accumulated slip [length].
+      double               dissipated = 0.;    ///< Energy dissipated so far.
     };
+    /// Friction results; empty for a contact without friction.
     std::optional<Friction> friction = {};
 
+    /// Returns true if the contact point transmits a normal force.
     bool
     touches() const
     {
@@ -50,53 +51,49 @@ namespace lamella
   /// Numbers of contact points that closed and opened in a load step.
   struct StatusChanges
   {
-    unsigned int closed = 0, opened = 0;
+    unsigned int closed = 0; ///< Number of points that came into contact.
+    unsigned int opened = 0; ///< Number of points that lost contact.
   };
 
-  /// Results of one load step; lists have the order of the names in Results.
+  /// Results of one load step. Lists have the order of the names in Results.
   struct StepResults
   {
-    /// Number of the load step, from 1.
-    unsigned int step = 0;
+    unsigned int step = 0; ///< Number of the load step, from 1.
     /// Load factor t, which multiplies loads and prescribed displacements.
     LoadFactor load_factor;
-    /// Displacements and contact forces, with data on the iterations.
-    State  state;
-    Checks checks;
-    /// Number of substeps, and change by the last doubling
-    /// (SolvedStep::change).
-    unsigned int          substeps = 1;
-    std::optional<double> change   = {};
-    /// Number of bisections of the load step (SolvedStep::cuts).
+    /// Displacements, contact forces, and numbers of iterations.
+    State        state;
+    Checks       checks; ///< Reactions, contact forces, energies and residuals.
+    unsigned int substeps = 1; ///< Number of substeps of the load step.
+    /// Relative change by the last doubling of substeps; empty if not doubled.
+    std::optional<double> change = {};
+    /// Number of bisections of the load increment because of nonconvergence.
     unsigned int halvings = 0;
-    /// Data of the contact strategy at the end of the step, for a restart.
+    /// Data of the contact algorithm at the end of the step, for a restart.
     StrategyHistory memory;
 
-    /// Rows of each probe (one per ply, from the bottom), line and cut.
+    /// Fields at each probe: one entry per ply that contains it, bottom first.
     std::vector<std::vector<FieldRow>> probes;
-    std::vector<std::vector<LineRow>>  lines;
-    std::vector<std::vector<CutRow>>   cuts;
-    /// Interface jumps of each line.
-    std::vector<InterfaceJump> jumps;
-    /// Value of each measure.
-    std::vector<double> measures;
-    EquilibriumDefects  defects;
-    /// Contact points of each contact, in the order of its constraints.
+    std::vector<std::vector<LineRow>>  lines; ///< Fields along each line.
+    std::vector<std::vector<CutRow>>   cuts;  ///< Fields on each cut.
+    std::vector<InterfaceJump>         jumps; ///< Traction jumps of each line.
+    std::vector<double>                measures; ///< Value of each measure.
+    EquilibriumDefects defects; ///< Errors of `equilibrium` stresses.
+    /// Results of the contact points of each contact.
     std::vector<std::vector<ContactRow>> contacts;
     /// Numbers of opened and closed contact points of each contact.
     std::vector<StatusChanges> changes;
-    /// Reserve factors of each ply of the evaluated bodies, by body, ply and
-    /// criterion, without criteria that apply to no point.
+    /// Smallest reserve factors, ordered by body, ply and criterion.
     std::vector<PlyReserve> plies;
-    /// Reserve factors along the axes of beams, by body, ply and s.
+    /// Reserve factors along beam axes, ordered by body, ply and position.
     std::vector<ReserveAlong> plies_along;
 
     /// Warnings about this step, one sentence each.
     std::vector<std::string> warnings;
 
-    /// Releases vectors of the state, data of the strategy and all rows, which
-    /// are nearly all of the memory, but not checks, jumps, measures, defects,
-    /// changes, reserve factors of plies and warnings.
+    /// Releases nearly all memory: displacements, contact forces, restart data,
+    /// fields, contact points and reserve factors along axes. Checks, jumps,
+    /// measures, smallest reserve factors and warnings remain.
     void
     drop_fields();
   };
@@ -104,10 +101,9 @@ namespace lamella
   /// Model data of a body in the results.
   struct BodySummary
   {
-    /// Name and theory as in the scene, for example `upper`, `LE-2`.
-    std::string name, theory;
-    /// Number of DoFs, including prescribed DoFs.
-    unsigned int dofs = 0;
+    std::string  name;     ///< Name in the scene.
+    std::string  theory;   ///< Theory in the scene, for example `LE-2`.
+    unsigned int dofs = 0; ///< Number of DoFs, including prescribed DoFs.
     /// Statistics of the linear solver; empty for the `full` strategy.
     std::optional<SolverStatistics> solver;
     /// Name of the material of each ply.
@@ -117,87 +113,89 @@ namespace lamella
   /// Data of a contact in the results.
   struct ContactSummary
   {
-    /// Names of the contact and of its second body or obstacle.
-    std::string    name, second_name;
+    std::string name;        ///< Name of the contact.
+    std::string second_name; ///< Name of the second body or of the obstacle.
+    /// Discretization of the constraints, such as node to node.
     Discretization discretization = Discretization::undefined;
-    Enforcement    enforcement    = Enforcement::undefined;
-    /// Number of contact constraints, and of unpaired nodes on either side.
-    unsigned int rows = 0, unpaired = 0, unpaired_second = 0;
-    /// Smallest and largest initial gap [length].
-    double initial_gap_min = 0., initial_gap_max = 0.;
-    /// Friction coefficient of Coulomb's law.
-    double friction = 0.;
+    /// Enforcement of the contact law, such as penalty.
+    Enforcement  enforcement     = Enforcement::undefined;
+    unsigned int rows            = 0;  ///< Number of contact constraints.
+    unsigned int unpaired        = 0;  ///< Unpaired nodes of the first side.
+    unsigned int unpaired_second = 0;  ///< Unpaired nodes of the second side.
+    double       initial_gap_min = 0.; ///< Smallest initial gap [length].
+    double       initial_gap_max = 0.; ///< Largest initial gap [length].
+    double       friction        = 0.; ///< Friction coefficient (Coulomb).
     /// Slave surface; null if unknown.
     std::shared_ptr<const SlaveSurface> surface = {};
   };
 
-  /// Results of a run, without references to a scene, body or solver.
+  /// Results of the analysis of a scene, as copies without references.
   struct Results
   {
-    /// Title of the scene; units are labels, and numbers are as in the scene.
-    std::string title;
-    Units       units;
-    /// Bodies, contacts and names, in the order of the scene.
-    std::vector<BodySummary>    bodies;
-    std::vector<ContactSummary> contacts;
-    std::vector<std::string>    supports, probes, lines, cuts, measures;
+    std::string title; ///< Title of the scene.
+    Units       units; ///< Labels of the units in which all numbers are given.
+    std::vector<BodySummary>    bodies;   ///< Bodies in the order of the scene.
+    std::vector<ContactSummary> contacts; ///< Contacts in this order.
+    std::vector<std::string>    supports; ///< Names of the supports.
+    std::vector<std::string>    probes;   ///< Names of the probes.
+    std::vector<std::string>    lines;    ///< Names of the output lines.
+    std::vector<std::string>    cuts;     ///< Names of the output cuts.
+    std::vector<std::string>    measures; ///< Names of the measures.
     /// Resultant of each load at load factor 1.
     std::vector<LoadResultant> loads;
-    /// Diagonal of the bounding box of all bodies [length].
-    double size = 0.;
+    double size = 0.; ///< Diagonal of the bounding box of all bodies [length].
 
-    /// Solved load steps, in order.
-    std::vector<StepResults> steps;
-    /// Number of load steps in the scene, and true if all were solved.
-    unsigned int load_steps = 0;
-    bool         converged  = false;
-    /// Notes about the scene, printed before and after the warnings of steps.
-    std::vector<std::string> notes, endnotes;
-    /// First failure; empty if the scene does not request the search.
+    std::vector<StepResults> steps;    ///< Solved load steps, in order.
+    unsigned int load_steps = 0;       ///< Number of load steps in the scene.
+    bool         converged  = false;   ///< True if all load steps were solved.
+    std::vector<std::string> notes;    ///< Notes printed before all warnings.
+    std::vector<std::string> endnotes; ///< Notes printed after all warnings.
+    /// First ply failure; empty if the scene does not request the search.
     std::optional<FirstFailure> first_failure;
-    /// Goals of the last step; empty if no errors were estimated.
+    /// Quantities of interest with error estimates; empty if not estimated.
     std::vector<GoalResult> goals;
-    /// Reason why there are no goals; empty if there are goals.
+    /// Reason why no errors were estimated; else empty.
     std::string no_goals_reason;
-    /// Lower bound of the largest condition number of stiffnesses, or 0.
+    /// Lower bound of the condition number of the stiffness; 0 if unknown.
     double condition_estimate = 0.;
 
-    /// Wall-clock seconds by phase (phase_names()), and `total`.
+    /// Wall-clock seconds of each phase (phase_names()) and in `total`.
     std::map<std::string, double> seconds;
-    /// Number of MPI processes of the run.
-    unsigned int processes = 1;
-    /// Peak memory in bytes: of the largest process, and of all processes.
-    double peak_memory = 0., peak_memory_of_all = 0.;
+    unsigned int                  processes = 1; ///< Number of MPI processes.
+    double peak_memory = 0.; ///< Peak memory of the largest process [bytes].
+    double peak_memory_of_all = 0.; ///< Peak memory of all processes [bytes].
 
     /// Returns the number of DoFs of all bodies.
     unsigned int
     n_dofs() const;
 
-    /// Returns notes, the warnings of all steps, and endnotes. If there are
-    /// several steps, warnings contain the step or `first failure`. Warnings
-    /// that differ by numbers only are merged, with the numbers of the largest
-    /// load factor; warnings that differ by a name are merged with all names.
+    /// Returns the notes, the warnings of all load steps (with the step if
+    /// there are several), and the endnotes. Warnings that differ by numbers
+    /// only are merged, with the numbers of the largest load factor; warnings
+    /// that differ by a name are merged with all names.
     std::vector<std::string>
     all_warnings() const;
 
-    /// Returns the largest stiffening and smallest buckling factor of all
-    /// steps.
+    /// Returns the largest stiffening and smallest buckling factor.
     NonlinearityEstimate
     worst_nonlinearity() const;
 
-    /// Returns the last solved step. Throws InputError if there is none.
+    /// Returns the last solved load step. Throws InputError if there is none.
     const StepResults &
     last() const;
 
-    /// Returns the row of the probe @p name in the last step for @p ply (from
-    /// 1), or the first row if 0. Throws InputError if there is none.
+    /// Returns the fields at the probe @p name in the last load step, in the
+    /// ply number @p ply (from 1), or if 0 in the lowest ply that contains it.
+    /// Throws InputError for an unknown probe, and if it is not in this ply.
     const FieldRow &
     probe(const std::string &name, const unsigned int ply = 0) const;
 
-    /// Returns the resultant of the support or contact @p name in the last
-    /// step. Throws InputError for an unknown name.
+    /// Returns the reaction force and moment of the support @p name in the last
+    /// load step. Throws InputError for an unknown name.
     const Resultant &
     support(const std::string &name) const;
+    /// Returns resultant and residuals of the contact @p name in the last load
+    /// step. Throws InputError for an unknown name.
     const KktResidual &
     contact(const std::string &name) const;
   };

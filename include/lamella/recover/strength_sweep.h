@@ -22,24 +22,24 @@
 
 namespace lamella
 {
-  /// Entries of `subsection Strength`: failure criteria and plies.
+  /// Entries of `subsection Strength`, which requests reserve factors of plies.
   struct StrengthParameters
   {
-    /// Failure criteria, each once; by default none: no evaluation.
+    /// Failure criteria, each once; if empty, nothing is evaluated.
     std::vector<Criterion> criteria;
-    /// Numbers of the bodies to be evaluated, ascending.
+    /// Indices of the bodies to be evaluated, ascending.
     std::vector<unsigned int> bodies;
-    /// Boxes that are excluded: lower and upper corner, scene axes.
+    /// Boxes without evaluation, as lower and upper corner, scene axes.
     std::vector<std::array<dealii::Point<3>, 2>> excluded_boxes;
     /// Stresses for the reserve factors: `recovered` or `equilibrium`.
     StressValues stress = StressValues::recovered;
 
-    /// Declares the entries in the current subsection of @p prm.
+    /// Declares the entries of Strength in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Reads the parameters for a scene with bodies of the names @p bodies.
-    /// Throws InputError for unknown or repeated names, and for invalid boxes.
+    /// Reads the entries of a scene with the bodies named @p bodies. Throws
+    /// InputError for unknown or repeated names, and for invalid boxes.
     static StrengthParameters
     parse(const Entries &in, const std::vector<std::string> &bodies);
   };
@@ -56,9 +56,8 @@ namespace lamella
   /// The interlaminar criterion uses element faces parallel to the ply that are
   /// interfaces to another ply. A ply whose material has core strengths is a
   /// core. Core shear and core crushing apply to cores, face wrinkling to plies
-  /// of a laminate or wall adjacent to a core, all other criteria to plies that
-  /// are not cores. The largest 1/R along a beam's axis is stored by ply
-  /// (ReserveAlong). An element costs 27 stress evaluations. Collective.
+  /// next to a core, all other criteria to plies that are not cores. An element
+  /// costs 27 stress evaluations. Collective.
   class StrengthSweep
   {
   public:
@@ -66,23 +65,25 @@ namespace lamella
     /// data, and for `equilibrium` stresses without a laminate. Collective.
     StrengthSweep(const Bodies &bodies, const StrengthParameters &parameters);
 
+    /// Smallest reserve factors of all evaluated bodies.
     struct Found
     {
-      std::vector<PlyReserve>   plies;
-      std::vector<ReserveAlong> along;
+      std::vector<PlyReserve>   plies; ///< Factors of each ply and criterion.
+      std::vector<ReserveAlong> along; ///< Factors of plies along beam axes.
     };
 
-    /// Returns StepResults::plies and plies_along for the displacements @p u
-    /// and @p tractions on faces. @p thermal_part are the displacements due to
-    /// heat alone. Their stresses are constant; the reserve factor multiplies
-    /// only the remaining stresses. Collective.
+    /// Returns the smallest reserve factors for the displacements @p u and
+    /// @p tractions on faces. @p thermal_part are the displacements due to
+    /// temperature alone, or null. The reserve factor does not multiply their
+    /// stresses, only the remaining ones. Collective.
     Found
     sweep(const BlockVector   &u,
           const FaceTractions &tractions    = FaceTractions(),
           const BlockVector   *thermal_part = nullptr) const;
 
-    /// Returns the largest 1/R of ply @p ply of body @p body for the stress
-    /// @p ply_stress; 0 if no R is finite. Omits the interlaminar criterion.
+    /// Returns the largest inverse reserve factor of the ply with index @p ply
+    /// of the body with index @p body at the stress @p ply_stress (ply axes),
+    /// by all criteria except `interlaminar`; 0 if the ply cannot fail.
     double
     inverse_reserve(const unsigned int body,
                     const unsigned int ply,
@@ -105,21 +106,21 @@ namespace lamella
     {
       unsigned int      body;
       std::vector<Task> tasks;
-      /// For each element of this process: true if its face at the ends of the
-      /// first and the third unit coordinate is parallel to the ply and an
-      /// interface to another ply; else empty.
+      /// For each element and its four faces at the ends of the first and third
+      /// unit coordinate: true if the face is an interface to another ply.
+      /// Empty without interlaminar criterion.
       std::vector<std::array<bool, 4>> touched;
     };
 
-    /// Returns the criteria for the plies of @p body, with regard to cores.
+    /// Returns the criteria that apply to each ply of @p body.
     std::vector<Task>
     tasks_of(const Body &body) const;
     /// Throws InputError if @p ply lacks the strengths for @p criterion.
     void
     require(const Criterion criterion, const Ply &ply, const Body &body) const;
 
-    /// Returns true if @p task applies to point @p k with interfaces
-    /// @p touched.
+    /// Returns true if the criterion @p task is evaluated at point number @p k
+    /// (0 to 26) of an element whose faces @p touched are ply interfaces.
     static bool
     uses_point(const Task                &task,
                const std::array<bool, 4> &touched,
@@ -131,47 +132,48 @@ namespace lamella
     /// Largest 1/R along the axis of a beam, by ply and position.
     class Along;
 
-    /// Displacements of a body, and displacements due to heat alone or null.
+    /// Displacements of a body: in total, and due to temperature alone or null.
     struct Displacements
     {
       const Vector &u;
       const Vector *thermal_part;
     };
-    /// An element: its stresses, stresses due to heat alone (or null), and
-    /// flags of faces on ply interfaces (SweptBody::touched).
+    /// Stresses of an element: in total, and due to temperature alone (or
+    /// null). `touched` is true for faces on ply interfaces.
     struct SweptCell
     {
       const OutputCell   &loaded;
       const OutputCell   *thermal_part;
       std::array<bool, 4> touched;
     };
-    /// Points of a criterion that may be near failure.
+    /// Points at which a criterion is near its largest inverse reserve factor.
     class Candidates;
-    /// Adds points of @p cell for @p task to @p along and @p candidates.
+    /// Evaluates @p task in @p cell; adds points to @p along and @p candidates.
     void
     evaluate_cell(const SweptCell &cell,
                   const Task      &task,
                   Along           &along,
                   Candidates      &candidates) const;
-    /// Returns this process's points near failure for each criterion.
+    /// Returns this process's points nearest to failure, for each criterion.
     std::vector<std::vector<dealii::Point<3>>>
     find_candidates(const SweptBody     &swept,
                     const Displacements &at,
                     Along               &along) const;
-    /// Evaluates stresses of a body, and stresses due to heat alone or null.
+    /// Recovered stresses: in total, and due to temperature alone or null.
     struct Stresses
     {
       const Vector                                &u;
       std::function<FieldSample(const Location &)> recovered;
       StressRecovery                              *thermal_recovery;
     };
-    /// Returns the smallest reserve factor of @p task at @p points.
+    /// Returns the smallest reserve factor by @p task at @p points.
     std::optional<PlyReserve>
     worst_row(const SweptBody                     &swept,
               const Task                          &task,
               const std::vector<dealii::Point<3>> &points,
               const Stresses                      &stresses) const;
-    /// Adds each criterion's smallest reserve factor to @p plies. Collective.
+    /// Adds the smallest reserve factor of each criterion to @p plies, from the
+    /// points of all processes. Collective.
     void
     add_worst_rows(const SweptBody                                  &swept,
                    const std::vector<std::vector<dealii::Point<3>>> &points,
@@ -185,26 +187,26 @@ namespace lamella
     std::vector<SweptBody>                       all;
   };
 
-  /// Returns true if @p a is nearer to failure than @p b: by reserve factor, if
-  /// both have none by failure index, and if equal (to 1e-7) by position.
+  /// Returns true if @p a has a smaller reserve factor than @p b. If both have
+  /// none, the failure index is compared; if equal (to 1e-7), the position.
   bool
   is_worse(const PlyReserve &a, const PlyReserve &b);
 
-  /// Returns true if @p a is before @p b, ordered by x, then y, then z.
-  /// Coordinates that differ by less than @p same are equal.
+  /// Returns true if @p a precedes @p b in the order by x, then y, then z.
+  /// Coordinates that differ by less than @p same count as equal.
   bool
   is_before(const dealii::Point<3> &a,
             const dealii::Point<3> &b,
             const double            same);
 
-  /// Returns the entry of @p rows nearest to failure; null if there are none.
+  /// Returns the entry of @p rows that is nearest to failure; null if none.
   const PlyReserve *
   worst_of(const std::vector<PlyReserve> &rows);
 
-  /// Returns a warning about the entry of @p rows nearest to failure if it is
-  /// perhaps at a stress singularity: one of @p supports or of @p loads on a
-  /// line or a point acts there, or element and recovered stresses differ by
-  /// more than a tenth. Empty otherwise.
+  /// Returns a warning if the smallest reserve factor of @p rows is perhaps at
+  /// a stress singularity: one of @p supports, or one of @p loads on a line or
+  /// a point acts there, or element and recovered stresses differ by more than
+  /// a tenth. Otherwise the result is empty.
   std::string
   worst_reserve_warning(const std::vector<PlyReserve> &rows,
                         const std::vector<Support>    &supports,

@@ -10,24 +10,26 @@
 
 namespace lamella
 {
-  /// Rows of a table, each with the same number of cells; first the headings.
+  /// Texts of a table by row and column. The first row contains headings.
   using TextTable = std::vector<std::vector<std::string>>;
 
-  /// Prints @p table with aligned columns. The table must have headings.
+  /// Prints @p table with aligned columns. It must have a row of headings.
   void
   print_table(std::ostream &out, const TextTable &table);
 
-  /// Reference values that a scene defines for its results.
+  /// Reference values of a scene, in the order of the names in Results.
   struct ReferenceLists
   {
-    /// References of each object, in the order of Results.
-    std::vector<std::vector<Reference>> probes, supports, contacts, measures;
+    std::vector<std::vector<Reference>> probes;   ///< Values for each probe.
+    std::vector<std::vector<Reference>> supports; ///< Values for each support.
+    std::vector<std::vector<Reference>> contacts; ///< Values for each contact.
+    std::vector<std::vector<Reference>> measures; ///< Values for each measure.
   };
 
   /// Prints a table with one row per reference value: name, result in the last
-  /// load step, reference, difference in percent, source. A probe on a ply
-  /// interface has the lower ply's result. Throws InputError without a load
-  /// step.
+  /// load step, reference, difference in percent, origin of the reference. For
+  /// a probe on a ply interface, the result in the lower ply is compared.
+  /// Throws InputError if @p results has no load step.
   void
   print_comparison(std::ostream         &out,
                    const Results        &results,

@@ -14,41 +14,41 @@
 
 namespace lamella
 {
-  /// Mesh of the contact points of a contact for visualization: quadrilaterals
-  /// between points on the SlaveSurface, and isolated points.
+  /// Mesh of the contact points on a slave surface for visualization:
+  /// quadrilaterals between neighboring points, and isolated points.
   class ContactSurface
   {
   public:
+    /// Indices of the four contact points at its corners, in cyclic order.
     using Quadrilateral = std::array<unsigned int, 4>;
 
-    /// Keeps references to both arguments, which must outlive this object. @p
-    /// contact is between bodies of @p structure.
+    /// Keeps references to @p contact and to the @p structure of its bodies.
     ContactSurface(const ContactInterface &contact, const Structure &structure);
 
-    /// Returns the contact points (indices) of quadrilaterals in cyclic order.
+    /// Returns the quadrilaterals of the mesh as indices of contact points.
     const std::vector<Quadrilateral> &
     quadrilaterals() const
     {
       return quads;
     }
 
-    /// Indices of the contact points that belong to no quadrilateral.
+    /// Returns the indices of the contact points outside of quadrilaterals.
     const std::vector<unsigned int> &
     isolated_points() const
     {
       return alone;
     }
 
-    /// Returns the mesh on the deformed slave body with the data @p rows of a
-    /// load step: the columns of contact_NAME.csv at the points (`active` as
-    /// `status`), and `separation`, the vector to the paired point on the
-    /// master surface. @p u are the displacements of all bodies.
+    /// Returns the mesh on the deformed slave surface. @p u are the
+    /// displacements of all bodies. Point data are the results @p rows of the
+    /// contact points (columns of contact_NAME.csv) and `separation`, the
+    /// vector to the paired master point.
     VtuGrid
     grid(const BlockVector &u, const std::vector<ContactRow> &rows) const;
 
-    /// Writes grid() for load step @p step to contact_NAME_STEP.vtu in @p
-    /// directory and returns the name of the file. Throws InputError on
-    /// failure. Must be called by one process only.
+    /// Writes the mesh with the results of load step @p step to the file
+    /// contact_NAME_STEP.vtu in @p directory and returns its name. Throws
+    /// InputError on failure. Must be called by one process only.
     std::string
     write_vtu(const std::string             &directory,
               const unsigned int             step,

@@ -9,11 +9,11 @@
 
 namespace lamella
 {
-  /// Returns the content of fields.csv: the number of section functions at each
-  /// axis node of each beam. A line per node has the columns
+  /// Returns the content of fields.csv: the number of section functions (terms
+  /// of the expansion over the cross-section) at each axis node of each beam. A
+  /// line per node has the columns
   ///   body, node (from 1), s (distance from the first node), x, y, z
   ///   (undeformed position), fields (number of section functions).
-  /// Not collective.
   std::string
   fields_of_nodes(const Bodies &bodies);
 } // namespace lamella

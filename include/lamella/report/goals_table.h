@@ -10,8 +10,8 @@
 
 namespace lamella
 {
-  /// Returns the content of goals.csv, a line per goal (quantity of interest)
-  /// with these columns; missing numbers are empty:
+  /// Returns the content of goals.csv. Each line has a goal (quantity of
+  /// interest) with these columns; unknown numbers are empty:
   /// - goal, value, estimate (of the error), corrected (value plus estimate);
   /// - bar (error bound), trusted, tolerance, met;
   /// - axis, fields, section, contact (contributions to the error);
@@ -20,19 +20,21 @@ namespace lamella
   goals_csv(const Results &results);
 
   /// Returns the content of indicators.csv: the contribution of each axis
-  /// element of a beam to the error of a goal (goal, body, begin and end along
-  /// the axis, error), then those of contact and the remainder (LocalErrors).
+  /// element of a beam to the error of a goal (quantity of interest), with the
+  /// columns goal, body, begin and end along the axis, and error. The last
+  /// lines have the contributions of contact and the remainder (LocalErrors).
   std::string
   indicators_csv(const Results &results);
 
-  /// Prints the goals with error bars, the source of large errors with a
-  /// remedy, and nonlinear effects that exceed the error bars.
+  /// Prints the quantities of interest with error bars, the largest error
+  /// source (mesh, theory, contact) of those with large errors, and nonlinear
+  /// effects that exceed the error bars.
   void
   print_goals(std::ostream &out, const Results &results);
 
-  /// Returns the error @p value relative to the scale of @p goal, such as "0.12
-  /// %", or "0.0011 MPa (0.5 %)" if the goal is near zero; if the goal has no
-  /// scale, the error with its unit only.
+  /// Returns the text of the error @p value of @p goal in percent, such as
+  /// "0.12 %". If the goal is near zero, the text is "0.0011 MPa (0.5 %)";
+  /// without a reference value (scale 0), it is "0.0011 MPa".
   std::string
   share_text(const GoalResult &goal, const double value);
 

@@ -8,10 +8,9 @@
 namespace lamella
 {
   /// Implements `lamella report DIR`: writes the results in @p folder to the
-  /// self-contained HTML file @p target. This process is replaced by
-  /// scripts/report.py (doc/guides/report.md), which receives the version and
-  /// the data of the built-in materials. Throws InputError if the script, or
-  /// python3 with Jinja2, is not found.
+  /// self-contained HTML file @p target. The current process is replaced by the
+  /// script scripts/report.py (doc/guides/report.md). Throws InputError if the
+  /// script, or python3 with Jinja2, is not found.
   [[noreturn]] void
   make_page(const std::string &folder, const std::string &target);
 } // namespace lamella

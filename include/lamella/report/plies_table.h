@@ -10,20 +10,20 @@
 
 namespace lamella
 {
-  /// Returns the header line of plies.csv (reserve factors of plies).
+  /// Returns the header line of plies.csv, the smallest reserve factors.
   std::string
   plies_header();
 
-  /// Returns the lines of plies.csv for @p step of @p results.
+  /// Returns the lines of plies.csv for load step @p step of @p results.
   std::string
   plies_lines(const Results &results, const StepResults &step);
 
-  /// Returns the header line of plies_along.csv.
+  /// Returns the header line of plies_along.csv (reserve factors along axes).
   std::string
   plies_along_header();
 
-  /// Returns the lines of plies_along.csv for @p step of @p results: for each
-  /// ply the largest 1/R (R the reserve factor) at stations along the axis.
+  /// Returns the lines of plies_along.csv for load step @p step of @p results:
+  /// the largest inverse reserve factor of each ply at points along the axis.
   std::string
   plies_along_lines(const Results &results, const StepResults &step);
 

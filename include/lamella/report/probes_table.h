@@ -9,8 +9,8 @@
 
 namespace lamella
 {
-  /// Prints displacements and stresses of the first probes in the last load
-  /// step, in scene axes, with error bars in per cent for goals.
+  /// Prints displacements and stresses (scene axes) of at most 40 probes in the
+  /// last load step, with error bars in percent for quantities of interest.
   void
   print_probes(std::ostream &out, const Results &results);
 } // namespace lamella

@@ -11,24 +11,25 @@
 
 namespace lamella
 {
-  /// Names of VTU files by collection (`solution`, `contact_NAME`), with the
-  /// load step of each file in ascending order.
+  /// Load step and name of the VTU files of each collection (`solution` or
+  /// `contact_NAME`), in the order of the load steps.
   using VtuFiles =
     std::map<std::string, std::vector<std::pair<double, std::string>>>;
 
-  /// State of a run after a completed load step, from which the run is resumed,
-  /// stored in the file `restart`. Doubles are stored exactly, in the format of
-  /// the machine. Table rows beyond `sizes` belong to incomplete steps.
+  /// Data from which an interrupted analysis is resumed after its last
+  /// completed load step, stored in the file `restart` (binary, exact).
   struct Restart
   {
-    /// Version of the program, and text of the scene with all entries.
-    std::string version, scene;
-    /// True if the run is complete; then only version and scene are stored.
+    std::string version; ///< Version of the program.
+    std::string scene;   ///< Text of the scene with the values of all entries.
+    /// True if the analysis is complete (the members below are then empty);
+    /// false if load steps are missing.
     bool finished = false;
-    /// Completed load steps, without checks and table rows; for the last step
-    /// also displacements, contact state and data of the solution strategy.
+    /// Completed load steps, without checks and fields. Displacements and
+    /// contact forces are stored for the last step only.
     std::vector<StepResults> steps;
-    /// Size [bytes] of each table by file name.
+    /// Size [bytes] of each table by file name. Data beyond this size belong to
+    /// an incomplete load step.
     std::map<std::string, std::uint64_t> sizes;
     /// VTU files of the completed steps.
     VtuFiles vtu_files;
@@ -39,8 +40,9 @@ namespace lamella
   void
   write_restart(const Restart &restart, const std::string &directory);
 
-  /// Returns the restart data in @p directory. Throws InputError if it is
-  /// missing or damaged, if version or @p scene differ, or the run is finished.
+  /// Returns the restart data in @p directory. Throws InputError if they are
+  /// missing or damaged, if version or @p scene differ, or if the analysis is
+  /// complete.
   Restart
   read_restart(const std::string &directory, const std::string &scene);
 } // namespace lamella

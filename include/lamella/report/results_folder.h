@@ -7,9 +7,9 @@
 
 namespace lamella
 {
-  /// Folder of the results of one run, locked by a system lock for the lifetime
-  /// of this object. Results of an earlier run are removed before the first new
-  /// result is written, the summary first, so that a summary always belongs to
+  /// Folder for the results of one analysis, locked by a system lock for the
+  /// lifetime of this object. Earlier results are removed before the first new
+  /// file is written, the summary first, so that a summary always belongs to
   /// the other files. Only the root process writes.
   class ResultsFolder
   {
@@ -17,7 +17,7 @@ namespace lamella
     /// Creates the folder @p path with parents and locks it. Throws InputError
     /// if it cannot be written or is locked by another run. Collective.
     explicit ResultsFolder(const std::string &path);
-    /// Unlocks the folder; removes a folder created by this if it is empty.
+    /// Unlocks the folder; removes it if it is new and empty.
     ~ResultsFolder();
     ResultsFolder(const ResultsFolder &) = delete;
 
@@ -28,20 +28,20 @@ namespace lamella
       return folder;
     }
 
-    /// Removes the results of an earlier run at the first call; other files
-    /// stay. Must be called before any output. Throws InputError if the folder
-    /// has been removed. Collective.
+    /// Removes the result files of an earlier analysis at the first call, and
+    /// no other files. Must be called before any output. Throws InputError if
+    /// the folder has been removed. Collective.
     void
     make_room();
 
-    /// Disables make_room(), so that results of an earlier run are not removed.
+    /// Disables make_room(), so that earlier results are not removed.
     void
     keep()
     {
       is_cleared = true;
     }
 
-    /// Returns whether the folder has the summary of an earlier run; false
+    /// Returns true if the folder has the summary of an earlier analysis; false
     /// after make_room() or keep().
     bool
     has_earlier_results() const;
@@ -50,7 +50,7 @@ namespace lamella
     /// Locks the folder; `descriptor` is -1 if another process has the lock.
     void
     lock();
-    /// Returns whether the locked folder still exists under its name.
+    /// Returns true if the locked folder still exists at its path.
     bool
     still_exists() const;
 

@@ -23,43 +23,43 @@
 
 namespace lamella
 {
-  /// Writes the results of a run to its folder. After each load step it writes
-  /// VTU files, rows of all tables, the summary, and last the restart data with
-  /// the sizes of tables. A later failure does not damage completed steps:
-  /// other files are replaced atomically. All functions are collective.
+  /// Writes the results of an analysis to its folder: after each load step VTU
+  /// files, table lines, the summary, and last the restart data with the sizes
+  /// of the tables. A later failure does not damage the files of completed load
+  /// steps. All functions are collective.
   class ResultsWriter
   {
   public:
     /// Objects other than Results that the output requires.
     struct OutputSources
     {
-      const Structure &structure;
+      const Structure &structure; ///< Bodies with loads and supports.
       /// Contacts in the order of Results.
       const std::vector<ContactInterface> &contacts;
       /// Section meshes by name.
       const std::map<std::string, std::shared_ptr<const SectionMesh>> &sections;
-      /// Text of the scene with all entries.
+      /// Text of the scene with the values of all entries, for scene.prm.
       const std::string &resolved;
-      /// True if VTU files are written.
-      bool write_vtu = true;
-      /// Strength analysis for reserve factors in VTU files; may be null.
+      bool write_vtu = true; ///< True: VTU files are written; false: none.
+      /// Evaluation of reserve factors for VTU files; null if not requested.
       const StrengthSweep *strength = nullptr;
     };
 
-    /// Locks the folder @p directory for this run. @p output_sources is called
-    /// at each load step. Throws InputError as ResultsFolder does.
+    /// Locks the folder @p directory. @p output_sources is called at each load
+    /// step. Throws InputError if the folder cannot be written or is locked.
     ResultsWriter(const std::string                    &directory,
                   const std::function<OutputSources()> &output_sources);
 
-    /// Returns the completed load steps of the run in the folder (Restart) and
-    /// removes later rows of tables. Must be called before any step is written.
-    /// Throws InputError as read_restart() does, and if table rows are missing.
+    /// Returns the completed load steps of the interrupted analysis in the
+    /// folder, and removes table lines of later steps. Must be called before
+    /// any step is written. Throws InputError if restart data (read_restart())
+    /// or table lines are missing.
     std::vector<StepResults>
     resume();
 
-    /// Writes the last load step of @p results, which must have table rows. The
-    /// first call removes earlier results and writes scene.prm, sections,
-    /// fields.csv and table headers. Throws InputError on failure.
+    /// Writes the last load step of @p results, whose fields must not have been
+    /// released. The first call removes earlier results and writes scene.prm,
+    /// sections, fields.csv and table headers. Throws InputError on failure.
     void
     write_step(const Results &results);
 
@@ -68,11 +68,12 @@ namespace lamella
     void
     write_outcome(const Results &results);
 
-    /// Writes the summary at the end of the run, and marks the restart data as
-    /// finished if all steps were solved.
+    /// Writes the summary at the end of the analysis, and marks the restart
+    /// data as finished if all load steps were solved.
     void
     write_end(const Results &results);
 
+    /// Returns the locked folder of the results.
     const ResultsFolder &
     folder() const
     {
@@ -80,10 +81,10 @@ namespace lamella
     }
 
   private:
-    /// Appends the rows of the last step to all tables.
+    /// Appends the results of the last load step to all tables.
     void
     write_tables(const Results &results);
-    /// Constructs the surfaces of all contacts for the current pairs of points.
+    /// Constructs the meshes of all contacts for the current pairs of points.
     void
     make_surfaces();
     /// Writes VTU files of bodies and contacts, and their collections.
@@ -95,7 +96,7 @@ namespace lamella
 
     std::function<OutputSources()> output_sources;
     ResultsFolder                  place;
-    /// Surface of each contact; empty if no VTU files are written.
+    /// Mesh of each contact; empty if no VTU files are written.
     std::vector<ContactSurface> surfaces;
     /// Restart data after the last completed step.
     Restart standing;

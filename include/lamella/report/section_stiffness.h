@@ -13,7 +13,7 @@
 
 namespace lamella
 {
-  /// Names of the section forces in the order of SaintVenant::Force.
+  /// Names of the section forces in the order of matrix rows.
   inline constexpr std::array<const char *, 6> section_force_names{
     {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"}};
 
@@ -28,29 +28,30 @@ namespace lamella
     std::string fault;
     /// Centroid (x, z), the reference point of moments and velocities [length].
     dealii::Point<2> reference_point;
-    /// Section forces per strain [force, force length, ...]; its inverse.
-    SectionTensor stiffness, compliance;
-    /// Section constants; angles in (-90, 90] degrees.
+    SectionTensor    stiffness;  ///< Section forces per beam strain.
+    SectionTensor    compliance; ///< Inverse of the stiffness.
+    /// E A, E I, G J and centers; angles in (-90, 90] degrees.
     SectionConstants constants;
     /// Mass matrix of the rigid section per length of beam,
     ///   int rho N^T N dA,  N (v, omega) = v + omega x (x - x_c, 0, z - z_c),
-    /// [density length^2, length^3, length^4]. Empty without all densities.
+    /// with the centroid (x_c, z_c); empty if a density is unknown.
     std::optional<SectionTensor> mass;
   };
 
-  /// Returns the degree N of LE-N that section_stiffness() uses for @p mesh: 3
-  /// if this has at most 20,000 DoFs, 2 for up to 60,000, otherwise 1.
+  /// Returns the polynomial degree of the expansion (LE-N) with which
+  /// section_stiffness() computes @p mesh: 3 if the section then has at most
+  /// 20,000 DoFs, 2 for up to 60,000, otherwise 1.
   unsigned int
   expansion_degree(const SectionMesh &mesh);
 
-  /// Computes stiffness (SaintVenant with LE-N, N = expansion_degree()) and
-  /// mass of the section @p mesh. If this fails (cells too thin, more than
-  /// 300,000 DoFs with LE-1), `fault` of the result is set. Not collective.
+  /// Computes the stiffness (by Saint-Venant's solutions) and the mass of the
+  /// section @p mesh. If this fails (cells too thin, more than 300,000 DoFs
+  /// with linear elements), `fault` of the result is set. Not collective.
   SectionStiffness
   section_stiffness(std::shared_ptr<const SectionMesh> mesh);
 
-  /// Returns the content of sections/NAME.json for the section @p name with
-  /// labels of @p units (doc/reference/section-properties.md).
+  /// Returns the properties of the section @p name as JSON, with labels of
+  /// @p units (doc/reference/section-properties.md).
   std::string
   section_json(const std::string      &name,
                const SectionStiffness &section,

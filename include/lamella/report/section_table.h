@@ -10,9 +10,10 @@
 namespace lamella
 {
   /// Returns the mesh of a section as CSV for plots. Each cell has a line with
-  /// number, ply (from 1), material and fiber angle [degrees]. Its four sides
-  /// follow, counter-clockwise, with boundary name (empty inside) and points `x
-  /// z;x z;...` in section axes: two ends, and seven between if curved.
+  /// number, ply (from 1), material and fiber angle [degrees], and a line for
+  /// each of its four sides, counter-clockwise. The line of a side has the name
+  /// of the boundary (empty inside) and points `x z;x z;...` in section axes:
+  /// two ends, and seven points between them if the side is curved.
   std::string
   section_table(const SectionMesh &section);
 

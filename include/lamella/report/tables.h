@@ -10,7 +10,7 @@
 
 namespace lamella
 {
-  /// Text of result files by name, such as `lines/NAME.csv`.
+  /// Contents of result files by file name, such as `lines/NAME.csv`.
   using FileTexts = std::map<std::string, std::string>;
 
   /// Returns the header lines of all tables (doc/reference/output.md) for the
@@ -25,13 +25,13 @@ namespace lamella
   FileTexts
   table_headers(const Results &results);
 
-  /// Returns the rows of all tables for the load step @p step of @p results. A
-  /// probe on a ply interface has one row per ply.
+  /// Returns the lines of all tables for the load step @p step of @p results,
+  /// without headers. A probe on a ply interface has one line per ply.
   FileTexts
   table_rows(const Results &results, const StepResults &step);
 
   /// Returns the content of failure.csv: for each load factor that the search
-  /// for first failure evaluated, the smallest reserve factor, and forces and
+  /// for first ply failure tried, the smallest reserve factor, and forces and
   /// displacements as in history.csv.
   std::string
   failure_table(const Results &results);

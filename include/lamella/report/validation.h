@@ -16,16 +16,16 @@
 
 namespace lamella
 {
-  /// Prints the data of the material @p name: elastic constants, strengths,
-  /// density, thermal expansion; with labels of @p units.
+  /// Prints elastic constants, strengths, density and thermal expansion of the
+  /// material @p name, with labels of @p units.
   void
   print_material(std::ostream      &out,
                  const std::string &name,
                  const Material    &material,
                  const Units       &units);
 
-  /// Prints data of the laminated section @p name with @p plies (from the
-  /// bottom, at least one), the width @p width and the mesh @p section:
+  /// Prints for the laminated section @p name with the mesh @p section, the
+  /// @p plies (from the bottom, at least one) and the width @p width:
   /// - plies; matrices A, B, D of classical lamination theory about the
   ///   mid-plane (order yy, xx, xy with y along the beam);
   /// - stiffnesses E A, E I with free lateral contraction and twist, G A, k G A
@@ -57,8 +57,8 @@ namespace lamella
                   const SectionStiffness &section,
                   const Units            &units);
 
-  /// Prints one line per body (theory, DoFs), per load (resultant at load
-  /// factor 1) and per contact (possible pairs, unpaired nodes).
+  /// Prints theory and DoFs of each body, the resultant of each load at load
+  /// factor 1, and the numbers of paired and unpaired nodes of each contact.
   void
   print_bodies(std::ostream                        &out,
                const Structure                     &structure,

@@ -12,13 +12,13 @@
 
 namespace lamella
 {
-  /// Writes the deformed bodies to solution_STEP.vtu in @p directory, for
-  /// ParaView, and returns the name of the file. Each section cell of each axis
-  /// element is a Lagrange hexahedron at positions displaced by @p u. Strains
-  /// and stresses are discontinuous between elements. Cell data are the ply
-  /// (from 1 at the bottom), the fiber direction and the body (from 1). @p
-  /// strength, if not null, adds the largest 1/R (R the reserve factor) at each
-  /// point. @p factor is the time in ParaView.
+  /// Writes the bodies of @p structure, deformed by @p u, to solution_STEP.vtu
+  /// in @p directory for ParaView and returns the name of the file. Each
+  /// section cell of each axis element is a Lagrange hexahedron. Strains and
+  /// stresses are discontinuous between elements. Cell data are the ply (from 1
+  /// at the bottom), the fiber direction and the body (from 1). If @p strength
+  /// is not null, the largest inverse reserve factor is written at each point.
+  /// @p factor is the time in ParaView.
   ///
   /// Cells have the degrees Body::output_degrees(), at most 4. Values are in
   /// single precision: displacements and positions are rounded to 2^-24 of the
@@ -36,9 +36,9 @@ namespace lamella
             const BlockVector   &u,
             const StrengthSweep *strength = nullptr);
 
-  /// Writes NAME.pvd, a collection of the @p files (load step, file name) for
-  /// ParaView, to @p directory; no output if @p files is empty. Throws
-  /// InputError on failure. Must be called by one process only.
+  /// Writes NAME.pvd, a collection of @p files (load step, file name) for
+  /// ParaView, to @p directory; nothing if @p files is empty. Throws InputError
+  /// on failure. Must be called by one process only.
   void
   write_pvd(const std::string                                 &directory,
             const std::string                                 &name,

@@ -14,11 +14,12 @@
 
 namespace lamella
 {
-  /// A data array of a VTU file, with n_components numbers per point or cell.
+  /// A data array of a VTU file for points or cells.
   struct VtuArray
   {
-    std::string  name;
-    unsigned int n_components = 1;
+    std::string  name;             ///< Name of the array in ParaView.
+    unsigned int n_components = 1; ///< Number of values per point or cell.
+    /// Values of the first point or cell, then of the second, ...
     std::variant<std::vector<float>,
                  std::vector<double>,
                  std::vector<std::int32_t>,
@@ -26,22 +27,24 @@ namespace lamella
       values;
   };
 
-  /// An unstructured grid with point data and cell data, in VTK's layout.
+  /// An unstructured grid with point data and cell data, as stored by VTK.
   struct VtuGrid
   {
-    /// Cell types by VTK's numbers.
-    static constexpr std::uint8_t vertex = 1, quadrilateral = 9,
-                                  lagrange_hexahedron = 72;
+    static constexpr std::uint8_t vertex        = 1; ///< VTK_VERTEX.
+    static constexpr std::uint8_t quadrilateral = 9; ///< VTK_QUAD.
+    /// VTK_LAGRANGE_HEXAHEDRON.
+    static constexpr std::uint8_t lagrange_hexahedron = 72;
     /// Name of the cell data array with degrees of Lagrange hexahedra.
     static constexpr const char *degrees_name = "HigherOrderDegrees";
 
-    /// Positions of points.
-    VtuArray points{"points", 3, {}};
-    /// Point indices of all cells, end of each cell in this list, cell types.
-    std::vector<std::int32_t> connectivity, offsets;
-    std::vector<std::uint8_t> types;
-    std::vector<VtuArray>     at_points, of_cells;
-    /// Time and cycle (load step) that ParaView shows.
+    VtuArray points{"points", 3, {}}; ///< Positions of the points.
+    /// Indices of the points of the first cell, then of the second, ...
+    std::vector<std::int32_t> connectivity;
+    std::vector<std::int32_t> offsets;   ///< End of each cell in connectivity.
+    std::vector<std::uint8_t> types;     ///< VTK type of each cell.
+    std::vector<VtuArray>     at_points; ///< Point data.
+    std::vector<VtuArray>     of_cells;  ///< Cell data.
+    /// Time and load step that ParaView shows; empty for none.
     std::optional<std::pair<double, unsigned int>> time;
 
     /// Adds a cell of VTK type @p type with the point indices @p corners.
@@ -60,8 +63,8 @@ namespace lamella
   void
   write_vtu_file(std::ostream &out, const VtuGrid &grid);
 
-  /// Writes a PVTU file that combines the files @p parts, which have the same
-  /// arrays as @p grid.
+  /// Writes a PVTU file that combines the VTU files named @p parts, whose
+  /// arrays have the names and types of those of @p grid.
   void
   write_pvtu_file(std::ostream                   &out,
                   const VtuGrid                  &grid,
