@@ -22,17 +22,18 @@
 
 namespace lamella
 {
-  /// A scene with all objects built from it before the solution: sections,
-  /// bodies with the fields of their nodes, supports, loads, contacts with
-  /// their gap constraints, and probes. All errors of a scene are found during
-  /// construction. No stiffness matrix is assembled. Each process has all
-  /// objects. Not movable or copyable: solvers refer to members.
+  /// The model of a scene before the solution: section meshes, bodies with
+  /// their section functions, supports, loads, contacts with gap constraints,
+  /// and probes. The constructor finds all errors of a scene. Stiffness
+  /// matrices are not assembled here. Each process has all objects. Not movable
+  /// or copyable, since solvers keep references.
   class BuiltScene
   {
   public:
-    /// Builds the objects of a copy of @p scene; @p rules are the parameters
-    /// for the fields of SV-N. Prints progress to @p out; @p timer measures
-    /// time. Throws InputError. Collective.
+    /// Builds the objects of a copy of @p scene. @p rules control the section
+    /// functions of theory SV-N, which are computed from harmonic loads. Prints
+    /// progress to @p out and measures times with @p timer. Throws InputError.
+    /// Collective.
     BuiltScene(const Scene         &scene,
                const FieldRules    &rules,
                std::ostream        &out,
@@ -41,75 +42,77 @@ namespace lamella
     BuiltScene &
     operator=(const BuiltScene &) = delete;
 
-    /// Returns the scene with graded axes and the choices made for `auto`.
+    /// Returns the scene with final axis meshes and most `auto` entries set.
     const Scene &
     scene() const
     {
       return given;
     }
 
-    /// Returns scene() with the setting `auto` restored for contacts for which
-    /// it was chosen, to build models with other axes.
+    /// Returns scene() with `auto` again for contact discretizations that the
+    /// program chose, to build models with other axis meshes.
     Scene
     with_automatic_contacts() const;
 
-    /// Returns the parameters by which the fields of SV-N were chosen.
+    /// Returns the parameters that select section functions for theory SV-N.
     const FieldRules &
     rules() const
     {
       return field_rules;
     }
 
-    /// Returns the meshes of all sections of the scene, used or not.
+    /// Returns the meshes of all sections of the scene, with unused sections.
     const SectionMeshes &
     sections() const
     {
       return section_meshes;
     }
 
+    /// Returns the assembly of all bodies with supports and loads.
     const Structure &
     structure() const
     {
       return *whole;
     }
 
-    /// Prints a line per body: its model, the estimated cost, and the reason.
+    /// Prints theory, mesh, estimated cost and their reason, a line per body.
     void
     print_plans(std::ostream &out) const;
 
-    /// Returns the constraints and geometry of each contact.
+    /// Returns the gap constraints and contact points of each contact.
     const std::vector<ContactInterface> &
     interfaces() const
     {
       return contacts;
     }
 
-    /// Returns a view of all gap constraints with consecutive numbers.
+    /// Returns all gap constraints of the scene with consecutive indices.
     const GapConstraints &
     rows() const
     {
       return gap_constraints;
     }
 
-    /// Renumbers rows() after contacts were paired again.
+    /// Updates the indices in rows() after contact points were paired anew.
     void
     number_rows()
     {
       gap_constraints = GapConstraints(contacts);
     }
 
-    /// Updates numbers of constraints and slave surfaces in @p found.
+    /// Updates the numbers of constraints and of unpaired points, the slave
+    /// surface and the discretization in @p found, one entry per contact.
     void
     update_pairing_facts(std::vector<ContactSummary> &found) const;
 
-    /// Returns the contact objects, which update their interfaces() at pairing.
+    /// Returns the contacts, which update interfaces() when paired anew.
     const Contacts &
     contact_objects() const
     {
       return moving;
     }
 
-    /// Returns the evaluation of probes, lines and cuts.
+    /// Returns the object that evaluates fields at probes, lines and cuts.
     const Sampler &
     sampler() const
     {
@@ -123,20 +126,21 @@ namespace lamella
       return sweep.get();
     }
 
-    /// Returns the plausibility checks, which list surface points at first use.
+    /// Returns the checks for implausible results, such as strains above 2 %.
     Plausibility &
     plausibility() const
     {
       return *units_check;
     }
 
-    /// Returns @p quantities of the scene (such as goals) with their plies set.
-    /// Quantities requested only by References get the lower of two plies.
+    /// Returns @p quantities (such as goals) with the ply in which each stress
+    /// is evaluated; on ply interfaces, the lower ply for those of References.
     /// Throws InputError for a wrong or missing ply (Sampler::check()).
     std::vector<NamedQuantity>
     with_resolved_plies(std::vector<NamedQuantity> quantities) const;
 
-    /// Returns the tractions on faces in @p state at load factor @p factor.
+    /// Returns the tractions of loads, supports and contacts on the faces of
+    /// bodies in the equilibrium @p state at the load factor @p factor.
     FaceTractions
     tractions_at(const State &state, const LoadFactor &factor) const;
 
@@ -144,7 +148,7 @@ namespace lamella
     std::string
     describe_row(const unsigned int row) const;
 
-    /// Returns results of the scene without load steps: names, sizes, notes.
+    /// Returns the results known before the first step: names, sizes, notes.
     Results
     facts() const;
 
@@ -159,24 +163,25 @@ namespace lamella
     /// Finds the rigid motions of @p bodies that isostatic supports constrain.
     void
     set_isostatic_motions(const Bodies &bodies);
-    /// Pairs all contacts, without duplicate constraints.
+    /// Pairs the surfaces of all contacts, without duplicate constraints.
     void
     build_contacts();
-    /// Returns the initial overlap [length] of contact number @p contact at
-    /// @p at if supports constrain both sides at this point, else zero.
+    /// Returns the initial overlap [length] of contact number @p contact at @p
+    /// at if supports fix both sides there, else zero.
     double
     constrained_overlap(const unsigned int             contact,
                         const ContactInterface::Point &at) const;
-    /// Throws InputError for initial overlap between two constrained sides.
+    /// Throws InputError if surfaces overlap initially and supports fix both.
     void
     check_constrained_overlaps() const;
-    /// Appends the notes on the scene to @p found.
+    /// Appends notes on units, theories, loads and contacts to @p found.
     void
     add_notes(Results &found) const;
-    /// Throws InputError for a strip outside all contact surfaces.
+    /// Throws InputError if a goal or Trade quantity is evaluated on a strip of
+    /// a contact surface without contact points.
     void
     check_strips() const;
-    /// Builds probes, lines, cuts, goals, criteria.
+    /// Builds probes, lines, cuts and strength criteria, and checks goals.
     void
     build_requests();
 
@@ -187,9 +192,9 @@ namespace lamella
     std::vector<ContactInterface> contacts;
     GapConstraints                gap_constraints;
     Contacts                      moving;
-    /// Notes from the choice of fields.
+    /// Notes from the choice of section functions.
     std::vector<std::string> field_notes;
-    /// Reason for the fields of the nodes of each body.
+    /// Reason for the section functions at the nodes of each body.
     std::vector<std::string>       reasons;
     std::unique_ptr<Sampler>       places;
     std::unique_ptr<StrengthSweep> sweep;

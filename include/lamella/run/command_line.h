@@ -13,6 +13,7 @@ namespace lamella
   /// Options of the command line as entered; no file has been read.
   struct CommandLine
   {
+    /// Command before the scene; without a command, the scene is solved.
     enum class Task
     {
       run,             ///< solves the scene (Simulation)
@@ -21,31 +22,30 @@ namespace lamella
       report,          ///< HTML page with the results of a run (make_page)
       new_scene        ///< writes a template scene file (write_new_scene)
     };
-    Task task = Task::run;
-    /// Scene file; for a report the results folder, for a new scene its name.
-    /// Empty only with --help, --version and --print-parameters.
+    Task task = Task::run; ///< Command to execute.
+    /// Scene file; for `report` the folder with results, for `new` the name of
+    /// the scene. Empty only with --help, --version and --print-parameters.
     std::string scene;
-    /// Path of the output folder, CalculiX input file or HTML page, or default.
+    /// Path of the output folder, CalculiX input file or HTML page (--output).
     std::string output;
-    /// True if `output` was given: --validate then writes sections there.
-    bool output_is_given = false;
-    /// Options for CalculiX; empty if not given.
-    std::string element, contact_stiffness;
-    /// Template of a new scene.
+    /// True if --output was given; --validate then writes sections there.
+    bool        output_is_given = false;
+    std::string element, ///< Element type for CalculiX; empty if not given.
+      contact_stiffness; ///< [force / length^3] for CalculiX, or empty.
+    /// Name of the template for a new scene (--kind).
     std::string kind;
-    /// Overrides PATH=VALUE of --set, in order.
+    /// Arguments PATH=VALUE of the options --set, in order.
     std::vector<std::string> overrides;
     /// Number of threads of this process, 1 to 1024.
     unsigned int threads = 1;
-    /// True to resume the run in `output`.
+    /// True to continue the interrupted run whose results are in `output`.
     bool resume = false;
     /// True to build the scene and print a summary, without solving.
     bool validate = false;
-    /// True to print all entries; with a scene, their resolved values.
+    /// True to print all entries: their defaults, or the values in a scene.
     bool print_parameters = false;
-    /// True to print the version, or help, and exit.
-    bool version = false;
-    bool help    = false;
+    bool version          = false; ///< True to print the version and exit.
+    bool help             = false; ///< True to print the help text and exit.
 
     /// Parses the arguments @p words without the name of the program. Throws
     /// InputError for unknown, missing and contradictory options.
@@ -53,10 +53,11 @@ namespace lamella
     parse(const std::vector<std::string> &words);
   };
 
-  /// Word before the scene for each task; none for a run.
+  /// Words of the command line that select a task; a run has no such word.
   template <>
   struct Names<CommandLine::Task>
   {
+    /// Task and its word on the command line.
     static constexpr NameOf<CommandLine::Task> all[] = {
       {CommandLine::Task::trade, "trade"},
       {CommandLine::Task::export_calculix, "export"},
@@ -64,7 +65,7 @@ namespace lamella
       {CommandLine::Task::new_scene, "new"}};
   };
 
-  /// Returns the text of --help with the exit status (0, 1 input, 2 solution).
+  /// Returns the text that --help prints, with the meaning of exit statuses.
   std::string
   usage();
 } // namespace lamella

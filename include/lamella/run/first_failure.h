@@ -15,52 +15,53 @@
 
 namespace lamella
 {
-  /// Throws InputError (path `Find`) if nothing increases with the load factor:
-  /// no load but temperature, no weight, no motion of a support or obstacle.
+  /// Throws InputError for the entry `Find` if no load (temperatures excluded),
+  /// weight, or motion of a support or obstacle increases with the load factor.
   void
   check_load_growth(const Structure                     &structure,
                     const std::vector<ContactInterface> &contacts);
 
-  /// Search for the load factor at which the smallest reserve factor is 1, by
-  /// bisection between a safe load factor and an upper one, at which a ply
-  /// fails or no solution exists (rotations beyond their limit, contact that
-  /// does not converge). Load steps are evaluated first; if all are safe, the
-  /// largest load factor is doubled up to ten times. The interval is then
-  /// bisected to 0.1 %. The result is a failure, or the load factor above which
-  /// no solution exists, whichever is lower.
+  /// Searches the load factor at which the smallest reserve factor of all plies
+  /// is 1, by bisection between a load factor without failure and a larger one
+  /// at which a ply fails or no solution exists (rotations beyond their limit,
+  /// contact that does not converge). Results of the load steps are used first.
+  /// If no ply fails in them, the largest load factor is doubled up to ten
+  /// times. The interval is bisected to 0.1 %. The result is the load factor of
+  /// failure, or the one above which no solution exists if that is lower.
   class FirstFailureSearch
   {
   public:
-    /// Function that solves at the load factor of its first argument. The
-    /// second argument is the number (from 0) of the load step that contains
-    /// this factor, or the number of steps if it is beyond the last. Sets the
-    /// third argument to the reserve factors. Throws NumericsError on failure.
+    /// Function that solves the scene at the load factor of its first argument.
+    /// The second argument is the index, from 0, of the load step that contains
+    /// this factor; it is the number of load steps if the factor exceeds all of
+    /// them. The third argument receives the reserve factors of plies. Throws
+    /// NumericsError if there is no solution.
     using TrySolve = std::function<FailureTrial(const double,
                                                 const unsigned int,
                                                 std::vector<PlyReserve> &)>;
 
-    /// Keeps a reference to @p out and prints a line per trial to it.
+    /// Constructs a search by @p try_load, which prints its trials to @p out.
     FirstFailureSearch(const TrySolve &try_load, std::ostream &out);
 
-    /// Returns the first failure after the load @p steps with reserve factors.
+    /// Returns the first failure, searched after the solved load @p steps.
     FirstFailure
     find(const std::vector<StepResults> &steps);
 
-    /// Returns a note if no failure or no solution at failure is found.
+    /// Returns a warning if no ply fails, or if no solution exists at failure.
     std::string
     note() const;
 
   private:
-    /// Narrows the interval by the result at @p factor; true if a ply fails.
+    /// Updates the interval by reserve factors at @p factor; true for failure.
     bool
     judge(const double factor, const std::vector<PlyReserve> &plies);
-    /// Solves at @p factor in load step @p load_step, updates the interval.
+    /// Solves at @p factor in load step @p load_step and updates the interval.
     void
     attempt(const double factor, const unsigned int load_step);
-    /// Returns the lowest known load factor of failure or without solution.
+    /// Returns the lowest known load factor with failure or without a solution.
     std::optional<double>
     upper() const;
-    /// Returns true if the interval is small enough.
+    /// Returns true if the interval is at most 0.1 % wide.
     bool
     is_interval_narrow() const;
 

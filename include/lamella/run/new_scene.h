@@ -13,9 +13,9 @@ namespace lamella
   std::vector<std::string>
   kinds_of_new_scenes();
 
-  /// Writes the template @p kind to the scene file NAME.prm, where @p name may
-  /// contain a folder, and prints the next steps to @p out. Throws InputError
-  /// for an unknown template, and for a file that exists or cannot be written.
+  /// Writes the template @p kind to the scene file NAME.prm, where @p name is
+  /// NAME or FOLDER/NAME. Prints how to run it to @p out. Throws InputError for
+  /// an unknown template, and if the file exists or cannot be written.
   void
   write_new_scene(const std::string &name,
                   const std::string &kind,

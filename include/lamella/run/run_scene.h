@@ -11,12 +11,12 @@
 
 namespace lamella
 {
-  /// Returns the simulation of @p scene, read from @p text. InputErrors during
-  /// construction of bodies contain the line of the text.
+  /// Returns the unsolved simulation of @p scene, which was read from @p text.
+  /// InputErrors contain the line of @p text. Prints progress to @p out.
   std::unique_ptr<Simulation>
   make_simulation(const Scene &scene, const SceneText &text, std::ostream &out);
 
-  /// Called after all load steps; may add results (Simulation::set_goals()).
+  /// Callback after the last load step; may add results, such as error bars.
   using PostProcessing = std::function<void()>;
 
   /// Solves @p simulation, writes each completed load step into the folder
@@ -30,19 +30,20 @@ namespace lamella
             const bool            resume          = false,
             const PostProcessing &post_processing = {});
 
-  /// Writes all steps of @p simulation into @p directory as run_scene() does.
+  /// Writes the results of all load steps of @p simulation into the folder @p
+  /// directory, with the same files as run_scene().
   void
   write_run(Simulation &simulation, const std::string &directory);
 
-  /// Prints the main results of the last load step to @p to.
+  /// Prints the main results of the last load step, and @p directory, to @p to.
   void
   print_results(const Simulation  &simulation,
                 const std::string &directory,
                 std::ostream      &to);
 
   /// Prints plies, laminate stiffnesses, beam properties of sections, bodies,
-  /// contacts and notes of @p simulation, without solving (--validate). Writes
-  /// sections/ into the folder @p directory, unless it is empty.
+  /// contacts and notes of @p simulation, without solving (--validate). Unless
+  /// @p directory is empty, writes section meshes to its subfolder `sections`.
   void
   print_validation(const Simulation &simulation, const std::string &directory);
 } // namespace lamella

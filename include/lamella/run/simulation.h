@@ -28,85 +28,89 @@ namespace lamella
 {
   class MemoryBudget;
 
-  /// A run from a scene to its results. For each load factor, a Step is solved
-  /// from the previous state, and its results are evaluated: fields at probes,
-  /// lines and cuts, and reserve factors of plies. The search for first failure
-  /// follows, if requested. Owns all objects built from the scene, and the
-  /// results. All processes own all of these and call the same functions;
-  /// processes except the root pass a stream without output.
+  /// Solves the load steps of a scene and evaluates their results: fields at
+  /// probes, lines and cuts, and reserve factors of plies. Each load step
+  /// starts from the state of the previous one. The search for first failure
+  /// follows, if requested. Owns the model (BuiltScene) and the results. All
+  /// processes call the same functions; processes except the root pass a stream
+  /// without output.
   class Simulation
   {
   public:
-    /// Builds the scene (BuiltScene); throws InputError for all its errors. No
-    /// stiffness is assembled. Prints progress to @p out. @p given is copied.
-    /// @p rules are parameters for the fields of SV-N. Collective.
+    /// Builds the model of a copy of @p given, without stiffness matrices. @p
+    /// rules control the choice of section functions for theory SV-N. Prints
+    /// progress to @p out. Throws InputError for errors of the scene.
+    /// Collective.
     Simulation(const Scene      &given,
                std::ostream     &out,
                const FieldRules &rules = FieldRules());
     ~Simulation();
 
-    /// Callback for the results after each step; an exception ends the run.
+    /// Callback with the results after each load step; exceptions end solve().
     using Observer = std::function<void(const Results &)>;
 
     /// Solves all remaining load steps and returns results(). Throws InputError
-    /// if the memory is insufficient, and NumericsError for a step that cannot
-    /// be solved reliably, or whose search distance is too short; results()
-    /// then contains the previous steps. If a stiffness is ill-conditioned
-    /// before the first step, bodies of SV-N get all fields of their sections,
-    /// once. If a body penetrates between contact points, an `auto` axis gets
-    /// shorter elements there, and all steps are repeated. With an @p observer,
-    /// state and tables of a step are released after the next step. Collective.
+    /// if the memory is insufficient. Throws NumericsError if a step cannot be
+    /// solved reliably, or if a contact search distance is too short; results()
+    /// then contains the previous steps. If @p observer is given, calls it
+    /// after each step, and frees the state of a step after the next one.
+    /// Collective.
+    ///
+    /// All steps are repeated with a changed model if a body penetrates another
+    /// one between contact points (shorter elements on an `auto` axis) or
+    /// beside them (contact at end nodes). If a stiffness is ill-conditioned
+    /// before the first step, bodies of theory SV-N get all section functions.
     const Results &
     solve(const Observer &observer = {});
 
-    /// Sets @p steps of an earlier run as completed; call it before solve().
-    /// The last of them must contain its state and warnings.
+    /// Sets the load @p steps that an earlier run has completed; call it before
+    /// solve(). The last of them must contain its state and warnings.
     void
     resume(std::vector<StepResults> steps);
 
-    /// Returns the results so far; before solve() names, notes, loads only.
+    /// Returns the results so far; before solve(), only names, notes and loads.
     const Results &
     results() const
     {
       return found;
     }
 
-    /// Sets the goals with error bars, or the reason why there are none.
+    /// Sets the @p goals with their error bars, or the reason for no goals.
     void
     set_goals(std::vector<GoalResult> goals,
               const std::string      &missing_reason = "");
 
-    /// Adds a note on the whole run, a sentence without a full stop.
+    /// Adds the sentence @p note, without a full stop, to the final notes.
     void
     add_endnote(const std::string &note)
     {
       found.endnotes.push_back(note);
     }
 
-    /// Frees the memory of solvers; only results() may be called afterwards.
+    /// Frees the memory of solvers. Afterwards only results() may be called.
     void
     release_solver();
 
-    /// Stores times, memory and solver statistics up to now in the results.
+    /// Stores times, memory and solver statistics so far in the results.
     void
     record_costs();
 
-    /// Returns the objects built from the scene, which solve() may replace.
+    /// Returns the model built from the scene; solve() may replace it.
     const BuiltScene &
     model() const
     {
       return *built;
     }
 
-    /// Returns the contact solver of linear kinematics. Call solve() first.
+    /// Returns the contact solver after solve() with linear kinematics.
     ContactSolver &
     contact_solver() const
     {
       return *solver;
     }
 
-    /// Returns true if the run has changed the axis or the contacts of its
-    /// scene, so that its load steps cannot be resumed.
+    /// Returns true if solve() has changed the axis meshes or the contacts of
+    /// the scene. The load steps of such a run cannot be resumed.
     bool
     is_revised() const
     {
@@ -129,41 +133,41 @@ namespace lamella
 
     void
     build(const Scene &given, const FieldRules &rules);
-    /// Rebuilds the scene with all section fields for bodies of SV-N. Returns
-    /// false, without effect, if there are none.
+    /// Rebuilds the model with all section functions for bodies of theory SV-N.
+    /// Returns false, without effect, if there are none.
     bool
     rebuild_with_all_fields();
-    /// Rebuilds the scene with shorter elements at the penetration @p missed
-    /// between contact points. Returns false if the axis is not `auto`.
+    /// Rebuilds the model with shorter elements where bodies penetrate between
+    /// contact points (@p missed). Returns false if the axis is not `auto`.
     bool
     shorten_elements(const UndetectedPenetration &missed);
 
-    /// Prints the change @p what and rebuilds all for the scene @p changed.
+    /// Rebuilds the model for the scene @p changed; prints the change @p what.
     void
     revise(Scene changed, const std::string &what);
-    /// Rebuilds the scene with contact constraints at the end nodes in @p
+    /// Rebuilds the model with contact constraints at the end nodes in @p
     /// missing. Returns false for a resumed run, or if an end faces no surface.
     bool
     add_ends(const MissingEnds &missing);
 
-    /// Solves the load steps with the current model.
+    /// Solves the load steps with the current model, without changes to it.
     const Results &
     solve_as_built(const Observer &observer);
-    /// Checks the memory, factorizes, and creates the load step.
+    /// Checks the memory, factorizes, and creates the solver of load steps.
     void
     prepare();
-    /// Creates the load step of linear kinematics and its solver.
+    /// Creates the solvers of load steps and contact for linear kinematics.
     std::unique_ptr<Step>
     make_linear_step(const MemoryBudget &budget);
-    /// Creates the load step of finite rotations, with its own solvers.
+    /// Creates the solver of load steps with finite rotations.
     std::unique_ptr<Step>
     make_large_step(const MemoryBudget &budget);
-    /// Renumbers the contact constraints after a new pairing.
+    /// Updates the indices of gap constraints after surfaces were paired anew.
     void
     renumber_rows();
     void
     make_solver(const MemoryBudget &budget);
-    /// Returns the tangent with solvers; prints the sizes of factors.
+    /// Returns the factorized stiffness at zero displacements.
     std::shared_ptr<const TangentOperator>
     linearize(const MemoryBudget &budget);
     /// Returns the displacements of heated bodies at load factor zero, whose
@@ -197,9 +201,10 @@ namespace lamella
     std::unique_ptr<LoadPath>      path;
 
     Results found;
-    /// True for `auto` axes, in comparison models and runs to a tolerance.
+    /// True for each body whose axis mesh may be refined: axes with `auto`
+    /// number of elements, in comparison models and in runs to a tolerance.
     std::vector<bool> may_refine;
-    /// True if the last step is of an earlier run and has a state only.
+    /// True if the last load step is of an earlier run and has only its state.
     bool last_has_state_only = false;
     bool revised             = false;
   };

@@ -14,6 +14,7 @@ namespace lamella
   /// Exception: a body penetrates another one between inactive contact points.
   struct UndetectedPenetration : public NumericsError
   {
+    /// Constructs the exception with the @p message and the data below.
     UndetectedPenetration(const std::string &message,
                           const unsigned int body,
                           const double       y,
@@ -24,68 +25,70 @@ namespace lamella
       , longest(longest)
     {}
 
-    /// The body that needs shorter elements, the position along its axis, and
-    /// the largest sufficient element length [length]; 0 if unknown.
-    unsigned int body;
-    double       y, longest;
+    unsigned int body; ///< Index of the body that needs shorter axis elements.
+    double       y,    ///< Position of the penetration along the axis [length].
+      longest; ///< Largest element that detects it [length]; 0 if unknown.
   };
 
   /// Computes the results of load steps: fields at probes, lines and cuts,
-  /// contact points, reserve factors of plies, measures, and warnings.
+  /// contact results, reserve factors, differences of probe values, warnings.
   class StepRecorder
   {
   public:
-    /// Keeps references to @p built and to @p facts, which has the names of
-    /// probes, lines, cuts and measures. @p thermal_part are the displacements
-    /// of heated bodies at load factor zero (constant stresses), or null.
+    /// Constructs a recorder for the model @p built; @p facts has the names of
+    /// probes, lines, cuts and measures. Keeps references to both. @p
+    /// thermal_part are the displacements due to temperature at load factor
+    /// zero, whose stresses do not increase with loads; null if there are none.
     StepRecorder(const BuiltScene                  &built,
                  const Results                     &facts,
                  std::shared_ptr<const BlockVector> thermal_part = nullptr);
 
     /// Returns the results of load step number @p step, from 1, without
-    /// measures. The state @p previous shows which points opened and closed.
+    /// measures. Changes of contact are relative to the state @p previous.
     StepResults
     record(const unsigned int step,
            const SolvedStep  &solved,
            const State       &previous) const;
 
-    /// Adds the values of measures in the last step to @p results.
+    /// Adds differences of probe values (measures) to the last of @p results.
     void
     add_measures(Results &results) const;
 
-    /// Returns a note on contacts without a force so far: on all if none has a
-    /// force, else on contacts of unstrained bodies and moving obstacles.
+    /// Returns a warning that names contacts without contact force in any load
+    /// step. If some contact has a force, only contacts with an unstrained body
+    /// or a moving obstacle are named. Empty if there is none to name.
     std::string
     note_on_idle_contacts() const;
 
-    /// Returns the failure results of @p solved, a solution of the search for
-    /// first failure, and sets its reserve factors @p plies.
+    /// Returns failure results and reserve factors @p plies of the solution @p
+    /// solved for a trial load factor in the search for first failure.
     FailureTrial
     trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
 
-    /// Returns the warnings of @p solved, a solution of the search for first
-    /// failure with the reserve factors @p plies.
+    /// Returns the warnings for the solution @p solved, with reserve factors @p
+    /// plies, for a trial load factor in the search for first failure.
     std::vector<std::string>
     warnings_off_path(const SolvedStep       &solved,
                       std::vector<PlyReserve> plies) const;
 
     /// Returns the largest change of a goal between @p one and @p other, two
-    /// solutions from @p before, over ResultNumbers::scale_of().
+    /// solutions of a load step from the state @p before, divided by the
+    /// magnitude of the goal's field (ResultNumbers::scale_of()).
     double
     change_of_goals(const SolvedStep &one,
                     const SolvedStep &other,
                     const State      &before) const;
 
   private:
-    /// Returns results with @p solved as the only step, to evaluate goals.
+    /// Returns results with the load step @p solved only, to evaluate goals.
     Results
     minimal_results(const SolvedStep &solved, const State &before) const;
-    /// Returns true if row @p row of @p contact was active in @p previous.
+    /// Returns true if constraint @p row of @p contact was active before.
     bool
     was_active(const State       &previous,
                const unsigned int contact,
                const unsigned int row) const;
-    /// Adds the contact points of all contacts to @p results.
+    /// Adds gaps, pressures and slips at all contact points to @p results.
     void
     record_contacts(const SolvedStep &solved,
                     const State      &previous,
@@ -93,14 +96,15 @@ namespace lamella
     /// Adds the reserve factors of plies to @p results.
     void
     record_strength(StepResults &results, const FaceTractions &tractions) const;
-    /// Returns warnings about the state, the assumptions of contact, and the
-    /// fields, equilibrium defects and plies in @p sampled.
+    /// Returns warnings on the solution @p solved, on violated assumptions of
+    /// contact, and on fields, equilibrium defects and plies in @p sampled.
     std::vector<std::string>
     warnings(const SolvedStep &solved, const StepResults &sampled) const;
-    /// Returns warnings on rollers with few points at finite rotations.
+    /// Returns warnings on cylindrical obstacles at finite rotations: too few
+    /// contact points, or line contact although the body wraps around them.
     std::vector<std::string>
     warnings_of_rollers(const SolvedStep &solved) const;
-    /// Throws UndetectedPenetration if bodies penetrate in an inactive contact.
+    /// Throws UndetectedPenetration if bodies in an inactive contact penetrate.
     void
     require_found(const SolvedStep &solved) const;
     [[noreturn]] void
@@ -119,25 +123,24 @@ namespace lamella
     /// contact constraints. Throws MissingEnds if the discretization is `auto`.
     std::vector<std::string>
     warnings_of_ends(const SolvedStep &solved) const;
-    /// Returns @p checks, in which the resultants of contacts that complement
-    /// others at body ends (ContactPair::part_of) are added to the latter.
+    /// Returns @p checks in which forces of contacts added at body ends are
+    /// part of those of the original contacts (ContactPair::part_of).
     Checks
     with_part_resultants(Checks checks) const;
     /// Returns the largest moment of a load, or force of a load, support or
     /// contact times the size of the scene; nodal forces if these are zero.
     double
     largest_moment(const SolvedStep &solved) const;
-    /// Returns warnings of forces in isostatic supports if the loads are not in
-    /// equilibrium for the motions that these supports constrain.
+    /// Returns warnings on reactions of isostatic supports (unbalanced loads).
     std::vector<std::string>
     warnings_of_isostatic_supports(const SolvedStep &solved) const;
-    /// Returns the numbers of the contacts in note_on_idle_contacts().
+    /// Returns the indices of the contacts that note_on_idle_contacts() names.
     std::vector<unsigned int>
     idle_contacts() const;
-    /// Returns true if contact @p c has had a force that strains a body.
+    /// Returns true if contact @p c has been active with strained bodies.
     bool
     has_carried_force(const unsigned int c) const;
-    /// Returns warnings on `equilibrium` stresses with large defects.
+    /// Returns warnings on stresses by equilibrium with large defects.
     std::vector<std::string>
     warnings_of_defects(const EquilibriumDefects &defects) const;
 

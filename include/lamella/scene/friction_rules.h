@@ -8,10 +8,9 @@
 
 namespace lamella
 {
-  /// Throws InputError if @p scene, with the top-level entries @p in, combines
-  /// contact friction with the strategy `full` (its matrix is unsymmetric then)
-  /// or with a tolerance of goals; or if a scene without friction has entries
-  /// that need friction (`Substeps`, the dissipation of a contact).
+  /// Throws InputError if @p scene has a contact with friction and a tolerance
+  /// of goals. Throws also if it has no friction, but the top-level entry
+  /// `Substeps` (in @p in), or a dissipated energy as goal or Trade quantity.
   void
   check_friction(const Scene &scene, const Entries &in);
 } // namespace lamella

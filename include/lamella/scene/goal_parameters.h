@@ -17,19 +17,21 @@
 
 namespace lamella
 {
-  /// Options for error bars (error estimates) of the goals of a run.
+  /// Choice whether error bounds of the goals are computed in a run.
   enum class ErrorBars
   {
-    undefined,
-    automatic, ///< if they cost at most half of the run
-    always,
-    richer, ///< always, by comparison with finer models
-    never
+    undefined, ///< not read yet
+    automatic, ///< yes, if they take at most half of the time of the run
+    always,    ///< yes, at any cost
+    richer,    ///< yes, at any cost, by comparison with finer models
+    never      ///< no
   };
 
+  /// Names of the values of ErrorBars in scene files.
   template <>
   struct Names<ErrorBars>
   {
+    /// Value and name of each choice; `undefined` has no name.
     static constexpr NameOf<ErrorBars> all[] = {{ErrorBars::automatic, "auto"},
                                                 {ErrorBars::always, "true"},
                                                 {ErrorBars::richer, "richer"},
@@ -40,31 +42,34 @@ namespace lamella
   /// the tolerances of their errors.
   struct GoalParameters
   {
-    /// The goals; by default quantities with References or named in Trade.
+    /// The goals: entry `Quantities`, otherwise the quantities named in
+    /// `subsection Trade`, otherwise those with reference values.
     std::vector<NamedQuantity> quantities;
-    /// Probes; without `quantities`, the largest displacement and the largest
-    /// stress among these probes are the goals.
+    /// Names of probes. If `quantities` is empty, the goals are the largest
+    /// displacement and the largest stress among these probes.
     std::vector<std::string> probes_as_goals;
-    /// Tolerance of the error of each goal, or one for all; may be empty.
+    /// Tolerance of the error of each goal, or one for all; empty if not set.
     std::vector<Tolerance> tolerances;
-    ErrorBars              bars = ErrorBars::undefined;
-    /// Limits of DoFs and of time [s] of a run to a tolerance; 0: no limit.
+    ErrorBars              bars = ErrorBars::undefined; ///< Entry `Error bars`.
+    /// Largest number of DoFs of a run that meets tolerances; 0: unlimited.
     unsigned int budget_dofs    = 0;
-    double       budget_seconds = 0.;
-    /// True if the scene sets no Theory; a run to a tolerance then chooses it.
+    double       budget_seconds = 0.; ///< Longest run [s]; 0: unlimited.
+    /// True if a run with a tolerance chooses the theory (`Theory` not set).
     bool theory_is_default = false;
-    /// Names of the bodies for which the scene sets no number of axis elements.
+    /// Names of the bodies whose number of axis elements is not in the scene,
+    /// but is chosen in a run with a tolerance.
     std::set<std::string> axes_are_default;
 
     /// Declares the entries in @p prm, which must be in `subsection Goals`.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the entries of `subsection Goals`. @p of_trade are the
-    /// quantities named in `subsection Trade`. Throws InputError for
-    /// - a quantity not in @p names;
-    /// - a tolerance outside of 1e-6 to 100 per cent, or in another unit than
-    ///   its quantity has by @p units;
+    /// Returns the goals from the entries @p in of `subsection Goals`. @p
+    /// of_trade are the quantities named in `subsection Trade`. Throws
+    /// InputError for
+    /// - a quantity that is not in @p names;
+    /// - a tolerance outside of 1e-6 to 100 per cent, or in a unit that differs
+    ///   from the unit of its quantity in @p units;
     /// - one absolute tolerance for quantities of different units;
     /// - a number of tolerances other than one or the number of goals.
     static GoalParameters

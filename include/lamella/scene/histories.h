@@ -9,9 +9,9 @@
 
 namespace lamella
 {
-  /// Returns the name of the subsection (such as `Load push`) of the first
-  /// support, load or obstacle of @p scene that has an entry `Factors` (its own
-  /// load factors); empty if there is none.
+  /// Returns the subsection (such as `Load push`) of the first support, load or
+  /// obstacle of @p scene with an entry `Factors`, a load factor per load step
+  /// that replaces the common one; empty if there is none.
   std::string
   first_with_factors(const Scene &scene);
 

@@ -17,11 +17,11 @@ namespace lamella
   ///   number                    warning if
   ///   layup                     no angle exceeds 3.2, and one is pi/2, pi/3,
   ///                             pi/4 or pi/6 within 1e-3: radians
-  ///   stiffest material         softer than 1000 MPa, and no core, foam (below
-  ///                             600 kg/m^3) or rubber (nu_12 from 0.45 on)
+  ///   stiffest material         below 1000 MPa, except cores, foams (below
+  ///                             600 kg/m^3) and rubber (nu_12 >= 0.45)
   ///   section's smaller side    below 1 micrometer or above 10 m
   ///   ply of stiff fibers       below 5 micrometers or above 100 mm
-  ///   Gravity                   9.7 to 9.9 mm/s^2, or as many km/s^2
+  ///   Gravity                   9.7 to 9.9 mm/s^2 or km/s^2
   ///   Rotation of a support     more than one turn: degrees
   std::vector<std::string>
   magnitude_warnings(const Scene &scene, const SectionMeshes &meshes);

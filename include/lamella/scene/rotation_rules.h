@@ -7,36 +7,39 @@
 
 namespace lamella
 {
-  /// Returns @p scene with finite rotations of its bodies and finite-sliding
-  /// contacts. Error bars are disabled unless the scene requests them.
+  /// Returns @p scene with finite rotations of bodies and finite sliding in
+  /// contacts. Throws InputError for entries that finite rotations exclude:
+  /// - theories that cannot represent finite rotations (see can_rotate()) or
+  ///   that differ between nodes, and B2 and B3 elements of beams whose
+  ///   sections deform;
+  /// - node-to-node contact, and the contact strategy `full`;
+  /// - tolerances, error bars by finer models, and stresses by equilibrium.
   ///
-  /// Throws InputError for entries that large rotations do not allow: theories
-  /// without finite-rotation kinematics, axis elements that lock, solid-1,
-  /// node-dependent theories, `Stabilization`, `Isostatic support`,
-  /// node-to-node contact, the strategy `full`, error bars and tolerances,
-  /// stresses by equilibrium. Several processes are not allowed either.
+  /// Also throws if there are several processes.
   Scene
   with_finite_rotations(Scene scene);
 
-  /// Returns whether bodies of @p theory can have finite rotations.
+  /// Returns true if bodies of @p theory can have finite rotations: EBBT, TBT,
+  /// SV-N, LE-N, TE-N with N > 1, and solid-2.
   bool
   can_rotate(const Theory &theory);
 
-  /// Returns whether @p contact of @p body with a cylindrical obstacle may be
-  /// `line to roller`, contact along the line of the beam surface that is
-  /// nearest to a cylinder across the beam.
+  /// Returns true if @p contact of @p body with a cylindrical obstacle across
+  /// the beam may have the discretization `line to roller`: contact constraints
+  /// along the line of the beam's surface that is nearest to the cylinder.
   bool
   allows_line_contact(const ContactPair &contact, const BodyDescription &body);
 
-  /// Returns whether @p scene has entries that require finite rotations.
+  /// Returns true if @p scene requires finite rotations (follower loads).
   bool
   requests_finite_rotations(const Scene &scene);
 
-  /// Applies the entry `Rotations` to @p scene. If it is `large`, calls
-  /// with_finite_rotations(). If it is `auto`, the run chooses later; but if
-  /// with_finite_rotations() throws, rotations become `linear` with a warning.
-  /// Throws as with_finite_rotations() if entries require finite rotations, and
-  /// InputError if these are combined with `linear`.
+  /// Applies the entry `Rotations` to @p scene:
+  /// - `large`: calls with_finite_rotations();
+  /// - `linear`: throws InputError if the scene requires finite rotations;
+  /// - `auto`: if finite rotations are possible, LinearTrial chooses during the
+  ///   run. Otherwise sets `linear` with a warning, or throws InputError if the
+  ///   scene requires finite rotations.
   void
   apply_rotations(Scene &scene);
 } // namespace lamella

@@ -30,18 +30,18 @@
 
 namespace lamella
 {
-  /// Reference values of the resultant forces of supports or contacts, by name.
+  /// Reference values of resultant forces, by the name of support or contact.
   using ReferencesByName = std::map<std::string, std::vector<Reference>>;
 
-  /// A boundary value problem with contact as read from a scene file and
-  /// checked: materials, cross-sections, bodies (a section extruded along an
-  /// axis, with the theory of its displacements), supports, loads, contacts,
-  /// solution parameters and output, as plain data.
+  /// The boundary value problem with contact that a scene file describes:
+  /// materials, cross-sections, bodies (sections extruded along an axis, with a
+  /// beam theory), supports, loads, contacts, solution parameters and output.
+  /// It is plain data that has been checked and contains no mesh.
   ///
-  /// Lists are in the order of the lists of names in the file. Bodies are
+  /// Vectors have the order of the lists of names in the file. Bodies are
   /// referred to by their index in `bodies`, materials and sections by name.
   /// All quantities are in the units of the file; positions are in global axes
-  /// unless stated otherwise. A scene contains no mesh.
+  /// unless stated otherwise.
   struct Scene
   {
     /// Title, printed with the results; may be empty.
@@ -53,9 +53,9 @@ namespace lamella
     Materials materials;
     /// Shape of each section by name, from which the section is meshed.
     std::map<std::string, SectionShape> sections;
-    /// Number of uniform refinements of the mesh of each section.
+    /// Number of uniform refinements of the mesh of each section, by name.
     std::map<std::string, unsigned int> divisions;
-    /// Number of refined cell layers at the corners of each section.
+    /// Number of refined cell layers at the corners of each section, by name.
     std::map<std::string, unsigned int> corner_layers;
     /// Name, section, theory, axis and placement of each body.
     std::vector<BodyDescription> bodies;
@@ -73,32 +73,31 @@ namespace lamella
     /// Parameters of the solution: load factors, strategy, limits.
     SolveParameters solve;
 
-    /// Points, segments and sections at which fields are reported.
-    std::vector<Probe> probes;
-    std::vector<Line>  lines;
-    std::vector<Cut>   cuts;
-    /// Differences of values at probes.
+    std::vector<Probe> probes; ///< Points at which fields are reported.
+    std::vector<Line>  lines;  ///< Segments along which fields are reported.
+    std::vector<Cut>   cuts;   ///< Sections on which fields are reported.
+    /// Differences of field values between two probes.
     std::vector<Measure> measures;
     /// Plies and strength criteria of the failure analysis.
     StrengthParameters strength;
-    /// True if the load factor of first failure is computed.
-    bool find_first_failure = false;
-    /// Reference values of resultant forces.
-    ReferencesByName support_references, contact_references;
+    /// True if the load factor of first ply failure is computed.
+    bool             find_first_failure = false;
+    ReferencesByName support_references, ///< Reference support forces.
+      contact_references; ///< Reference resultants of contact forces.
     /// True if a run writes VTU files for ParaView.
     bool write_vtu = true;
     /// Quantities of interest of the run, with their tolerances.
     GoalParameters goals;
-    /// Parameters of `lamella trade`; unused by a run.
+    /// Parameters of `lamella trade`, which compares variants of a scene.
     TradeParameters trade;
 
-    /// Warnings on inaccurate theories and meshes (notes_on_choices()).
+    /// Warnings on theories and meshes with known errors (notes_on_choices()).
     std::vector<std::string> warnings;
 
-    /// Text of a scene file with all entries, defaults included.
+    /// Text of a scene file with all entries of this scene, defaults included.
     std::string resolved;
 
-    /// Returns the number of uniform refinements of @p section.
+    /// Returns the number of uniform refinements of section @p section.
     unsigned int
     divisions_of(const std::string &section) const
     {
@@ -107,9 +106,9 @@ namespace lamella
     }
   };
 
-  /// Parses @p text and returns the scene. Names, repeated pairs of contact
-  /// surfaces and problem sizes that exceed the memory are checked. No mesh is
-  /// generated and no mesh file is read. Throws InputError with file and line.
+  /// Parses @p text and returns the scene. Checks names, repeated pairs of
+  /// contact surfaces, and problem sizes against the memory. Generates no mesh
+  /// and reads no mesh file. Throws InputError with file and line.
   Scene
   read_scene(const SceneText &text);
 
@@ -117,13 +116,14 @@ namespace lamella
   void
   check_entries(const SceneText &text);
 
-  /// Returns a scene file with all entries, their documentation and defaults,
-  /// and one subsection NAME of each kind (--print-parameters).
+  /// Returns a scene file with all possible entries, their documentation and
+  /// default values (--print-parameters). Each kind of subsection occurs once,
+  /// with NAME as its name.
   std::string
   parameter_documentation();
 
-  /// Generates or reads the meshes of all sections of @p scene. Throws
-  /// InputError for invalid shapes or mesh files and for distorted cells.
+  /// Generates the meshes of all sections of @p scene or reads them from files.
+  /// Throws InputError for invalid shapes or mesh files and distorted cells.
   SectionMeshes
   build_section_meshes(const Scene &scene);
 } // namespace lamella

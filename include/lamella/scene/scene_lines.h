@@ -17,13 +17,13 @@ namespace lamella
   std::string
   line_prefix(const std::string &file, const unsigned int line);
 
-  /// Returns @p text without a UTF-8 byte order mark. Throws InputError, which
-  /// names @p file, if the bytes are not valid UTF-8.
+  /// Returns @p text without a UTF-8 byte order mark. Throws InputError, with
+  /// the name @p file, if the text is not valid UTF-8.
   std::string
   checked_bytes(const std::string &text, const std::string &file);
 
-  /// Returns the name of an entry that @p path calls as version 0.2.0 or other
-  /// programs do (`Points on`, `Torque`); empty for all other paths.
+  /// Returns the present name of an entry that @p path calls by a former name
+  /// (`Points on`) or as other programs do (`Torque`); empty otherwise.
   std::string
   new_name(const std::string &path);
 } // namespace lamella

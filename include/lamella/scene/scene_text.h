@@ -14,81 +14,83 @@
 namespace lamella
 {
   /// The text of a scene file with line numbers. It is checked before deal.II's
-  /// ParameterHandler parses it, so that messages have line numbers and suggest
-  /// the nearest known entry for an unknown entry. Each line is one of
-  ///   subsection NAME      opens a subsection; they nest
-  ///   end                  closes it
+  /// ParameterHandler parses it, so that messages contain line numbers and
+  /// suggest the nearest known entry for an unknown one. Each line is one of
+  ///   subsection NAME      opens a subsection, which may contain others
+  ///   end                  closes the subsection
   ///   set ENTRY = VALUE    sets an entry of the open subsection
-  /// '#' begins a comment ('\\#' is a '#' of the value); a backslash at the end
-  /// joins the next line. The path of an entry is the names of its subsections
-  /// and its own, joined by '/'; white space in names collapses to single
-  /// blanks. The text is UTF-8. A ParameterHandler declares the permitted
-  /// entries.
+  /// '#' begins a comment ('\\#' is a '#' in a value). A backslash at the end
+  /// of a line joins the next line. The path of an entry consists of the names
+  /// of its subsections and of the entry, joined by '/'. Names may contain
+  /// single blanks; longer white space is replaced. The text is UTF-8.
   class SceneText
   {
   public:
-    /// An entry with its value, or a subsection (its value is empty).
+    /// An entry with its value, or a subsection, whose value is empty.
     struct Item
     {
-      /// Path, such as `Body upper/Kinematics/Theory`, and value.
-      std::string path, value;
-      /// Line in the file, from 1; 0 for --set.
+      std::string path, ///< For example `Body upper/Kinematics/Theory`.
+        value;          ///< Text after `=`.
+      /// Line in the file, from 1; zero for entries of --set or set_default().
       unsigned int line = 0;
     };
 
-    /// Parses @p text of the file named @p file and applies @p overrides, each
-    /// PATH=VALUE as in the option --set. An override may add an entry; if a
-    /// path is repeated, the last override counts. Throws InputError for
-    /// invalid lines, unclosed subsections, repeated entries and subsections,
-    /// values hidden by a comment, invalid UTF-8, and a text without entries.
+    /// Parses @p text of the file named @p file. Then sets the entries in @p
+    /// overrides, arguments PATH=VALUE of the option --set; the last of equal
+    /// paths counts. Throws InputError for invalid lines, unclosed subsections,
+    /// repeated entries and subsections, values hidden by a comment, invalid
+    /// UTF-8, and a text without entries.
     SceneText(const std::string              &text,
               const std::string              &file,
               const std::vector<std::string> &overrides);
 
-    /// Reads the file named @p file. Throws InputError if it cannot be read or
-    /// exceeds 16 MB, and as the constructor does.
+    /// Reads the scene file named @p file and sets the entries in @p overrides,
+    /// arguments PATH=VALUE of --set. Throws InputError if the file cannot be
+    /// read or exceeds 16 MB, and as the constructor does.
     static SceneText
     read(const std::string &file, const std::vector<std::string> &overrides);
 
-    /// Sets the entries of @p prm to the values in the text; only entries
-    /// outside of subsections if @p top_level_only is true. @p prm must declare
-    /// all of them. Throws InputError if a value does not match its pattern.
+    /// Sets the entries of @p prm, which must declare them, to the values in
+    /// the text. If @p top_level_only is true, skips entries in subsections.
+    /// Throws InputError for values that do not match the declared pattern.
     void
     fill(dealii::ParameterHandler &prm,
          const bool                top_level_only = false) const;
 
-    /// Returns all entries of @p prm as the text of a scene file.
+    /// Returns the text of a scene file with all entries of @p prm.
     static std::string
     printed(const dealii::ParameterHandler &prm);
 
-    /// Returns @p scene, a result of printed(), in which the entry @p name of
-    /// the top-level subsection @p path has @p value instead of `auto`.
+    /// Returns the scene file @p scene, a result of printed(), in which @p
+    /// value replaces `auto` as the value of the entry @p name in the top-level
+    /// subsection @p path. If the value is not `auto`, returns @p scene.
     static std::string
     with_automatic(std::string        scene,
                    const std::string &path,
                    const std::string &name,
                    const std::string &value);
 
-    /// Removes the subsections `KIND NAME` whose names are not among @p names,
-    /// if the option --set has replaced the list of names @p list.
+    /// Removes the subsections `KIND NAME`, such as `Body upper`, whose names
+    /// are not in @p names, if the option --set has replaced the entry @p list
+    /// (`Bodies`). @p names are the names in this entry.
     void
     drop_unlisted(const std::string              &list,
                   const std::string              &kind,
                   const std::vector<std::string> &names);
 
-    /// Throws InputError, with the line of the entry @p list, if one of its @p
-    /// names has no subsection `KIND NAME` although there is a subsection of
-    /// this kind with a name that is not listed.
+    /// Throws InputError with the line of the entry @p list (such as `Bodies`)
+    /// if one of its @p names has no subsection `KIND NAME`, but there is a
+    /// subsection of this kind with an unlisted name.
     void
     check_listed(const std::string              &list,
                  const std::string              &kind,
                  const std::vector<std::string> &names) const;
 
-    /// Returns the folder of the file; empty for the current folder.
+    /// Returns the folder of the scene file; empty for the current folder.
     std::string
     folder() const;
 
-    /// Returns the value of the entry @p path; none if it is not set.
+    /// Returns the value of the entry @p path; empty if it is not set.
     std::optional<std::string>
     says(const std::string &path) const;
 
@@ -96,7 +98,7 @@ namespace lamella
     void
     set_default(const std::string &path, const std::string &value);
 
-    /// Sets the entry @p path to @p value.
+    /// Sets the entry @p path to @p value, whether or not it has a value.
     void
     replace(const std::string &path, const std::string &value);
 
@@ -104,30 +106,31 @@ namespace lamella
     void
     erase(const std::string &path);
 
-    /// Replaces the subsection @p path by duplicates with the paths @p copies.
+    /// Replaces the subsection @p path by copies with the paths @p copies.
     void
     copy_subsection(const std::string              &path,
                     const std::vector<std::string> &copies);
 
-    /// Returns whether the text, or an override, has the subsection @p path.
+    /// Returns true if the file or an option --set has the subsection @p path.
     bool
     has_subsection(const std::string &path) const;
 
-    /// Throws InputError for the first entry or subsection that @p prm does not
-    /// declare; the message suggests the nearest declared name. Subsections are
-    /// ignored if @p top_level_only is true.
+    /// Throws InputError for the first entry or subsection of the text that @p
+    /// prm does not declare; the message suggests the nearest declared name. If
+    /// @p top_level_only is true, checks only entries outside of subsections.
     void
     check_declared(const dealii::ParameterHandler &prm,
                    const bool top_level_only = false) const;
 
-    /// Returns @p error with the prefix `FILE:LINE: ` (or `FILE: `) of its
-    /// entry or subsection, unless it has a prefix already or names no entry.
+    /// Returns @p error with a prefix that locates its entry or subsection:
+    /// `FILE:LINE: `, or `FILE: ` without a line. Returns @p error unchanged if
+    /// it has a prefix or names no entry.
     InputError
     placed(const InputError &error) const;
 
   private:
-    /// Parses @p text into entries and subsections, in the order of lines.
-    /// Throws InputError, which names @p file, for invalid lines.
+    /// Splits @p text into @p entries and @p subsections, in the order of
+    /// lines. Throws InputError with the name @p file for invalid lines.
     static void
     scan(const std::string &text,
          const std::string &file,
@@ -138,8 +141,8 @@ namespace lamella
     std::string
     place(const Item &entry) const;
 
-    /// Returns `FILE:LINE: ` of the entry or subsection @p path, or of its
-    /// nearest parent in the text, otherwise `FILE: `.
+    /// Returns the prefix `FILE:LINE: ` of the entry or subsection @p path, or
+    /// of its nearest enclosing subsection in the text; otherwise `FILE: `.
     std::string
     place_of(std::string path) const;
 
@@ -148,13 +151,13 @@ namespace lamella
     throw_unknown_subsection(const Item              &item,
                              const std::vector<Item> &declared) const;
 
-    /// Adds @p entry and its subsections, or replaces the entry of equal path.
+    /// Sets the value of @p entry; adds it and its subsections if missing.
     void
     set_entry(const Item &entry);
 
     /// Name of the file, for messages.
     std::string file;
-    /// Items in the order of the text, followed by those of overrides.
+    /// Items in the order of the text, followed by those set by --set.
     std::vector<Item> entries, subsections;
   };
 } // namespace lamella

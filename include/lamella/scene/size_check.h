@@ -7,15 +7,15 @@
 
 namespace lamella
 {
-  /// Throws InputError for the first body of @p scene whose stiffness matrix
-  /// exceeds the memory, before meshing. Only layer-wise beams and solids with
-  /// laminated sections are estimated. With the order p of the expansion, the
-  /// degree q of the axis elements (p for solids), and n_x cells across, n_z
-  /// through the thickness and n_y along the axis, the number of DoFs is
-  ///   DoFs = 3 (p n_x + 1) (p n_z + 1) (q n_y + 1),
-  /// A row of the matrix has at least 3 (p + 2)^2 (q + 2) nonzeros of 24 bytes
-  /// on average. Bodies below 2e5 DoFs are accepted; MemoryBudget checks them
-  /// exactly after meshing.
+  /// Throws InputError, before meshing, for the first body of @p scene whose
+  /// stiffness matrix would exceed the memory. Checks only layer-wise beams and
+  /// solids with laminated sections. The number of DoFs is estimated as
+  ///   3 (p n_x + 1) (p n_z + 1) (q n_y + 1)
+  /// with the degree p of the section expansion, the degree q of axis elements
+  /// (p for solids), and n_x, n_z, n_y cells along width, height and axis. A
+  /// matrix row has about 3 (p + 2)^2 (q + 2) nonzeros of 24 bytes. Bodies
+  /// below 2e5 DoFs are accepted; MemoryBudget checks them exactly after
+  /// meshing.
   void
   check_sizes(const Scene &scene);
 } // namespace lamella

@@ -7,18 +7,18 @@
 
 namespace lamella
 {
-  /// Expands bodies of @p text that are repeated: bodies with `Copies = N`, N >
-  /// 1. The body `leaf` becomes bodies leaf-1 to leaf-N with the entries of its
-  /// subsection, except that body k has
+  /// Replaces each body of @p text with the entry `Copies = N`, N > 1, by N
+  /// bodies. For example, `leaf` becomes leaf-1 to leaf-N. They have the
+  /// entries of `leaf`, except that body number k has
   ///   Origin = Origin + (k - 1) Origin step,
   ///   Length = Length + (k - 1) Length step.
-  /// References to `leaf` are expanded as follows; probes, lines and cuts must
-  /// name one of the bodies leaf-k:
+  /// References to `leaf` are replaced as well:
   /// - a region `leaf: top` of a support or a load becomes one region per body;
-  /// - a contact NAME with `leaf` on both sides becomes the contacts NAME-1 to
-  ///   NAME-(N-1), NAME-k between the bodies k and k + 1;
-  /// - a contact NAME with `leaf` on one side becomes NAME-1 to NAME-N.
+  /// - a contact NAME between `leaf` and itself becomes the contacts NAME-1 to
+  ///   NAME-(N-1), where NAME-k is between the bodies k and k + 1;
+  /// - a contact NAME between `leaf` and another body becomes NAME-1 to NAME-N.
   ///
+  /// Probes, lines and cuts must refer to one of the bodies, such as leaf-2.
   /// Throws InputError for a step without `Copies`, N outside of 1 to 1000,
   /// lengths that are not positive, and generated names that exist already.
   void

@@ -12,39 +12,41 @@
 
 namespace lamella
 {
-  /// Names in each list of names of a scene (`Bodies`, `Supports`, ...).
+  /// Names of objects (`upper`) by the entry that lists them (`Bodies`).
   using NameLists = std::map<std::string, std::vector<std::string>>;
 
-  /// Input of the functions that parse subsections of a scene file, and the
-  /// scene to which these functions add their results.
+  /// Arguments of the functions that parse the subsections of a scene file:
+  /// input data, and the scene to which they add the parsed objects.
   struct SceneReading
   {
-    dealii::ParameterHandler &prm;
-    const NameLists          &names;
-    /// Folder of the scene file, to which paths of mesh files are relative.
+    dealii::ParameterHandler &prm;   ///< Entries of the scene file.
+    const NameLists          &names; ///< Names of all objects.
+    /// Folder of the scene file. Paths of mesh files are relative to it.
     std::string folder;
-    /// Top-level entry `Theory`, the default for all bodies.
+    /// Top-level entry `Theory`, the default theory of all bodies.
     Entry  theory;
-    Scene &scene;
+    Scene &scene; ///< Result.
   };
 
-  /// A kind of subsections, such as `subsection Body NAME` for each NAME of the
-  /// list `Bodies`, with the functions that declare and parse its entries.
+  /// A kind of subsections with the functions that declare and parse its
+  /// entries. For example, the kind `Body` has a subsection `Body NAME` for
+  /// each NAME in the list `Bodies`.
   struct SubsectionKind
   {
-    std::string list, kind;
-    /// Declares the entries in @p prm, which is in the subsection.
+    std::string list, ///< Entry with the names of the objects (`Bodies`).
+      kind;           ///< First word of the subsections (`Body`).
+    /// Declares the entries in @p prm, which has entered such a subsection.
     void (*declare)(dealii::ParameterHandler &prm);
-    /// Adds the object @p name with the entries @p in to the scene. Throws
-    /// InputError for invalid entries.
+    /// Creates the object @p name from the entries @p in of its subsection and
+    /// adds it to reading.scene. Throws InputError for invalid entries.
     void (*resolve)(SceneReading      &reading,
                     const std::string &name,
                     const Entries     &in);
-    /// Called after the last subsection of the kind; may be null.
+    /// Called after all subsections of this kind were parsed; may be null.
     void (*finish)(Scene &scene) = nullptr;
   };
 
-  /// Returns all kinds, in the order in which they are printed and parsed.
+  /// Returns all kinds of subsections, in the order of printing and parsing.
   const std::vector<SubsectionKind> &
   subsection_kinds();
 } // namespace lamella

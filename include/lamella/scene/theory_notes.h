@@ -11,30 +11,29 @@
 namespace lamella
 {
   /// Returns warnings (sentences without a full stop) on theories and axis
-  /// elements of @p scene with known errors, from its entries alone:
-  /// - shear locking of axis elements below B4 with full integration of shear
-  ///   strains, and Poisson locking of LE-1;
-  /// - hexahedra of degree 1 on sections other than laminates and thin walls,
-  ///   since incompatible modes are accurate for rectangles only;
-  /// - EBBT, TBT and TE-1 for layups with bend-twist coupling. They are too
-  ///   stiff by EI_0 / EI, the bending stiffnesses of classical lamination
-  ///   theory with twist suppressed and with free twist; reported from 1 % on.
+  /// elements of @p scene with known errors. Only entries are used, no meshes.
+  /// - Shear locking: B2 and B3 axis elements with full integration of shear
+  ///   strains. Poisson locking: LE-1.
+  /// - Hexahedra of degree 1 on sections other than laminates and thin walls:
+  ///   their incompatible modes are accurate for rectangular cells only.
+  /// - EBBT, TBT and TE-1 for layups with bend-twist coupling: the bending
+  ///   stiffness is too large by the ratio of those with twist suppressed and
+  ///   with free twist (classical lamination theory), if this is above 1.01.
   std::vector<std::string>
   notes_on_choices(const Scene &scene);
 
   /// Returns warnings on bodies of @p scene with an unsuitable theory or axis
-  /// mesh, by constants of their sections (section/theory_limits.h), of which
-  /// @p meshes are the meshes:
+  /// mesh, from stiffnesses of their sections (section/theory_limits.h) with
+  /// the meshes @p meshes:
   ///
   /// - Shear of laminates and sandwiches: bending by EBBT, TBT and TE-N is too
-  ///   stiff by (1 + phi) / (1 + phi_N), where phi = 12 E I / (k G A L^2) has
-  ///   the exact shear stiffness k G A and phi_N that of the theory (phi_N = 0
+  ///   stiff by (1 + phi) / (1 + phi_N), phi = 12 E I / (k G A L^2), where phi
+  ///   has the exact shear stiffness k G A and phi_N that of the theory (zero
   ///   for EBBT); reported from 2 % on.
-  /// - Torsion of other sections: ratio of G J of TE-N to G J of LE-2 on the
-  ///   same mesh; reported from 5 % on.
-  /// - Long axis elements at clamped ends: the boundary layer decays within
-  ///   about one section width, which a longer element does not resolve
-  ///   (doc/theory/theories.md).
+  /// - Torsion of other sections: ratio of the torsional stiffnesses of TE-N
+  ///   and LE-2 on the same mesh; reported from 5 % on.
+  /// - Axis elements at clamped ends that are longer than the boundary layer,
+  ///   which decays within about one section width (doc/theory/theories.md).
   std::vector<std::string>
   notes_on_theories(const Scene &scene, const SectionMeshes &meshes);
 } // namespace lamella

@@ -15,65 +15,64 @@
 
 namespace lamella
 {
-  /// Variant of a trade (comparison of cost and accuracy): a theory with
-  /// refinement factors of the meshes of the scene, or a run to a tolerance.
+  /// A variant of the scene for `lamella trade`, the comparison of cost and
+  /// accuracy: a theory with factors of mesh refinement, or a run that refines
+  /// the model to an error tolerance.
   struct TradeVariant
   {
     /// Name in the scene file, such as `LE-2, axis 2`.
     std::string name;
-    /// Theory as in a scene file; `tolerance 1` for a run to 1 % error.
+    /// Theory as in a scene file, or `tolerance 1` for refinement to 1 % error.
     std::string theory;
-    /// Factors, 0.05 to 20, that multiply the scene's number of axis elements
-    /// and of section cells per direction.
-    double axis = 1., section = 1.;
+    double axis = 1., ///< Factor on the number of axis elements, 0.05 to 20.
+      section   = 1.; ///< Factor on the number of section cells, 0.05 to 20.
     /// Changes of entries, PATH=VALUE as in the option --set.
     std::vector<std::string> overrides;
-    /// Error tolerance (fraction of the value) of a run to a tolerance: above
-    /// 0, at most 1; empty for other variants.
+    /// Error tolerance as a fraction of the value, above 0 and at most 1, of a
+    /// run that refines the model; empty for other variants.
     std::optional<double> tolerance = {};
   };
 
-  /// Names of the scene's bodies and quantities to which a trade can refer.
+  /// Names in the scene to which entries of `subsection Trade` can refer.
   struct TradeNames
   {
-    std::vector<std::string> bodies;
-    QuantityNames            quantities;
+    std::vector<std::string> bodies;     ///< Names of bodies.
+    QuantityNames            quantities; ///< Names of quantities.
     /// Quantities named in `subsection Goals`.
     std::vector<NamedQuantity> of_goals = {};
   };
 
-  /// Entries of `subsection Trade`: variants of a scene (theories and meshes)
-  /// whose cost and accuracy `lamella trade` compares.
+  /// Entries of `subsection Trade`: the variants of a scene (theories and
+  /// meshes) whose cost and accuracy `lamella trade` compares.
   struct TradeParameters
   {
-    /// Variants, at least two, from the cheapest to the finest.
+    /// At least two variants, from the cheapest to the most accurate.
     std::vector<TradeVariant> variants;
-    /// Compared quantities; by default those of Goals or with References.
+    /// Compared quantities; by default the goals or those with References.
     std::vector<NamedQuantity> quantities;
-    /// Probes. If `quantities` is empty, the largest displacement and stress
-    /// among these are compared. Empty if the reference is `given`.
+    /// Names of probes. If `quantities` is empty, the largest displacement and
+    /// stress among them are compared. Empty if the reference is `given`.
     std::vector<std::string> probes_as_goals;
-    /// Names of the bodies whose theory and mesh the variants change; by
-    /// default all bodies.
+    /// Names of bodies with theory and mesh of the variant; by default all.
     std::vector<std::string> bodies;
-    /// Reference solution for errors: `finest`, the last variant that succeeds;
-    /// `solid`, the last variant of hexahedra; `given`, the References of the
-    /// scene; or the name of a variant.
+    /// Solution from which errors are computed: `finest`, the last variant that
+    /// succeeds; `solid`, the last variant of hexahedra; `given`, the reference
+    /// values of the scene; or the name of a variant.
     std::string reference = "finest";
-    /// Relative errors (fractions); for each of them the report names the
-    /// cheapest variant whose errors are below it.
+    /// Relative errors (fractions). The report names for each of them the
+    /// cheapest variant with smaller errors.
     std::vector<double> tolerances;
-    /// True if error bars are computed for each variant; runs to a tolerance
-    /// always compute error bars.
+    /// True if error bounds are computed for each variant; variants with a
+    /// tolerance always have error bounds.
     bool error_bars = false;
-    /// Limit of the processor time of a variant [s]; 0: no limit.
+    /// Largest processor time of a variant [s]; zero means unlimited.
     double time_limit = 0.;
 
     /// Declares the entries in @p prm, which must be in `subsection Trade`.
     static void
     declare(dealii::ParameterHandler &prm);
-    /// Returns the entries of `subsection Trade`. Throws InputError for invalid
-    /// variants, for quantities that are not in @p names, and for missing or
+    /// Returns the entries @p in of `subsection Trade`. Throws InputError for
+    /// invalid variants, quantities that are not in @p names, and missing or
     /// zero reference values if the reference is `given`.
     static TradeParameters
     parse(const Entries &in, const TradeNames &names);

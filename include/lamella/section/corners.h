@@ -9,8 +9,8 @@
 
 namespace lamella
 {
-  /// Returns the positions (x, z) of the corners of @p section at which
-  /// stresses are singular (see singular_corners()).
+  /// Returns the positions (x, z) of the points of @p section with singular
+  /// stresses: re-entrant corners, and ends of ply interfaces on the boundary.
   std::vector<dealii::Point<2>>
   corners_of(const Section &section);
 } // namespace lamella

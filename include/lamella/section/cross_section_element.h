@@ -17,49 +17,47 @@
 
 namespace lamella
 {
-  /// Values and gradients of the nonzero functions F_tau at a point of a cell.
+  /// Values and gradients of the expansion functions F_tau(x, z) that are
+  /// nonzero on a cell of a section mesh, at a point of this cell.
   struct FunctionValues
   {
-    /// Position x, z of the body, Jacobian d(x, z) / d(xi, eta) [length].
-    dealii::Point<2>     position;
-    dealii::Tensor<2, 2> jacobian;
-    /// Values F_tau [no unit] and gradients (d/dx, d/dz) F_tau [1 / length].
+    dealii::Point<2>     position; ///< x, z [length].
+    dealii::Tensor<2, 2> jacobian; ///< d(x, z) / d(xi, eta) [length].
+    /// Values [no unit] and, below, gradients [1 / length] of the functions, in
+    /// the order of CrossSectionElement::cell_functions().
     std::vector<double>               values;
-    std::vector<dealii::Tensor<1, 2>> gradients;
+    std::vector<dealii::Tensor<1, 2>> gradients; ///< (d/dx, d/dz) F_tau.
   };
 
-  /// A collocation point of a section for contact, loads and supports, with its
-  /// tributary length or area. Combined with nodes of the axis, it becomes a
-  /// SurfacePoint of the beam.
+  /// A point of a section at which contact, loads or supports act, with its
+  /// tributary length or area. Nodes of the axis extend it to SurfacePoints.
   struct EdgePoint
   {
-    /// Position x, z [length], and outward unit normal; at a vertex, the
-    /// weighted mean of the normals of both sides.
-    dealii::Point<2>     position;
+    dealii::Point<2> position; ///< x, z [length].
+    /// Outward unit normal; at a vertex, the weighted mean of both sides.
     dealii::Tensor<1, 2> normal;
-    /// Integral of the shape function of the point: a tributary length [length]
+    /// Integral of the nodal function of the point: a tributary length [length]
     /// on a boundary, an area [length^2] for points of the whole section.
     double weight = 0.;
-    /// True if the normals of two sides differ by more than 20 degrees.
-    bool corner = false;
-    /// A cell that contains the point, the reference coordinates of the point,
-    /// and for points on a boundary the depth of the cell [length], which is
-    /// its area divided by the length of its side on the boundary.
-    unsigned int     cell = 0;
-    dealii::Point<2> unit;
-    double           depth = 0.;
+    /// True at a vertex whose side normals differ by more than 20 degrees.
+    bool             corner = false;
+    unsigned int     cell   = 0; ///< A section cell that contains the point.
+    dealii::Point<2> unit; ///< Coordinates xi, eta of the point in the cell.
+    /// Area of the cell divided by the length of its side on the boundary
+    /// [length]; zero for points that are not on a boundary.
+    double depth = 0.;
   };
 
-  /// The cross-section expansion of a beam theory: the functions F_tau(x, z),
-  /// tau = 0 ... n_functions() - 1, of the displacement u = sum_tau F_tau
-  /// u_tau(y), on a section mesh. Immutable; shares the ownership of the mesh.
+  /// The cross-section expansion of a beam theory: functions F_tau(x, z), tau =
+  /// 0 ... n_functions() - 1, on a section mesh. The displacement is the sum of
+  /// F_tau u_tau(y) over tau. Immutable; shares the ownership of the mesh.
   ///
   /// The first three functions are 1, (x - x_c) / h and (z - z_c) / h, with the
   /// centroid (x_c, z_c) and a reference length h. Rigid motions of the section
   /// are thus separate DoFs, which keeps rounding errors small in slender beams
-  /// (doc/theory/stable-basis.md). The warping functions tau > 2 are defined by
-  /// TaylorElement (equivalent single layer) and LagrangeElement (layer-wise).
-  /// Cells are images of the unit square (xi, eta).
+  /// (doc/theory/stable-basis.md). TaylorElement (equivalent single layer) and
+  /// LagrangeElement (layer-wise) define the functions tau > 2. Cells are
+  /// images of the unit square (xi, eta).
   class CrossSectionElement
   {
   public:
@@ -69,8 +67,7 @@ namespace lamella
     virtual unsigned int
     degree() const = 0;
 
-    /// Returns the degree of positions and functions as polynomials of the
-    /// parameter of a cell's side.
+    /// Returns the polynomial degree of positions and functions on cell sides.
     virtual unsigned int
     trace_degree() const
     {
@@ -85,43 +82,44 @@ namespace lamella
       return degree() + 1;
     }
 
-    /// Returns the number M of functions F_tau (Eq. 1).
+    /// Returns the number of expansion functions F_tau.
     virtual unsigned int
     n_functions() const = 0;
 
-    /// Returns the level of function @p tau: 0 for the three linear functions,
-    /// higher for finer ones. Supports eliminate DoFs of low level first.
+    /// Returns the rank of function @p tau in the elimination of DoFs by
+    /// supports: 0 for the three linear functions, which are eliminated first.
     virtual unsigned int
     level(const unsigned int tau) const
     {
       return tau < 3 ? 0 : 1;
     }
 
-    /// Returns the smallest degree q for which LE-q contains the function, if
-    /// the functions are hierarchical; otherwise degree().
+    /// Returns the smallest degree q for which LE-q contains the function of
+    /// this index if functions are hierarchical; otherwise degree().
     virtual unsigned int
     function_degree(const unsigned int) const
     {
       return degree();
     }
 
-    /// Returns the numbers of the functions that are nonzero on @p cell,
+    /// Returns the indices of the functions that are nonzero on @p cell,
     /// ascending, beginning with 0, 1, 2.
     virtual const std::vector<unsigned int> &
     cell_functions(const unsigned int cell) const = 0;
 
-    /// Evaluates the cell_functions() of @p cell at the reference coordinates
-    /// @p unit, which may be slightly outside of the unit square.
+    /// Evaluates the functions cell_functions() of @p cell at the coordinates
+    /// @p unit = (xi, eta), which may be slightly outside of the unit square.
     virtual FunctionValues
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
 
-    /// Returns position and Jacobian at @p unit without evaluating functions.
+    /// Returns the position (x, z) and the Jacobian of @p cell at the
+    /// coordinates @p unit = (xi, eta).
     virtual SectionGeometry::Place
     map(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
 
     /// Returns points on @p boundary whose displacements determine those of the
-    /// whole boundary, with normals and tributary lengths; no points if no
-    /// boundary has this name.
+    /// whole boundary, with normals and tributary lengths. Empty if there is no
+    /// boundary of this name.
     virtual std::vector<EdgePoint>
     edge_points(const std::string &boundary) const = 0;
 
@@ -130,56 +128,60 @@ namespace lamella
     virtual std::vector<EdgePoint>
     section_points() const = 0;
 
-    /// Returns points of an end face of the beam with their positive tributary
-    /// areas, without normals.
+    /// Returns points of the whole section (an end face of the beam) with
+    /// positive tributary areas, without normals.
     virtual std::vector<EdgePoint>
     section_grid() const = 0;
 
-    /// Return edge_points() and section_grid() for the functions up to a degree
-    /// (function_degree()). These default implementations ignore the degree.
+    /// Returns edge_points() for the functions up to a degree (the second
+    /// argument), see function_degree(). The default ignores the degree.
     virtual std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary, const unsigned int) const
     {
       return edge_points(boundary);
     }
+    /// Returns section_grid() for the functions up to a degree (the argument).
+    /// The default ignores the degree.
     virtual std::vector<EdgePoint>
     coarse_section_grid(const unsigned int) const
     {
       return section_grid();
     }
 
-    /// Returns the sides on the boundary @p name as pairs of cell and face
-    /// number (deal.II's), sorted by cell.
+    /// Returns the cell sides on the boundary @p name as pairs of cell index
+    /// and face number (deal.II's numbering), sorted by cell.
     std::vector<std::pair<unsigned int, unsigned int>>
     boundary_faces(const std::string &name) const;
 
     /// Returns the point at the parameter @p t in [0, 1] on the boundary side
-    /// @p face of @p cell. Its weight is ds/dt, with the arc length s.
+    /// @p face of @p cell. Its weight is ds/dt, where s is the arc length.
     EdgePoint
     edge_point(const unsigned int cell,
                const unsigned int face,
                const double       t) const;
 
+    /// Returns the section mesh.
     const SectionMesh &
     section_mesh() const
     {
       return *mesh;
     }
 
-    /// Returns the mesh with shared ownership.
+    /// Returns the section mesh with shared ownership.
     std::shared_ptr<const SectionMesh>
     shared_mesh() const
     {
       return mesh;
     }
 
-    /// Return (x_c, z_c) and h of the three linear functions.
+    /// Returns the centroid (x_c, z_c) in the linear functions [length].
     dealii::Point<2>
     center() const
     {
       return origin;
     }
 
+    /// Returns the length h in the linear functions [length].
     double
     reference_length() const
     {
@@ -191,36 +193,37 @@ namespace lamella
     bounding_box() const;
 
   protected:
-    /// Evaluates the three linear functions at @p position.
+    /// Evaluates the three linear functions and their gradients at @p position;
+    /// the result has the @p jacobian.
     FunctionValues
     linear_functions(const dealii::Point<2>     &position,
                      const dealii::Tensor<2, 2> &jacobian) const;
 
-    /// Integrals int N n ds, int N ds of a nodal function N over a side with
-    /// normal n.
+    /// Integrals of a nodal function N over a side of a cell.
     struct SideShare
     {
-      dealii::Tensor<1, 2> scaled_normal;
-      double               weight = 0.;
+      dealii::Tensor<1, 2> scaled_normal; ///< int N n ds, n: normal.
+      double               weight = 0.;   ///< int N ds [length].
     };
 
-    /// Adds the integrals @p share of a side to the normal and weight of
-    /// @p point. Sets EdgePoint::corner from the side's normal @p own_normal at
-    /// the point. The caller normalizes the sum of normals.
+    /// Adds the integrals @p share of a side to normal and weight of @p point.
+    /// Sets EdgePoint::corner if the normal @p own_normal of this side differs
+    /// from the previous one. The caller normalizes the normal after the last
+    /// side.
     static void
     add_side(EdgePoint                  &point,
              const SideShare            &share,
              const dealii::Tensor<1, 2> &own_normal);
 
-    /// Integrates the nodal function @p shape, given on the side's parameter in
-    /// [0, 1], over the side @p face of @p cell [length].
+    /// Integrates the nodal function @p shape over the side @p face of @p cell.
+    /// The argument of @p shape is the side's parameter in [0, 1].
     SideShare
     side_share(const unsigned int                         cell,
                const unsigned int                         face,
                const dealii::Quadrature<1>               &quadrature,
                const std::function<double(const double)> &shape) const;
 
-    /// Returns the point at @p unit of @p cell, without normal and weight.
+    /// Returns the point of @p cell at (xi, eta) = @p unit, without normal.
     EdgePoint
     point_at(const unsigned int cell, const dealii::Point<2> &unit) const;
 
@@ -228,23 +231,22 @@ namespace lamella
     double
     depth(const unsigned int cell, const unsigned int face) const;
 
-    /// Computes the centroid (x_c, z_c), as if cells had straight sides. h is
-    /// half the diagonal of the bounding box.
+    /// Computes the centroid (x_c, z_c) of @p mesh, as if cells had straight
+    /// sides, and h, half the diagonal of the bounding box.
     explicit CrossSectionElement(std::shared_ptr<const SectionMesh> mesh);
 
-    /// Section mesh, centroid (x_c, z_c) and reference length h [length].
-    std::shared_ptr<const SectionMesh> mesh;
-    dealii::Point<2>                   origin;
-    double                             length;
+    std::shared_ptr<const SectionMesh> mesh;   ///< Section mesh.
+    dealii::Point<2>                   origin; ///< (x_c, z_c) [length].
+    double                             length; ///< Reference length [length].
   };
 
-  /// Returns the point of the unit square at the parameter @p t in [0, 1] of
-  /// @p face. Faces 0 and 1 are along eta, faces 2 and 3 along xi.
+  /// Returns the point (xi, eta) of the unit square at the parameter @p t in
+  /// [0, 1] of @p face. Faces 0 and 1 are along eta, faces 2 and 3 along xi.
   dealii::Point<2>
   face_point(const unsigned int face, const double t);
 
-  /// Returns the outward normal n ds/dt of @p face, with unit normal n, arc
-  /// length s and parameter t, by Nanson's formula
+  /// Returns n ds/dt on side @p face of a cell, with the outward unit normal n,
+  /// the arc length s and the parameter t of the side, by Nanson's formula
   ///   n ds = det(J) J^-T N dt
   /// where J is the @p jacobian and N the normal on the unit square.
   dealii::Tensor<1, 2>

@@ -14,61 +14,63 @@ namespace lamella
   /// Displacement gradient in body axes, H[i][c] = d u_c / d x_i [no unit].
   using Gradient = dealii::Tensor<2, 3>;
 
-  /// Returns the derivatives of section function @p a (number in @p point) by x
-  /// and z [1 / length].
+  /// Returns the derivatives by x and z [1 / length] of the section function
+  /// number (*point.fields)[@p a] at @p point.
   std::array<dealii::Tensor<1, 3>, 2>
   field_derivatives(const SectionPoint &point, const unsigned int a);
 
-  /// Returns the displacement gradient H at @p point of the section at the axis
-  /// point number @p k, with the coefficients @p q of the section functions.
+  /// Returns the displacement gradient H at @p point of the section, at point
+  /// number @p k of the axis, for amplitudes and derivatives in @p q.
   Gradient
   gradient_at(const SectionPoint &point,
               const FieldParts   &q,
               const unsigned int  k);
 
-  /// Returns Green's strain of the displacement gradient @p H, with engineering
-  /// shear strains 2 E_ij,
+  /// Returns the Green-Lagrange strain of the displacement gradient @p H, with
+  /// engineering shear strains 2 E_ij,
   ///   E_ij = (H_ij + H_ji + sum_c H_ic H_jc) / 2.
   Voigt
   green_strain(const Gradient &H);
 
-  /// Returns the first Piola-Kirchhoff stress S (1 + H), with the @p second
+  /// Returns the first Piola-Kirchhoff stress S (1 + H) from the @p second
   /// Piola-Kirchhoff stress S and the displacement gradient @p H.
   dealii::Tensor<2, 3>
   first_stress(const Gradient &H, const Voigt &second);
 
-  /// Returns Green's strain as predicted by linearization at the previous
-  /// Newton iterate,
+  /// Returns the Green-Lagrange strain of the gradient @p H as the previous
+  /// Newton iterate predicted it by linearization,
   ///   E_ij - sum_c dH_ic dH_jc / 2,
-  /// where E is Green's strain of @p H and @p dH the last correction of H.
+  /// where @p dH is the last correction of H, and E the strain of H.
   Voigt
   predicted_strain(const Gradient &H, const Gradient &dH);
 
-  /// Returns the material tangent, the symmetric derivative of first_stress()
-  /// by H for S = C E with the stiffness C of @p law,
-  ///   (dE/dH)^T C dE/dH + S_ij delta_cd.
-  /// Rows and columns 3 i + c belong to H[i][c]. @p second is S in the second
-  /// term, computed from predicted_strain() (mixed integration points:
-  /// Magisano, Leonetti and Garcea, Int. J. Numer. Meth. Engng 110, 2017).
+  /// Returns the derivative of first_stress() by the displacement gradient @p
+  /// H:
+  ///   (dE/dH)^T C dE/dH + S_ij delta_cd,
+  /// with the Green-Lagrange strain E and the stiffness C of @p law. Rows and
+  /// columns 3 i + c belong to H[i][c]. The stress S is @p second, for example
+  /// that of predicted_strain() (mixed integration points: Magisano, Leonetti
+  /// and Garcea, Int. J. Numer. Meth. Engng 110, 2017).
   dealii::Tensor<2, 9>
   green_tangent(const Gradient &H, const Voigt &second, const ElasticLaw &law);
 
-  /// Returns the geometric stiffness term S_ij delta_cd of green_tangent().
+  /// Returns the term S_ij delta_cd of green_tangent(), with S = @p second.
   dealii::Tensor<2, 9>
   stress_tangent(const Voigt &second);
 
-  /// Converts a Green's strain in the order of Voigt to a tensor E_ij.
+  /// Converts the Green-Lagrange @p strain from Voigt notation to a tensor.
   dealii::SymmetricTensor<2, 3>
   strain_tensor(const Voigt &strain);
 
   /// The polar decomposition F = R U of the deformation gradient F_ci =
-  /// delta_ci + H[i][c] into rotation R and right stretch U, U^2 = 1 + 2 E.
+  /// delta_ci + H[i][c] into a rotation R and the right stretch tensor U.
   class PolarDecomposition
   {
   public:
+    /// Computes R and U of the displacement gradient @p H.
     explicit PolarDecomposition(const Gradient &H);
 
-    /// Returns the rotation R.
+    /// Returns the rotation R as a matrix.
     const dealii::Tensor<2, 3> &
     rotation() const
     {
@@ -88,13 +90,14 @@ namespace lamella
   double
   angle_of(const dealii::Tensor<2, 3> &R);
 
-  /// Magnitudes of the rotation and the strain, at a point or over a section.
+  /// Rotation and Green-Lagrange strain at a point, or maxima over a section.
   struct Stretch
   {
-    /// Rotation angle [rad], largest magnitude of a principal Green's strain,
-    /// and |E_yy|. Over a section: maxima, for E_yy the root mean square.
-    double rotation = 0., strain = 0., along = 0.;
+    double rotation = 0., ///< Rotation angle [rad].
+      strain        = 0., ///< Largest absolute value of a principal strain.
+      along = 0.; ///< Axial strain |E_yy|; root mean square over a section.
   };
+  /// Returns rotation and strains at a point with displacement gradient @p H.
   Stretch
   stretch_of(const Gradient &H);
 } // namespace lamella

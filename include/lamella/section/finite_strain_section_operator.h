@@ -13,20 +13,17 @@ namespace lamella
 {
   /// Computes section forces and tangent stiffness of a total Lagrangian beam
   /// by integration over a section. The displacement gradient (H_i: derivative
-  /// by x_i) follows from section functions Phi with coefficients q(y),
+  /// by x_i) follows from section functions Phi with amplitudes q(y),
   ///   H_x = q Phi_,x,   H_y = q' Phi,   H_z = q Phi_,z.
-  /// With Green's strain E, the second Piola-Kirchhoff stress S = C E (small
-  /// strains) and the undeformed section, the energy, the forces W and the
-  /// tangent per length of the beam are
+  /// With the Green-Lagrange strain E and the stress S = C E (small strains),
+  /// the energy, the forces W and the tangent per length are
   ///   energy = int E . C E / 2 dA,   W = int dE/dq^T S dA,
   ///   dW/dq = int (dE/dq)^T C dE/dq + S_ij (dH_i/dq)^T dH_j/dq dA.
   /// At q = 0, the tangent equals the linear stiffness of SectionOperator.
   ///
-  /// In axis elements of degree 3, the linear part of E_yy has degree 2 and the
-  /// quadratic part degree 4, which causes membrane locking and stress
-  /// oscillations. Therefore E_yy is an assumed strain of degree 2: the
-  /// component of degree 3 of its values at the stations, the Gauss points of
-  /// an element with weights w_k of sum 1, is subtracted,
+  /// To avoid membrane locking, E_yy is an assumed strain of degree 2 along
+  /// elements of degree 3. The component of degree 3 is subtracted from the
+  /// values E_k at the Gauss points k (stations) with weights w_k of sum 1,
   ///   E_k - l_k sum_m w_m l_m E_m,   l_k = sqrt(7) P_3 at station k,
   /// with the Legendre polynomial P_3. Strains linear in q are not changed.
   ///
@@ -40,43 +37,48 @@ namespace lamella
     FiniteStrainSectionOperator(const SectionSpace &space,
                                 const unsigned int  n_stations);
 
-    /// Returns the section forces conjugate to all section functions at the
-    /// stations of an axis element with the coefficients @p q.
+    /// Returns the forces conjugate to amplitudes and derivatives @p q of
+    /// section functions, at the Gauss points (stations) of an axis element.
     SectionForces
     forces(const FieldParts &q) const;
 
-    /// Returns the largest rotation and strains over the section and the
-    /// stations of an element with the coefficients @p q.
+    /// Returns the largest rotation and strains over the section and the Gauss
+    /// points (stations) of an axis element with amplitudes @p q.
     Stretch
     largest(const FieldParts &q) const;
 
-    /// Returns the functions of each cell, in the order of for_each_cell().
+    /// Returns the indices of the section functions that are nonzero on each
+    /// cell. Cells are in the order of for_each_cell().
     std::vector<const std::vector<unsigned int> *>
     fields_of_cells() const;
 
-    /// Symmetric tangent of one section cell. Rows and columns are the
-    /// coefficients q of the functions of the cell, then their derivatives q'.
+    /// Tangent matrix of one section cell at one station of the axis.
     struct CellTangent
     {
+      /// Indices of the section functions that are nonzero on the cell.
       const std::vector<unsigned int> *fields = nullptr;
+      /// Symmetric tangent. Rows are the amplitudes q of these functions, then
+      /// their derivatives q' along the axis.
       dealii::LAPACKFullMatrix<double> matrix;
-      /// For each integration point a row dE_yy/dq, and the weight times
-      ///   (C dE/dq)_yy - C_yyyy dE_yy/dq / 2.
-      dealii::LAPACKFullMatrix<double> stretch, on_stretch;
+      dealii::LAPACKFullMatrix<double>
+        stretch,    ///< Row dE_yy/dq for each integration point.
+        on_stretch; ///< Rows weight ((C dE/dq)_yy - C_yyyy dE_yy/dq / 2).
     };
 
-    /// Calls @p use for each section cell with its tangents at the stations of
-    /// an axis element with the coefficients @p q and their last @p correction
-    /// (see predicted_strain()). To account for the assumed strain, the caller
-    /// must subtract (Y^T X + X^T Y) times the element's length: X is the sum
-    /// of share(k) stretch and Y of share(k) on_stretch over the stations k.
+    /// Calls @p use for each section cell with its tangents at the Gauss points
+    /// (stations) of an axis element with amplitudes @p q. @p correction is the
+    /// last Newton correction of q (see predicted_strain()). For the assumed
+    /// strain, the caller must subtract (Y^T X + X^T Y) times the element's
+    /// length, where X and Y are the sums of share(k) times `stretch` and
+    /// `on_stretch` over the stations k.
     void
     for_each_cell(
       const FieldParts                                            &q,
       const FieldParts                                            &correction,
       const std::function<void(const std::vector<CellTangent> &)> &use) const;
 
-    /// Returns the factor w_k l_k of station @p k in the assumed strain.
+    /// Returns the Gauss weight times sqrt(7) P_3 at station @p k, with the
+    /// Legendre polynomial P_3, for the assumed strain.
     double
     share(const unsigned int k) const
     {
@@ -84,7 +86,8 @@ namespace lamella
     }
 
     /// Calls @p use for each section cell with its geometric stiffness int S_ij
-    /// (dH_i/dq)^T dH_j/dq dA, for the stress S = @p stress(cell, point).
+    /// (dH_i/dq)^T dH_j/dq dA. H_i is the derivative of displacements by x_i,
+    /// and S is the stress @p stress(cell, point).
     void
     for_each_cell_of_stress(
       const std::function<Voigt(const unsigned int, const dealii::Point<2> &)>
@@ -99,8 +102,8 @@ namespace lamella
       unsigned int     cell;
       dealii::Point<2> position;
     };
-    /// Integration points with the same section functions, and the matrix G =
-    /// dH/d(q, q') at these points, nine rows per point.
+    /// Integration points with the same nonzero section functions. The matrix G
+    /// = dH/d(q, q') has nine rows per point.
     struct Cell
     {
       const std::vector<unsigned int> *fields = nullptr;
@@ -108,33 +111,33 @@ namespace lamella
       dealii::LAPACKFullMatrix<double> G;
     };
 
-    /// Subtracts the component of degree 3 from the yy component of @p values,
-    /// strains or stresses at the stations.
+    /// Subtracts the component of degree 3 along the axis from the yy
+    /// components of @p values, strains or stresses at the stations.
     void
     lower(std::vector<Voigt> &values) const;
 
     /// Returns the tangent of @p cell at one station for the gradients @p H and
-    /// the @p second Piola-Kirchhoff stresses.
+    /// the @p second Piola-Kirchhoff stresses at its points.
     static CellTangent
     tangent_at(const Cell                  &cell,
                const std::vector<Gradient> &H,
                const std::vector<Voigt>    &second);
 
-    /// Returns for each station the first Piola-Kirchhoff stresses times the
-    /// integration weights at the points of @p cell, from the displacement
-    /// gradients @p H. Adds the energy per length at each station to @p energy.
+    /// Returns first Piola-Kirchhoff stresses times integration weights for
+    /// each station and point of @p cell, from the displacement gradients @p H.
+    /// Adds the energy per length at each station to @p energy.
     std::vector<Vector>
     first_stresses(const Cell                               &cell,
                    const std::vector<std::vector<Gradient>> &H,
                    std::vector<double>                      &energy) const;
 
-    /// Returns int (dH/dq)^T D dH/dq dA over @p cell, with @p D at a point.
+    /// Returns int (dH/dq)^T D dH/dq dA over @p cell; @p D has a point index.
     static CellTangent
     tangent_of(
       const Cell                                                    &cell,
       const std::function<dealii::Tensor<2, 9>(const unsigned int)> &D);
 
-    /// Returns displacement gradients at the points of @p cell by station.
+    /// Returns the displacement gradients at each station and point of @p cell.
     std::vector<std::vector<Gradient>>
     gradients(const Cell &cell, const FieldParts &q) const;
 

@@ -13,55 +13,55 @@
 
 namespace lamella
 {
-  /// Computes the hierarchical surplus of a displacement v of a section with
-  /// theory LE-p: the part of v that the lower degree q < p cannot represent,
-  ///   (1 - L_q) v,
-  /// where L_q v interpolates v in each cell at the Gauss-Lobatto points of
-  /// degree q. Coefficients c' of the surplus follow from the coefficients c of
-  /// v by
-  ///   E c' = (1 - L_q) c at the nodes,
-  /// where the matrix E maps coefficients to nodal values. It is factorized
-  /// once. Keeps a reference to the section.
+  /// Computes the hierarchical surplus of a displacement v over a section with
+  /// theory LE-p: the difference between v and its interpolant L_q v of lower
+  /// degree q < p at the Gauss-Lobatto points of each cell. The coefficients c'
+  /// of the surplus follow from its nodal values,
+  ///   E c' = nodal values of (1 - L_q) v,
+  /// where the matrix E maps coefficients of section functions to nodal values.
+  /// It is factorized once. Keeps a reference to the section.
   class HierarchicalSurplus
   {
   public:
-    /// Returns true if nodal values determine the displacements of @p section,
-    /// as in layer-wise theories.
+    /// Returns true for layer-wise theories, which have nodal values.
     static bool
     is_possible(const Section &section);
 
-    /// Factorizes E for @p section of LE-p, p > 1. Requires is_possible().
+    /// Factorizes the matrix from coefficients to nodal values of @p section,
+    /// which has a theory LE-p, p > 1. Requires is_possible().
     explicit HierarchicalSurplus(const Section &section);
 
+    /// Returns the degree p of the section's theory LE-p.
     unsigned int
     degree() const
     {
       return section.element().degree();
     }
 
-    /// Replaces the coefficients @p c by those of the surplus over LE-@p q,
-    /// where 0 < @p q < degree().
+    /// Replaces the coefficients @p c of a displacement by those of its
+    /// difference from the interpolant of degree @p q, 0 < @p q < degree().
     void
     remove_lower_degree(const unsigned int q, Vector &c) const;
 
   private:
-    /// Returns the three displacement components at a point of @p cell as
-    /// functionals of the coefficients.
+    /// Returns the displacement components x, y, z at the point @p unit of @p
+    /// cell as linear functionals of the coefficients of section functions.
     std::array<LinearFunctional, 3>
     displacement(const unsigned int cell, const dealii::Point<2> &unit) const;
-    /// Returns the interpolant of degree @p q in the cell of displacement().
+    /// Returns displacement() for the interpolant of degree @p q.
     std::array<LinearFunctional, 3>
     interpolated(const unsigned int      cell,
                  const dealii::Point<2> &unit,
                  const unsigned int      q) const;
-    /// Assembles and factorizes the matrix E of nodal values.
+    /// Assembles and factorizes the matrix from coefficients to nodal values.
     void
     factorize(const std::vector<EdgePoint> &nodes);
 
     const Section &section;
-    /// Factorization of E, the matrix from coefficients to nodal values.
+    /// Factorization of the matrix from coefficients to nodal values.
     dealii::SparseDirectUMFPACK from_nodes;
-    /// Functionals (1 - L_q) v, three per node, for q = 1 ... degree() - 1.
+    /// For each degree q = 1 ... degree() - 1, three functionals per node:
+    /// displacement minus interpolant of degree q.
     std::vector<std::vector<LinearFunctional>> beyond;
   };
 } // namespace lamella

@@ -15,41 +15,37 @@
 
 namespace lamella
 {
-  /// The layer-wise Lagrange expansion LE-p of a cross-section (Eq. 3):
-  /// deal.II's FE_Q<2>(p) on the section mesh, i.e. L4, L9 and L16 for p = 1,
-  /// 2, 3, with Gauss-Lobatto nodes. Displacements are continuous, transverse
-  /// strains may jump at ply interfaces. The geometry is isoparametric, so
-  /// nodal functions represent 1, x and z exactly. There are three kinds of
-  /// basis.
+  /// The layer-wise Lagrange expansion LE-p of a cross-section (Eq. 3 of
+  /// Nagaraj et al. 2020): deal.II's FE_Q<2>(p) on the section mesh, i.e. L4,
+  /// L9 and L16 for p = 1, 2, 3, with Gauss-Lobatto nodes. Displacements are
+  /// continuous, transverse strains may jump at ply interfaces. The geometry is
+  /// isoparametric. In each of three kinds of basis, 1, (x - x_c)/h and (z -
+  /// z_c)/h replace three functions, with the centroid (x_c, z_c) and a
+  /// reference length h.
+  /// - *nodal*: the nodal functions.
+  /// - *in columns*, without rounding errors for rectangular grids much wider
+  ///   than high: G_i(x) is the sum of the nodal functions of the column of
+  ///   nodes at x_i. G_i and G_i (z - z_c) / h_z, with the height h_z, replace
+  ///   two nodal functions of each column. For grids much higher than wide, x
+  ///   and z are exchanged.
+  /// - *hierarchical*, as in deal.II's FE_Q_Hierarchical, for beams with
+  ///   degrees LE-1, LE-2, ... that differ between nodes of the axis: bilinear
+  ///   functions of the vertices, and products
+  ///     l_i(xi) l_j(eta),   max(i, j) = 2, 3, ..., p,
+  ///     l_0 = 1 - t,  l_1 = t,
+  ///     l_k = int_(-1)^(2t-1) P_(k-1) / |P_(k-1)| ds   for k > 1
+  ///   with integrated Legendre polynomials (Szabo and Babuska 1991), for edges
+  ///   if i or j < 2, otherwise for the interior of a cell. Functions of odd
+  ///   degree on an edge have the sign of its direction, towards the vertex
+  ///   with the larger number. The functions up to degree q span LE-q, so that
+  ///   all degrees share the section matrices (doc/theory/theories.md).
   ///
-  /// In the *nodal* basis, 1, (x - x_c)/h, (z - z_c)/h replace the nodal
-  /// functions of three nodes that are not on a line.
-  ///
-  /// For rectangular grids much wider than high, a nodal basis *in columns*
-  /// avoids rounding errors. G_i(x) is the sum of the nodal functions of the
-  /// column of nodes at x_i, h_z the height. G_i and G_i (z - z_c) / h_z
-  /// replace two nodal functions of each column; 1, x, z replace three of these
-  /// functions. For grids much higher than wide, x and z are exchanged.
-  ///
-  /// If nodes of the axis of one beam have different degrees LE-1, LE-2, ...,
-  /// the basis is *hierarchical*, as in deal.II's FE_Q_Hierarchical: bilinear
-  /// functions of the vertices, and products
-  ///   l_i(xi) l_j(eta),   max(i, j) = 2, 3, ..., p,
-  ///   l_0 = 1 - t,  l_1 = t,
-  ///   l_k = int_(-1)^(2t-1) P_(k-1) / |P_(k-1)| ds   for k > 1
-  /// with integrated Legendre polynomials (Szabo and Babuska 1991), for edges
-  /// if i or j < 2, otherwise for the interior of a cell. The sign of functions
-  /// of odd degree on an edge follows from its direction, from the vertex with
-  /// the smaller number to the other vertex. 1, x, z replace the functions of
-  /// three vertices. The functions up to degree q span LE-q, so that all
-  /// degrees share one set of section matrices (doc/theory/theories.md).
-  ///
-  /// Curved cells are mapped with degree p for all functions. Each LE-q
-  /// contains the rigid motions exactly.
+  /// Curved cells are mapped with degree p. Each LE-q contains the rigid
+  /// motions.
   class LagrangeElement : public CrossSectionElement
   {
   public:
-    /// Kind of basis: nodal (in columns if slender) or hierarchical.
+    /// Kind of basis (see the class): nodal or in columns, or hierarchical.
     enum class Basis
     {
       nodal,
@@ -66,7 +62,7 @@ namespace lamella
                     const double column_aspect = default_column_aspect,
                     const Basis  basis         = Basis::nodal);
 
-    /// Returns whether the basis is in columns.
+    /// Returns true if the nodal basis is in columns.
     bool
     has_columns() const
     {
@@ -85,16 +81,16 @@ namespace lamella
       return levels.size();
     }
 
-    /// Returns 0 for the functions 1, x, z. For others, returns 1 in a nodal
-    /// basis (in columns: 2 for nodal functions), and the degree of a
-    /// hierarchical function.
+    /// Returns the rank of function @p tau in the elimination of DoFs by
+    /// supports: 0 for 1, x, z; 1 for other functions of a nodal basis (2 for
+    /// nodal functions if in columns); the degree of a hierarchical function.
     unsigned int
     level(const unsigned int tau) const override
     {
       return levels[tau];
     }
 
-    /// Returns the degree of a hierarchical function, else degree().
+    /// Returns the degree of function @p tau if hierarchical, else degree().
     unsigned int
     function_degree(const unsigned int tau) const override
     {
@@ -107,7 +103,7 @@ namespace lamella
       return cells[cell].numbers;
     }
 
-    /// Evaluates the functions; values below 1e-14 are set to zero.
+    /// Evaluates the functions of @p cell; values below 1e-14 are set to zero.
     FunctionValues
     evaluate(const unsigned int      cell,
              const dealii::Point<2> &unit) const override;
@@ -118,8 +114,7 @@ namespace lamella
       return geometry.map(cell, unit);
     }
 
-    /// Returns the nodes on the boundary, with the integrals of their nodal
-    /// functions as weights.
+    /// Returns the nodes on @p boundary, weighted by integrals of functions.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
@@ -134,10 +129,13 @@ namespace lamella
     std::vector<EdgePoint>
     section_grid() const override;
 
-    /// Return the nodes of LE-q, q = @p degree, if the basis is hierarchical.
+    /// Returns edge_points() of LE-q, q = @p degree, if the basis is
+    /// hierarchical, otherwise of LE-p.
     std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary,
                        const unsigned int degree) const override;
+    /// Returns section_grid() of LE-q, q = @p degree, if the basis is
+    /// hierarchical, otherwise of LE-p.
     std::vector<EdgePoint>
     coarse_section_grid(const unsigned int degree) const override;
 
@@ -162,7 +160,7 @@ namespace lamella
       std::vector<unsigned int> nodes;
     };
 
-    /// The function sign l_i(xi) l_j(eta) of LagrangeElement, (i, j) = indices.
+    /// Product sign l_i(xi) l_j(eta) of integrated Legendre polynomials l.
     struct Product
     {
       unsigned int                number;
@@ -194,17 +192,16 @@ namespace lamella
       return basis == Basis::hierarchical;
     }
 
-    /// Returns three of @p nodes, not on a line, whose functions 1, x, z
-    /// replace.
+    /// Returns three nodes, not on a line, whose functions 1, x, z replace.
     std::array<unsigned int, 3>
     replaced_nodes(const std::vector<dealii::Point<2>> &nodes) const;
 
-    /// Returns the grid with columns across long_side; it is empty if the
+    /// Returns the grid with columns across its long side; it is empty if the
     /// section is not slender or not a rectangular grid.
     Grid
     find_grid(const double column_aspect) const;
 
-    /// Numbers the functions of the nodal basis without columns.
+    /// Numbers the functions of the nodal basis.
     void
     number_nodal_functions();
 
@@ -232,23 +229,25 @@ namespace lamella
     void
     number_hierarchical_functions();
 
-    /// Append the values of the functions of @p cell at @p unit to @p values.
-    /// @p to_real transforms gradients from reference coordinates to x and z.
+    /// Appends the values of nodal or column functions of @p cell at @p unit to
+    /// @p values. @p to_real transforms gradients from (xi, eta) to (x, z).
     void
     append_functions(const Cell                 &cell,
                      const dealii::Point<2>     &unit,
                      const dealii::Tensor<2, 2> &to_real,
                      FunctionValues             &values) const;
+    /// Appends the values of hierarchical functions, with the same arguments.
     void
     append_products(const Cell                 &cell,
                     const dealii::Point<2>     &unit,
                     const dealii::Tensor<2, 2> &to_real,
                     FunctionValues             &values) const;
 
-    /// Return edge_points() and section_grid() for the nodes of @p grid.
+    /// Returns edge_points() for the nodes of @p grid.
     std::vector<EdgePoint>
     edge_points_of(const SectionGeometry &grid,
                    const std::string     &boundary) const;
+    /// Returns section_grid() for the nodes of @p grid.
     std::vector<EdgePoint>
     grid_points_of(const SectionGeometry &grid) const;
 
@@ -259,9 +258,9 @@ namespace lamella
     /// Isoparametric map with the nodes of the expansion.
     SectionGeometry geometry;
     Basis           basis;
-    /// Maps with the nodes of degrees 1 ... p - 1 if hierarchical.
+    /// Maps with the nodes of degrees 1 ... p - 1 of a hierarchical basis.
     std::vector<std::unique_ptr<const SectionGeometry>> coarse;
-    /// Result of level() for each function, and functions of each cell.
+    /// Result of level() for each function.
     std::vector<unsigned int> levels;
     std::vector<Cell>         cells;
     bool                      in_columns = false;

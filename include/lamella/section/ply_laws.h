@@ -13,32 +13,33 @@
 
 namespace lamella
 {
-  /// The constitutive laws of the plies of a section in the body frame, for
-  /// beams and solids. The law of a plane ply is constant. The law of a ply in
-  /// a curved wall varies, since the ply axes rotate about y with the normal.
+  /// The constitutive laws of the plies of a section in axes of the body. The
+  /// law of a plane ply is constant. In a curved wall, the law depends on the
+  /// point, since the ply axes rotate about y with the normal of the wall.
   class PlyLaws
   {
   public:
-    /// Computes the laws of @p plies. The @p shear_factor k scales transverse
-    /// shear stiffness: D C D replaces the elasticity matrix C in the body
-    /// frame, where the diagonal matrix D is sqrt(k) for xy and yz, else 1.
+    /// Computes the laws of @p plies. The shear correction factor k, @p
+    /// shear_factor, changes the elasticity matrix C to D C D, with the
+    /// diagonal matrix D: sqrt(k) for the strains xy and yz, 1 for others.
     explicit PlyLaws(const std::vector<Ply> &plies,
                      const double            shear_factor = 1.);
 
+    /// Returns the number of plies.
     unsigned int
     n_plies() const
     {
       return plies.size();
     }
 
-    /// Returns whether the law of @p ply depends on the point of the section.
+    /// Returns true if the law of @p ply depends on the point of the section.
     bool
     has_varying_law(const unsigned int ply) const
     {
       return bool(plies[ply].plane.normal_at);
     }
 
-    /// Returns whether the law of any ply depends on the point of the section.
+    /// Returns true if the law of any ply depends on the point of the section.
     bool
     has_varying_laws() const;
 
@@ -51,26 +52,26 @@ namespace lamella
                constant_laws[ply];
     }
 
-    /// Returns the law of @p ply, which must be constant.
+    /// Returns the law of @p ply. Requires that has_varying_law() is false.
     const ElasticLaw &
     constant(const unsigned int ply) const
     {
       return constant_laws[ply];
     }
 
-    /// Values 1, cos phi, sin phi, ..., cos 4 phi, sin 4 phi. phi is the angle
-    /// of the ply normal from +x towards +z.
+    /// Number of Fourier terms 1, cos phi, sin phi, ..., cos 4 phi, sin 4 phi.
     static constexpr unsigned int n_harmonics = 9;
-    using Harmonics                           = std::array<double, n_harmonics>;
+    /// Values of these Fourier terms for the angle phi of a ply normal.
+    using Harmonics = std::array<double, n_harmonics>;
 
-    /// Returns the harmonics of the normal of @p ply at the point @p x.
+    /// Returns 1, cos phi, sin phi, ..., sin 4 phi at the point @p x, where phi
+    /// is the angle of the normal of @p ply from +x towards +z.
     Harmonics
     harmonics(const unsigned int ply, const dealii::Point<2> &x) const;
 
-    /// Returns the Fourier coefficients C_k of the stiffness of @p ply: at any
-    /// point, the stiffness is the sum of C_k harmonics()[k], k = 0 ... 8. Nine
-    /// terms are exact, since a rotated stiffness is a polynomial of degree
-    /// four in cos phi and sin phi.
+    /// Returns nine Fourier coefficients of the stiffness of @p ply. Their sum
+    /// times harmonics() is the stiffness at a point, exactly, since a rotated
+    /// stiffness is a polynomial of degree four in cos phi and sin phi.
     std::array<ElasticTensor, n_harmonics>
     stiffness_harmonics(const unsigned int ply) const;
 
@@ -82,7 +83,7 @@ namespace lamella
 
     std::vector<Ply> plies;
     double           shear_factor;
-    /// Stiffness of each ply in its own axes; constant laws in the body frame.
+    /// Stiffness of each ply in its axes; constant laws in axes of the body.
     std::vector<ElasticTensor> own;
     std::vector<ElasticLaw>    constant_laws;
   };

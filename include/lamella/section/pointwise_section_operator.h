@@ -10,14 +10,15 @@
 namespace lamella
 {
   /// A section operator that integrates strains, stresses and generalized
-  /// forces over the points s of a section with weights w_s,
+  /// forces over the integration points s of a section with weights w_s,
   ///   epsilon(x_s) = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
-  ///   W_0 = sum_s w_s D_s^T C epsilon,   W_1 = sum_s w_s D_y^T C epsilon.
-  /// It applies to any section. The cost per point of the axis is the number of
-  /// points times the number of functions that are nonzero at a point.
+  ///   W_0 = sum_s w_s D_s^T C epsilon,   W_1 = sum_s w_s D_y^T C epsilon,
+  /// see SectionOperator. It applies to any section. The cost per point of the
+  /// axis is the number of points s times that of nonzero functions at a point.
   class PointwiseSectionOperator : public SectionOperator
   {
   public:
+    /// Constructs the operator of the functions number @p list of @p space.
     PointwiseSectionOperator(const SectionSpace       &space,
                              std::vector<unsigned int> list)
       : SectionOperator(space, std::move(list))
@@ -45,8 +46,8 @@ namespace lamella
     Coefficients
     coefficients(const FieldParts &q) const;
 
-    /// Adds the forces and the energy at @p point, with its @p law and
-    /// @p weight [length^2], to @p work and @p energy of each axis point.
+    /// Adds the forces and the energy at the integration point @p point, with
+    /// @p law and @p weight, to @p work and @p energy of each axis point.
     void
     add_point(const SectionPoint  &point,
               const double         weight,

@@ -9,25 +9,27 @@
 
 namespace lamella
 {
-  /// A section operator that multiplies coefficients q, q' by a dense matrix S,
+  /// A section operator that multiplies amplitudes q of section functions and
+  /// derivatives q' by a dense matrix,
   ///   [W_0; W_1] = [S_00, S_01; S_10, S_11] [q; q'],
-  /// which is Section::moments() for TE-N, N > 1, and SectionSpace::dense_S()
-  /// for lists of rigid functions and modes. With assumed shear strains, TE-N
-  /// has three block rows and columns, those of Section::moments().
+  /// from Section::moments() for TE-N, N > 1, and from SectionSpace::dense_S()
+  /// for rigid functions and modes. With assumed shear strains, TE-N has a
+  /// third block row and column for transverse shear.
   ///
-  /// To avoid cancellation in slender beams, the shear strain of deflection w
-  /// and slope a, with the reference length h, is added before the product,
-  ///   q_w' + q_a / h.
-  /// The force on the slope q_a is that on this sum divided by h.
+  /// To avoid cancellation in slender beams, the shear strain q_w' + q_a / h of
+  /// deflection w and slope a, with the reference length h, is added before the
+  /// product. The force on q_a is that on this sum divided by h.
   class ProductSectionOperator : public SectionOperator
   {
   public:
-    /// Computes S for the functions @p list. is_possible() must be true.
+    /// Computes the matrix for the functions number @p list of @p space, with
+    /// assumed shear strains if @p assumed_shear. Requires is_possible().
     ProductSectionOperator(const SectionSpace       &space,
                            std::vector<unsigned int> list,
                            const bool                assumed_shear);
 
-    /// Returns whether dense matrices exist for all functions @p list.
+    /// Returns true if dense matrices exist for the functions number @p list:
+    /// TE-N with N > 1, or rigid functions and modes without @p assumed_shear.
     static bool
     is_possible(const SectionSpace              &space,
                 const std::vector<unsigned int> &list,
@@ -45,7 +47,7 @@ namespace lamella
     /// Matrix S with block columns in the order of the block rows.
     dealii::LAPACKFullMatrix<double> S;
 
-    /// Returns the entry of functions @p a, @p b in block (@p p, @p q).
+    /// Returns the matrix entry of functions @p a, @p b for parts @p p, @p q.
     double
     product(const unsigned int p,
             const unsigned int q,
@@ -57,8 +59,8 @@ namespace lamella
     unsigned int
     first_row(const unsigned int p) const;
 
-    /// Returns the entries of S_00, S_01, S_10, S_11 and of the shear part of
-    /// S_00 for the functions @p a, @p b.
+    /// Returns the entries of S_00, S_01, S_10, S_11 and of the transverse
+    /// shear part of S_00 for the functions @p a, @p b.
     std::array<double, 5>
     entries(const unsigned int a, const unsigned int b) const;
   };

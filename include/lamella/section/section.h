@@ -30,44 +30,44 @@
 
 namespace lamella
 {
-  /// A section function (field) Phi_alpha(x, z), a displacement over a section:
-  /// a sum of expansion functions F_tau(x, z) times unit vectors. Most have one
-  /// term; rotation about the axis (u_x = z, u_z = -x) and in-plane shear (u_x
-  /// = z, u_z = x) have two, so that rigid motions are section functions.
+  /// A displacement field over a section, one of the functions Phi_alpha(x, z)
+  /// whose amplitudes are the DoFs of a beam: a sum of expansion functions
+  /// F_tau(x, z) times unit vectors. Most have one term. Rotation about the
+  /// axis (u_x = z, u_z = -x) and in-plane shear (u_x = z, u_z = x) have two.
   struct SectionFunction
   {
-    /// A term: @p factor times F_tau, tau = @p function, in direction
-    /// @p component (0, 1, 2 for x, y, z of the body frame).
+    /// A factor times an expansion function F_tau times a unit vector.
     struct Term
     {
-      unsigned int function;
-      unsigned int component;
-      double       factor;
+      unsigned int function;  ///< Index tau of F_tau.
+      unsigned int component; ///< Direction: 0, 1, 2 for x, y, z of the body.
+      double       factor;    ///< Coefficient [no unit].
     };
-    std::vector<Term> terms;
-    /// Level in the elimination order: 0 for linear functions, else more.
+    std::vector<Term> terms; ///< Terms of the sum.
+    /// Rank in the elimination of DoFs by supports; 0 for linear functions.
     unsigned int level = 0;
   };
 
-  /// Numbers of the rigid section functions: translations u_x, u_y, u_z = 1;
-  /// slopes u_y = (x - x_c) / h and u_y = (z - z_c) / h, which are rotations
-  /// about z and x; and the rotation about y, u_x = (z - z_c) / h, u_z = -(x -
-  /// x_c) / h. (x_c, z_c) is the centroid, h the reference length. EBBT and TBT
-  /// have no rotation about y.
+  /// Indices of the rigid section functions, with centroid (x_c, z_c) and
+  /// length h. Slopes are rotations about z and x. EBBT and TBT have no
+  /// rotation_y.
   namespace RigidField
   {
-    constexpr unsigned int translation_x = 0, translation_y = 1,
-                           translation_z = 2, slope_x = 3, slope_z = 4,
-                           rotation_y = 5;
+    constexpr unsigned int translation_x = 0, ///< u_x = 1.
+      translation_y                      = 1, ///< u_y = 1.
+      translation_z                      = 2, ///< u_z = 1.
+      slope_x                            = 3, ///< u_y = (x - x_c) / h.
+      slope_z                            = 4, ///< u_y = (z - z_c) / h.
+      rotation_y = 5; ///< u_x = (z - z_c) / h, u_z = -(x - x_c) / h.
     /// Number of rigid section functions.
     constexpr unsigned int n_all = 6;
-    /// Deflection and slope of the two bending planes.
+    /// Deflection and slope of each bending plane, x-y and y-z.
     constexpr std::array<std::array<unsigned int, 2>, 2> bending{
       {{{translation_x, slope_x}}, {{translation_z, slope_z}}}};
   } // namespace RigidField
 
   /// A cross-section with a beam theory: its section functions Phi_alpha,
-  /// integration points with constitutive laws, and the section matrices
+  /// integration points with constitutive laws, and section matrices
   ///   S_00 = int D_s^T C D_s,  S_01 = int D_s^T C D_y,
   ///   S_10 = S_01^T,           S_11 = int D_y^T C D_y.
   /// The displacement is
@@ -79,9 +79,8 @@ namespace lamella
   ///   int N_i N_j, int N_i N_j', int N_i' N_j, int N_i' N_j'  dy.
   /// EBBT and TBT have five functions, without torsion. Other theories have
   /// nine linear functions, then each further F_tau times each unit vector.
-  /// Matrices are dense for Taylor expansions and sparse for layer-wise ones,
-  /// except for rows of linear functions. Immutable; shares ownership of the
-  /// mesh.
+  /// Matrices are sparse for layer-wise expansions except for linear functions.
+  /// Immutable; shares ownership of the mesh.
   class Section
   {
   public:
@@ -90,12 +89,14 @@ namespace lamella
     Section(std::unique_ptr<const CrossSectionElement> element,
             const Theory                              &theory);
 
+    /// Returns the beam theory.
     const Theory &
     theory() const
     {
       return section_theory;
     }
 
+    /// Returns the expansion with the functions F_tau(x, z).
     const CrossSectionElement &
     element() const
     {
@@ -109,7 +110,7 @@ namespace lamella
       return expansion->section_mesh().plies;
     }
 
-    /// Returns the smaller and the larger side of the bounding box [length].
+    /// Returns the shorter and the longer side of the bounding box [length].
     std::pair<double, double>
     extents() const
     {
@@ -117,33 +118,34 @@ namespace lamella
       return std::minmax({box.side_length(0), box.side_length(1)});
     }
 
-    /// Returns the number of section functions, i.e. of DoFs per axis node,
-    /// with constrained DoFs included.
+    /// Returns the number of section functions, which is the number of DoFs of
+    /// an axis node, with constrained DoFs included.
     unsigned int
     n_fields() const
     {
       return fields.size();
     }
 
-    /// Returns section function @p alpha; RigidField numbers rigid ones.
+    /// Returns section function @p alpha; RigidField has indices of rigid ones.
     const SectionFunction &
     field(const unsigned int alpha) const
     {
       return fields[alpha];
     }
 
-    /// Returns the coefficients of the displacement v x u, where u has the
-    /// coefficients @p q and @p v is in body axes. Not for EBBT and TBT.
+    /// Returns the coefficients of the displacement v x u; u has coefficients
+    /// @p q, @p v is in body axes. Not for EBBT and TBT.
     std::vector<double>
     rotated(const dealii::Tensor<1, 3> &v, const std::vector<double> &q) const;
 
-    /// Returns the polynomial degree of section function @p alpha.
+    /// Returns the polynomial degree of section function number @p alpha.
     unsigned int
     field_degree(const unsigned int alpha) const
     {
       return expansion->function_degree(fields[alpha].terms[0].function);
     }
 
+    /// Returns the number of cells of the section mesh.
     unsigned int
     n_cells() const
     {
@@ -157,14 +159,14 @@ namespace lamella
       return ply_of_cell[cell];
     }
 
-    /// Returns the law in the body frame at the point @p x of @p cell.
+    /// Returns the law in axes of the body at the point @p x of @p cell.
     ElasticLaw
     law(const unsigned int cell, const dealii::Point<2> &x) const
     {
       return laws.at(ply_of_cell[cell], x);
     }
 
-    /// Returns the law at the integration point number @p k.
+    /// Returns the law at integration point number @p k, in axes of the body.
     const ElasticLaw &
     law_at_point(const unsigned int k) const
     {
@@ -172,7 +174,7 @@ namespace lamella
                                   point_laws[k];
     }
 
-    /// Returns the ply axes of @p cell at the point @p x, in the body frame.
+    /// Returns the ply axes at the point @p x of @p cell, in the body frame.
     Triad
     ply_axes(const unsigned int cell, const dealii::Point<2> &x) const
     {
@@ -185,8 +187,7 @@ namespace lamella
     SectionPoint
     evaluate(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// Returns whether strains are corrected for Poisson locking
-    /// (StrainCompletion).
+    /// Returns true if StrainCompletion corrects strains for Poisson locking.
     bool
     completes_strains() const
     {
@@ -200,7 +201,7 @@ namespace lamella
                           const dealii::Point<2> &x,
                           const Voigt            &initial) const;
 
-    /// Returns whether strains are completed by ContractionModes (TE-1).
+    /// Returns true if ContractionModes correct Poisson locking (TE-1).
     bool
     completes_by_modes() const;
 
@@ -208,22 +209,22 @@ namespace lamella
     using PointCallback =
       std::function<void(const SectionPoint &, const double)>;
 
-    /// Calls @p use with the integration points of S_pq, n_gauss_points()^2 per
-    /// cell, cell by cell.
+    /// Calls @p use with the integration points of the section matrices,
+    /// n_gauss_points()^2 per cell, cell by cell.
     void
     for_each_point(const PointCallback &use) const;
 
-    /// Returns whether section functions extend over all cells, without
-    /// StrainCompletion (TE-N, N > 1). If so, moments() replace sums over
-    /// integration points, which are then only sample points.
+    /// Returns true if section functions are polynomials over the whole
+    /// section: TE-N, N > 1. The section matrices are then computed from
+    /// moments(), and integration_points() have no weights.
     bool
     spans_the_section() const;
 
     /// Returns the matrix int e_p^T C e_q dA over pairs of section functions;
-    /// empty unless spans_the_section(). @p p and @p q select strains of a
-    /// function Phi: e_1 has the transverse shear strains of D_s Phi, e_0 its
-    /// other strains, e_2 = D_y Phi. An amplitude a(y) causes a (e_0 + e_1) +
-    /// a' e_2.
+    /// empty except for TE-N with N > 1. The strain of a function with
+    /// amplitude a(y) is a (e_0 + e_1) + a' e_2, where e_1 are its transverse
+    /// shear strains, e_0 its other strains, and e_2 the strains due to the
+    /// derivative along y. @p p and @p q are 0, 1 or 2.
     const dealii::LAPACKFullMatrix<double> &
     moments(const unsigned int p, const unsigned int q) const
     {
@@ -231,8 +232,7 @@ namespace lamella
     }
 
     /// Returns the integration points, n_gauss_points()^2 per cell, cell by
-    /// cell. If spans_the_section(), these are only sample points without
-    /// weights, one per cell or about 500 in total.
+    /// cell. TE-N, N > 1, has sample points without weights instead.
     const std::vector<SectionPoint> &
     integration_points() const
     {
@@ -240,17 +240,17 @@ namespace lamella
     }
 
     /// Returns Gauss weight times Jacobian determinant of each integration
-    /// point [length^2]; empty if spans_the_section().
+    /// point [length^2]; empty for TE-N with N > 1.
     const std::vector<double> &
     integration_weights() const
     {
       return weights;
     }
 
-    /// Returns the section matrix S_pq, the stiffness between values (p, q = 0)
-    /// and axial derivatives (1) of amplitudes of section functions. Units:
-    /// S_00 force / length^2, S_01 force / length, S_11 force. Includes TBT's
-    /// shear factor and StrainCompletion. All S_pq have one pattern.
+    /// Returns the section matrix S_pq. An index 0 means values, 1 derivatives
+    /// along y, of the amplitudes of section functions. Units: S_00 force /
+    /// length^2, S_01 force / length, S_11 force. Includes the shear factor of
+    /// TBT and StrainCompletion. All S_pq have one sparsity pattern.
     const Matrix &
     S(const unsigned int p, const unsigned int q) const
     {
@@ -280,17 +280,16 @@ namespace lamella
     /// Creates the section functions and lists those of each cell.
     void
     make_fields();
-    /// Computes integration_points() and, for EBBT, TBT and TE-1, `completion`.
+    /// Computes integration points and, for EBBT, TBT and TE-1, `completion`.
     void
     make_points();
     /// Selects sample points at which the largest rotation is computed.
     void
     make_sample_points();
-    /// Creates the sparsity pattern, with entries for functions of a common
-    /// cell.
+    /// Creates the sparsity pattern: entries for functions of a common cell.
     void
     make_pattern();
-    /// Integrates S_pq cell by cell, unless spans_the_section().
+    /// Integrates S_pq cell by cell, except for TE-N with N > 1.
     void
     make_matrices();
     /// Computes moments() from integrals of products of F_tau over each ply.
@@ -299,7 +298,7 @@ namespace lamella
     /// Computes S_pq as sums of moments().
     void
     add_moments();
-    /// Rows of each matrix for the functions that are nonzero on all cells.
+    /// Rows of S_00, S_01, S_10, S_11 and S_shear() for functions on all cells.
     using DenseRows = std::array<std::vector<Vector>, 5>;
     /// Strains, or stresses times weights, of the functions of a cell, six rows
     /// per point: e_0, e_1 and e_2 of moments().
@@ -308,8 +307,7 @@ namespace lamella
     find_cell_strains(const unsigned int cell,
                       StrainParts       &strain,
                       StrainParts       &stress) const;
-    /// Adds the products of strains and stresses of @p cell to the matrices, or
-    /// to the rows in @p dense.
+    /// Adds products of strain and stress of @p cell to matrices or @p dense.
     void
     add_cell_matrices(const unsigned int cell,
                       const StrainParts &strain,
@@ -334,13 +332,13 @@ namespace lamella
     Theory                                     section_theory;
     /// Laws of the plies, including the shear factor.
     PlyLaws laws;
-    /// Laws of the integration points if the law of any ply varies.
+    /// Law at each integration point if the law of any ply varies, else empty.
     std::vector<ElasticLaw> point_laws;
     /// Correction of Poisson locking; null if there is none.
     std::unique_ptr<const StrainCompletion> completion;
 
     std::vector<SectionFunction> fields;
-    /// Numbers of the nonzero section functions on each cell, ascending.
+    /// Indices of the nonzero section functions on each cell, ascending.
     std::vector<std::vector<unsigned int>> cell_fields;
     std::vector<unsigned int>              ply_of_cell;
 
@@ -360,8 +358,8 @@ namespace lamella
     dealii::RTree<std::pair<dealii::BoundingBox<2>, unsigned int>> boxes;
   };
 
-  /// Creates the section of @p mesh with the expansion of @p theory:
-  /// LagrangeElement for LE and SV (see Theory::of_section()), otherwise
+  /// Creates the section of @p mesh for @p theory. The expansion is a
+  /// LagrangeElement for LE and SV (Theory::of_section()), otherwise a
   /// TaylorElement, of degree 1 for EBBT and TBT. Not for solid-N.
   std::shared_ptr<const Section>
   make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory);

@@ -9,24 +9,24 @@
 
 namespace lamella
 {
-  /// Computes section functions from harmonic loads: the displacement v exp(i k
-  /// y) of an infinite prismatic beam under a section load f exp(i k y) solves
+  /// Computes section functions from harmonic loads. Under a section load f
+  /// exp(i k y), an infinite prismatic beam has the displacement v exp(i k y),
   ///   ( S_00 + i k (S_01 - S_10) + k^2 S_11 ) v = f,
   /// with the matrices S_pq of Section. The matrix is Hermitian and positive
-  /// definite for real k > 0. The solutions v at a few wave numbers k
-  /// approximate the deformation near this load (rational Krylov space). Each
-  /// wave number takes one factorization for all loads (see solve_hermitian()).
-  /// Keeps a reference to the section.
+  /// definite for wave numbers k > 0. Solutions v at a few k approximate the
+  /// deformation near this load (rational Krylov space). Each k takes one
+  /// factorization for all loads. Keeps a reference to the section.
   class SectionResponse
   {
   public:
+    /// Constructs the solver for @p section, without a factorization yet.
     explicit SectionResponse(const Section &section)
       : section(section)
     {}
 
-    /// Returns the real and the imaginary part of v, unless negligible, for
-    /// each load f of @p loads at the wave number @p k > 0 [1 / length]. Throws
-    /// NumericsError if the matrix is not positive definite.
+    /// Returns, for each load in @p loads, the displacement v at the wave
+    /// number @p k > 0 [1 / length]: its real and imaginary parts, unless
+    /// negligible. Throws NumericsError if the matrix is not positive definite.
     std::vector<std::vector<Vector>>
     at(const double k, const std::vector<Vector> &loads) const;
 
