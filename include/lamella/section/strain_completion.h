@@ -28,13 +28,14 @@ namespace lamella
   public:
     virtual ~StrainCompletion() = default;
 
-    /// Adds the missing strains to the strains of all functions at @p point.
-    /// Must be called only once per point.
+    /// Adds the missing strains due to lateral contraction to the strains of
+    /// all section functions at @p point. Must be called only once per point.
     virtual void
     complete(SectionPoint &point) const = 0;
 
-    /// Returns the strain that an initial strain at a point adds to the strain
-    /// of the displacements. This default implementation returns zero.
+    /// Returns the strain that an @p initial strain (e.g. thermal) at a point
+    /// adds to the strain of the displacements, by free lateral contraction.
+    /// This default implementation returns zero.
     virtual Voigt
     of_initial(const unsigned int /*cell*/,
                const dealii::Point<2> & /*x*/,
@@ -48,29 +49,32 @@ namespace lamella
   /// sigma_zz = sigma_xz = 0 at each point. The strains a = {yy, xy, yz}
   /// determine the others, b = {xx, zz, xz},
   ///   eps_b = -C_bb^-1 C_ba eps_a,
-  /// so that the reduced stiffness is C_aa - C_ab C_bb^-1 C_ba, with C of the
-  /// ply rotated into the body frame.
+  /// with the elasticity matrix C of the ply in the body frame. The reduced
+  /// stiffness is C_aa - C_ab C_bb^-1 C_ba.
   class FreeContraction : public StrainCompletion
   {
   public:
-    /// Constructs the completion from the @p laws of the plies, with the shear
-    /// factor, and the ply of each cell.
+    /// Constructs the completion from the laws of the plies and each cell's
+    /// ply.
     FreeContraction(const PlyLaws                   &laws,
                     const std::vector<unsigned int> &ply_of_cell);
 
-    /// Replaces each strain eps by P eps: keeps eps_a and sets eps_b as above.
+    /// Completes the strains eps of all section functions at @p point: keeps
+    /// {yy, xy, yz} and computes {xx, zz, xz} from zero transverse stresses.
     void
     complete(SectionPoint &point) const override;
 
-    /// Returns eps_0 - P eps_0 for the @p initial strain eps_0, so that the
-    /// stresses sigma_xx, sigma_zz and sigma_xz are zero.
+    /// Returns eps_0 - P eps_0 for the @p initial strain eps_0. P keeps {yy,
+    /// xy, yz} and computes {xx, zz, xz} from sigma_xx = sigma_zz = sigma_xz =
+    /// 0.
     Voigt
     of_initial(const unsigned int      cell,
                const dealii::Point<2> &x,
                const Voigt            &initial) const override;
 
   private:
-    /// Returns the matrix P of @p cell at the point @p x.
+    /// Returns the matrix P at a point, where P eps keeps {yy, xy, yz} and
+    /// computes {xx, zz, xz} from zero transverse stresses.
     ElasticTensor
     completion_at(const unsigned int cell, const dealii::Point<2> &x) const;
 
@@ -98,8 +102,8 @@ namespace lamella
     /// Polynomial degree of the modes.
     static constexpr unsigned int mode_degree = 2;
 
-    /// Computes the amplitudes of the modes from the integration points of the
-    /// section, whose strains must not yet be completed.
+    /// Computes the amplitudes of the modes from the integration @p points and
+    /// @p weights of the section. Their strains must not be completed.
     ContractionModes(std::shared_ptr<const SectionMesh> mesh,
                      const std::vector<SectionPoint>   &points,
                      const std::vector<double>         &weights,
@@ -115,21 +119,24 @@ namespace lamella
     void
     find_means(const std::vector<SectionPoint> &points,
                const std::vector<double>       &weights);
-    /// Adds the contribution of a point to K, of_in_plane and of_along.
+    /// Adds the contribution of a point to the stiffness @p K of the modes, and
+    /// to of_in_plane and of_along, which then have the loads on the modes.
     void
     add_energies(const SectionPoint               &point,
                  const double                      weight,
                  const ElasticTensor              &C,
                  dealii::LAPACKFullMatrix<double> &K);
-    /// Returns D_s v of all modes at a point, minus means [1 / length].
+    /// Returns the in-plane strains of all modes at a point, minus their means
+    /// over the section [1 / length].
     std::vector<Voigt>
     mode_strains(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// TE-2 expansion on the same mesh, whose quadratic functions are used.
-    TaylorElement modes;
-    /// Mean strain of each mode over the section.
-    std::vector<Voigt> means;
-    /// Amplitudes of modes for strains D_s Phi and D_y Phi of each function.
+    /// Expansion TE-2 on the same mesh, whose quadratic functions are the
+    /// modes.
+    TaylorElement      modes;
+    std::vector<Voigt> means; ///< Mean strain of each mode over the section.
+    /// Amplitudes of the modes due to the in-plane strains D_s Phi and the
+    /// strains with axial derivatives D_y Phi of each section function Phi.
     dealii::LAPACKFullMatrix<double> of_in_plane, of_along;
   };
 } // namespace lamella

@@ -8,10 +8,10 @@
 
 namespace lamella
 {
-  /// The Taylor expansion TE-N of a cross-section (Eq. 2): all polynomials of x
-  /// and z up to degree N over the whole section, (N + 1)(N + 2) / 2 functions
-  /// (equivalent single layer). Strains are continuous at ply interfaces, so
-  /// transverse stresses jump.
+  /// The Taylor expansion TE-N of a cross-section (Eq. 2 of Nagaraj et al.
+  /// 2020): all polynomials of x and z up to degree N over the whole section,
+  /// (N + 1)(N + 2) / 2 functions (equivalent single layer). Strains are
+  /// continuous at ply interfaces, so transverse stresses jump.
   ///
   /// The first three functions are 1, (x - x_c)/h, (z - z_c)/h. Since monomials
   /// x^i z^j are nearly linearly dependent for N >= 8, the other functions are
@@ -39,11 +39,12 @@ namespace lamella
       return order;
     }
 
-    /// Returns N for straight sides, else min(3 N, N + 8), since x and z are
-    /// cubic in the parameter of a curved side.
+    /// Returns the polynomial degree of the functions along a side: N if
+    /// straight, else min(3 N, N + 8), since x and z are cubic on curved sides.
     unsigned int
     trace_degree() const override;
-    /// Returns N + 1; N + 9 on curved cells.
+    /// Returns the number of Gauss points per direction of a cell: N + 1 if
+    /// sides are straight, N + 9 if any side is curved.
     unsigned int
     n_gauss_points() const override
     {
@@ -57,7 +58,7 @@ namespace lamella
       return recurrence.size();
     }
 
-    /// Returns all functions, since none is local.
+    /// Returns the indices of all functions, as each extends over all cells.
     const std::vector<unsigned int> &
     cell_functions(const unsigned int) const override
     {
@@ -74,37 +75,37 @@ namespace lamella
       return geometry.map(cell, unit);
     }
 
-    /// Returns degree() + 1 Gauss-Lobatto points per side, with common
-    /// vertices. Weights are integrals of their Lagrange polynomials.
+    /// Returns N + 1 Gauss-Lobatto points on each side of the boundary, with
+    /// common vertices. Weights are integrals of their Lagrange polynomials.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
-    /// Returns approximate Fekete points: as many points as functions, selected
-    /// from the Gauss-Lobatto points of the cells by pivoted Cholesky
-    /// factorization of V V^T, where V has the values of the orthonormal
-    /// polynomials at all candidates.
+    /// Returns approximate Fekete points (interpolation points of the section,
+    /// as many as functions). They are selected from the Gauss-Lobatto points
+    /// of the cells by pivoted Cholesky factorization of V V^T, where V has the
+    /// values of the orthonormal polynomials at all candidates.
     std::vector<EdgePoint>
     section_points() const override;
 
-    /// Returns the Gauss-Lobatto points of all cells, degree() + 1 per
-    /// direction. Weights [length^2] of common points are summed.
+    /// Returns the Gauss-Lobatto points of all cells, N + 1 per direction.
+    /// Weights [length^2] of points common to several cells are summed.
     std::vector<EdgePoint>
     section_grid() const override;
 
   private:
     /// Recurrence of an orthonormal polynomial: the coordinate @p direction (0
-    /// for x, 1 for z) times polynomial number @p parent, minus @p parts times
-    /// the polynomials from number @p first on, divided by @p norm. Products
-    /// with earlier polynomials are zero. Polynomial 0 is the constant 1.
+    /// for x, 1 for z) times the polynomial @p parent, minus @p parts times the
+    /// polynomials from index @p first on, divided by @p norm. Products with
+    /// polynomials before @p first are zero. Polynomial 0 is the constant 1.
     struct Step
     {
-      /// Members as described above; `degree` is that of the polynomial.
+      /// Indices as described above, and the degree of the polynomial.
       unsigned int        parent = 0, direction = 0, degree = 0, first = 0;
       std::vector<double> parts;
       double              norm = 1.;
     };
 
-    /// Returns x and z scaled to [-1, 1].
+    /// Returns x and z scaled to [-1, 1] over the section's bounding box.
     dealii::Point<2>
     scaled(const dealii::Point<2> &position) const;
 
@@ -135,13 +136,13 @@ namespace lamella
 
     /// Degree N, and number of Gauss points per direction.
     unsigned int order, gauss_points;
-    /// Geometry of degree 3 if edges are curved, else bilinear.
+    /// Geometry of the cells, of degree 3 if edges are curved, else bilinear.
     SectionGeometry geometry;
     /// Center and half side lengths of the bounding box [length].
     dealii::Point<2>     middle;
     dealii::Tensor<1, 2> half;
     std::vector<Step>    recurrence;
-    /// Numbers 0 ... n_functions() - 1.
+    /// Indices of all polynomials: 0, 1, ..., n_functions() - 1.
     std::vector<unsigned int> functions;
   };
 } // namespace lamella

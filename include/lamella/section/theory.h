@@ -20,7 +20,7 @@ namespace lamella
   /// - TBT, Timoshenko: sections stay plane; u_y is linear over the section.
   ///   EBBT and TBT have no torsion.
   /// - TE-N, Taylor: each component is a polynomial of degree N over the
-  ///   section (Eq. 2), an equivalent single layer theory.
+  ///   section, an equivalent single layer theory (Nagaraj et al. 2020, Eq. 2).
   /// - LE-N: layer-wise Lagrange elements of degree N (Eq. 3), L4, L9, L16 for
   ///   N = 1, 2, 3.
   /// - SV-N, Saint-Venant: the six rigid motions of a section, its six
@@ -29,11 +29,11 @@ namespace lamella
   ///   are computed with LE of degree section_order.
   /// - solid-N: hexahedral elements of degree N = 1 or 2.
   ///
-  /// All displacement components have the same functions F_tau, except that u_x
-  /// and u_z are constant over the section for EBBT and TBT.
+  /// All displacement components have the same section functions, except that
+  /// u_x and u_z are constant over the section for EBBT and TBT.
   struct Theory
   {
-    /// Kind of theory; parse() never returns the default, `undefined`.
+    /// Kinds of theory (see Theory); `undefined` before parse().
     enum class Kind
     {
       undefined,
@@ -44,27 +44,29 @@ namespace lamella
       SV,
       solid
     };
-    Kind kind = Kind::undefined;
+    Kind kind = Kind::undefined; ///< Kind of theory, without its order N.
     /// N of TE-N, LE-N, SV-N and solid-N; 1 for EBBT and TBT.
     unsigned int order = 0;
     /// Degree of the LE with which the functions of SV-N are computed.
     unsigned int section_order = default_section_order;
 
+    /// Default of section_order.
     static constexpr unsigned int default_section_order = 3;
 
-    /// True if the functions of LE, also for SV, are hierarchical by degree
-    /// (see LagrangeElement::Basis). Required if nodes have different degrees.
+    /// True if the functions of LE, also those for SV, are hierarchical by
+    /// degree (see LagrangeElement::Basis); false for Lagrange polynomials.
+    /// Must be true if nodes have different degrees.
     bool hierarchical = false;
 
     /// True if sections of EBBT, TBT and TE-1 contract freely under bending
-    /// (StrainCompletion). Otherwise, Poisson locking makes deflections about
-    /// 26 % too small at nu = 0.3.
+    /// (StrainCompletion). If false, Poisson locking stiffens by 35 % at nu =
+    /// 0.3.
     bool poisson_correction = true;
-    /// Shear correction factor k of TBT, 0 < k <= 1: the shear stiffness is k G
-    /// A (5/6 for homogeneous rectangles, 1 in the paper). Stresses include k.
+    /// Shear correction factor k of TBT, 0 < k <= 1, for the shear stiffness k
+    /// G A, e.g. 5/6 for homogeneous rectangles. Stresses include k.
     double shear_factor = 1.;
     /// True if sections of TBT also rotate about the axis, with the torsional
-    /// stiffness G I_p of the polar moment I_p (see of_rotating()).
+    /// stiffness G I_p and polar moment of area I_p; false for no torsion.
     bool twists = false;
 
     /// Returns the theory LE-@p order.
@@ -81,7 +83,7 @@ namespace lamella
     std::string
     name() const;
 
-    /// Returns true for EBBT and TBT, without torsion and warping.
+    /// Returns true for EBBT and TBT, the theories without warping.
     bool
     is_classical() const
     {
@@ -90,7 +92,7 @@ namespace lamella
 
     // Properties, to be used instead of comparing the kind.
 
-    /// Returns true for solid elements, without a section expansion.
+    /// Returns true for solid elements, which have no cross-section expansion.
     bool
     is_solid() const
     {
@@ -114,14 +116,14 @@ namespace lamella
     {
       return kind == Kind::LE;
     }
-    /// Returns true for SV-N, whose functions are computed from solutions on
-    /// the section; N is the number of wave numbers.
+    /// Returns true for SV-N, the theory of Saint-Venant warpings and of
+    /// section functions computed from harmonic loads at N wave numbers.
     bool
     is_saint_venant() const
     {
       return kind == Kind::SV;
     }
-    /// Returns true for SV-N, N >= 1: section functions from harmonic loads.
+    /// Returns true for SV-N, N >= 1, with functions from harmonic loads.
     bool
     has_responses() const
     {
@@ -133,15 +135,15 @@ namespace lamella
     {
       return kind == Kind::EBBT;
     }
-    /// Returns true if, for finite rotations, sections rotate rigidly and
-    /// deform in corotated axes. Other theories are total Lagrangian.
+    /// Returns true for theories (EBBT, TBT, SV) whose sections, for finite
+    /// rotations, rotate rigidly and deform in corotated axes.
     bool
     has_rotating_sections() const
     {
       return is_classical() || is_saint_venant();
     }
-    /// Returns the theory for finite rotations: TBT with `twists` for EBBT and
-    /// TBT, otherwise this theory.
+    /// Returns the theory used for finite rotations: for EBBT and TBT,
+    /// Timoshenko's theory with torsion (`twists`), otherwise this theory.
     Theory
     of_rotating() const
     {
@@ -154,54 +156,61 @@ namespace lamella
       result.twists = true;
       return result;
     }
-    /// Returns true if sections can rotate about the axis.
+    /// Returns true if sections can rotate about the beam axis.
     bool
     can_twist() const
     {
       return !is_classical() || twists;
     }
-    /// Returns true if u_x and u_z are more than linear over sections.
+    /// Returns true if u_x and u_z are at least quadratic over the section, so
+    /// that lateral contraction under bending needs no StrainCompletion.
     bool
     describes_contraction() const
     {
       return !is_single_layer() || order > 1;
     }
 
-    /// Returns SV with @p waves wave numbers and the LE-N of this object.
+    /// Returns SV with @p waves wave numbers, whose functions are computed with
+    /// the Lagrange expansion LE-N of this theory.
     Theory
     to_saint_venant(const unsigned int waves) const;
 
-    /// Returns true if the displacements of this theory include those of
-    /// @p other: both have the same kind (TE includes EBBT and TBT), and the
-    /// order of @p other is not higher.
+    /// Returns true if this theory includes all displacements of @p other: both
+    /// are of the same kind (EBBT and TBT count as TE), @p other not of higher
+    /// order.
     bool
     holds(const Theory &other) const;
 
-    /// Return LE, SV, TE and solid theories. For SV, @p waves is the number of
-    /// wave numbers and @p degree the degree of the LE of its functions.
+    /// Returns the layer-wise theory LE-@p order.
     static Theory
     layerwise(const unsigned int order);
+    /// Returns SV-N with N = @p waves and functions computed with LE-@p degree.
     static Theory
     make_saint_venant(const unsigned int waves, const unsigned int degree);
+    /// Returns the Taylor expansion TE-@p order.
     static Theory
     taylor(const unsigned int order);
+    /// Returns the theory of solid elements of degree @p order.
     static Theory
     solid(const unsigned int order);
 
-    /// Returns the theory of the Section object: LE for SV-N, else this theory.
+    /// Returns the theory of the section mesh: for SV-N its LE, else this
+    /// theory.
     Theory
     of_section() const;
 
     /// Returns the theory named in @p entry. Throws InputError for other text.
-    /// N is 1 to 20 for TE, 1 to 8 for LE, 1 to 2 for solid, 0 to 40 for SV.
+    /// N is 1 to 20 for TE-N, 1 to 8 for LE-N, 1 or 2 for solid-N, 0 to 40 for
+    /// SV-N.
     static Theory
     parse(const Entry &entry);
   };
 
-  /// Names of the kinds, to which `-N` is added if the theory has an order.
+  /// Names of the kinds in parameter files; `-N` follows if there is an order.
   template <>
   struct Names<Theory::Kind>
   {
+    /// Value and name of each kind except `undefined`.
     static constexpr NameOf<Theory::Kind> all[] = {{Theory::Kind::EBBT, "EBBT"},
                                                    {Theory::Kind::TBT, "TBT"},
                                                    {Theory::Kind::TE, "TE"},
@@ -211,13 +220,16 @@ namespace lamella
                                                     "solid"}};
   };
 
-  /// Different theories in successive intervals of the axis; may be empty.
+  /// Different theories in successive intervals of the axis of one beam; empty
+  /// if the whole beam has the same theory.
   struct TheoryPieces
   {
+    /// Theory of each interval, in the order of ascending y.
     std::vector<Theory> theories;
-    /// Coordinates y at which intervals end, ascending [length].
+    /// Coordinates y between successive intervals, ascending [length].
     std::vector<double> breaks;
 
+    /// Returns true if the whole beam has the same theory.
     bool
     empty() const
     {
@@ -225,8 +237,8 @@ namespace lamella
     }
 
     /// Returns the theory that contains the functions of all intervals: the
-    /// first SV-N with the largest N, else the LE of the highest degree. All
-    /// intervals have the section order of this theory.
+    /// SV-N with the largest N, else the LE of the highest degree. Its LE
+    /// degree is used to compute the section functions of all intervals.
     Theory
     leading() const;
   };
@@ -234,26 +246,27 @@ namespace lamella
   /// Declares and parses the theory in a body's `subsection Kinematics`.
   struct TheoryParameters
   {
-    /// Declares the entries in the current subsection of @p prm.
+    /// Declares the entries of the theory in the current subsection of @p prm.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the theory of the body, by default @p scene_theory. Throws
-    /// InputError for invalid entries or a shear factor outside of (0, 1].
+    /// Returns the theory of a body from the entries @p in, by default
+    /// @p scene_theory. Throws InputError, also for a shear factor not in (0,
+    /// 1].
     static Theory
     parse(const Entries &in, const Entry &scene_theory);
 
-    /// Returns `Theories` and `Theory breaks` of a body of @p length; empty if
-    /// they are not set. All theories have the same section order, and are
-    /// hierarchical if LE degrees differ from it. Throws InputError for
-    /// theories other than LE and SV, a number of theories different from the
-    /// number of intervals, SV-N with different N, a section order below the
-    /// highest LE degree, and breaks that do not ascend.
+    /// Returns the theories of the intervals of the axis of a body of
+    /// @p length, from the entries `Theories` and `Theory breaks`; empty if
+    /// they are not set. All have the same section order; they are hierarchical
+    /// if LE degrees differ from it. Throws InputError unless all are LE or SV,
+    /// there is one per interval, all SV-N have the same N, the section order
+    /// is at least the highest LE degree, and breaks ascend.
     static TheoryPieces
     parse_pieces(const Entries &in, const double length);
   };
 
-  /// Lexicographic comparison of all members, for use as a key.
+  /// Lexicographic comparison of all members, for use as a key of a map.
   bool
   operator<(const Theory &a, const Theory &b);
 } // namespace lamella

@@ -10,16 +10,16 @@
 
 namespace lamella
 {
-  // Stiffnesses from the section alone, for notes on the accuracy of a theory.
+  // Stiffnesses of a section or laminate alone, for the accuracy of a theory.
 
   /// Returns the compliance S = C^-1 of @p ply in the body frame
-  /// [length^2/force]. 1 / S_22 is the Young's modulus along the beam, 1 / S_66
-  /// the shear modulus G_yz.
+  /// [length^2/force]. 1 / S_22 is Young's modulus along the beam, 1 / S_66 is
+  /// G_yz.
   ElasticTensor
   compliance(const Ply &ply);
 
   /// Returns the transverse shear stiffness k G A [force] of a laminate, i.e.
-  /// the shear force V per shear strain, from equilibrium of the plies
+  /// the shear force per shear strain, from equilibrium of the plies
   /// (Jourawski's formula; 5/6 G A for one ply),
   ///   1 / (k G A) = int S(z)^2 / (G b) dz / (E I)^2,
   ///   S(z) = int_bottom^z E (z' - z_0) b dz',
@@ -30,10 +30,10 @@ namespace lamella
 
   /// Returns the transverse shear stiffness [force] of a laminate in a theory
   /// with u_y of degree @p N over the thickness. It exceeds the stiffness from
-  /// equilibrium, in sandwiches by a large factor. The warping w(z), a sum of
-  /// Legendre polynomials of degrees 1 to N, minimizes
+  /// equilibrium, in sandwiches by a large factor. For the shear force V, the
+  /// warping w(z), a sum of Legendre polynomials of degrees 1 to N, minimizes
   ///   1/2 int G w'^2 b dz - V int E (z - z_0) w b dz / (E I).
-  /// with the moduli E, G of each ply, neutral axis z_0 and width b as above.
+  /// with the moduli E, G of each ply, the neutral axis z_0 and the width b.
   /// For @p N = 1, the result is int G dA.
   double
   shear_stiffness(const std::vector<Ply> &plies,
@@ -42,18 +42,19 @@ namespace lamella
 
   /// Returns the torsional stiffness G J [force length^2] of @p section in its
   /// theory: the torque for a unit twist per length with the warping of minimum
-  /// energy (Saint-Venant torsion). Empty for theories without torsion, more
-  /// than 2500 section functions, and cells so thin that rounding dominates.
+  /// energy (Saint-Venant torsion). Empty for theories without torsion, for
+  /// more than 2500 section functions, and for extremely thin cells.
   ///
-  /// With section matrices S_pq, the rotation r about y, the reference length
-  /// h, and coefficients w of all other section functions except translations,
+  /// With the section matrices S_pq (see Section), the rotation r about y, the
+  /// reference length h, and coefficients w of all other section functions
+  /// except translations,
   ///   S_00 w = -S_01 r,   G J = h^2 (S_11 rr + w . S_01 r),
-  /// w includes the slopes, so that the section rotates about its shear center.
+  /// so that the section rotates about its shear center.
   std::optional<double>
   torsional_stiffness(const Section &section);
 
-  /// Returns the torsional stiffness with LE-2 on @p mesh, a reference for
-  /// Taylor theories; empty for more than 150 cells.
+  /// Returns the torsional stiffness G J [force length^2] computed with LE-2 on
+  /// @p mesh, a reference for Taylor theories; empty for more than 150 cells.
   std::optional<double>
   torsional_stiffness(const SectionMesh &mesh);
 } // namespace lamella

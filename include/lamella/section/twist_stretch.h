@@ -9,9 +9,9 @@
 
 namespace lamella
 {
-  /// Returns the axial strain r^2 of a fiber at @p point of a twisted section,
-  /// per k^2 / 2 with the twist k [length^2]. r is the distance from the
-  /// centroid. The result includes StrainCompletion.
+  /// Returns the axial strain of a fiber at @p point of a section with the
+  /// twist k, divided by k^2 / 2: r^2 with the distance r from the centroid
+  /// [length^2], and the lateral contraction by StrainCompletion.
   Voigt
   stretch_of_fiber(const Section &section, const SectionPoint &point);
 
@@ -19,8 +19,9 @@ namespace lamella
   /// fibers at the distance r from the centroid are inclined by k r and thus
   /// elongated (Wagner effect, 1929),
   ///   epsilon_2 = k^2 / 2 (r^2 e_yy + D_s v),
-  /// where e_yy is a unit strain along y and v the free contraction of the
-  /// section, S_00 v = -int D_s^T C e_yy r^2 dA. With I_n = int r^n dA and I_p
+  /// where e_yy is a unit strain along y, D_s v the in-plane strain of the free
+  /// contraction v, and S_00 v = -int D_s^T C e_yy r^2 dA with the elasticity
+  /// matrix C and the section matrix S_00. With I_n = int r^n dA and I_p
   /// = I_2, this effect adds E (I_4 - I_p^2 / A) k^2 / 2 to the stiffness G J
   /// of a strip and reduces that of a column under the compression N by N I_p /
   /// A. Only for LE, with a fine mesh: with one cell of LE-2, I_4 - I_p^2 / A
@@ -28,22 +29,25 @@ namespace lamella
   class TwistStretch
   {
   public:
+    /// Computes the strain from the Saint-Venant solutions of a section.
     explicit TwistStretch(const SaintVenant &states);
 
-    /// Returns the strain epsilon_2 at @p point for k^2 / 2 = 1 [length^2].
+    /// Returns the second-order strain at @p point for k^2 / 2 = 1 [length^2].
     Voigt
     strain(const SectionPoint &point) const;
 
-    /// Returns the generalized forces int D_y^T C epsilon_2 dA conjugate to the
-    /// derivatives q' of the section functions, for k^2 / 2 = 1 [force
-    /// length^2]. The forces conjugate to q are zero due to v.
+    /// Returns the generalized forces of the second-order strain for k^2 / 2 =
+    /// 1 [force length^2], conjugate to the axial derivatives of the amplitudes
+    /// of the section functions. The forces conjugate to the amplitudes are
+    /// zero.
     const std::vector<double> &
     work() const
     {
       return on_derivatives;
     }
 
-    /// Returns int epsilon_2 . C epsilon_2 dA for k^2 / 2 = 1 [force length^4].
+    /// Returns int e . C e dA of the second-order strain e at k^2 / 2 = 1
+    /// [force length^4], with the elasticity matrix C.
     double
     stiffness() const
     {
@@ -51,7 +55,7 @@ namespace lamella
     }
 
     /// Returns the coefficient c [length^2] of the torque M = G J k (1 + c k^2)
-    /// due to this strain, for an axis that is free to stretch.
+    /// due to the second-order strain, for a beam that is free to stretch.
     double
     stiffening() const
     {

@@ -8,7 +8,7 @@
 namespace lamella
 {
   /// Orthogonalizes, compares and reduces displacements w over a section by
-  /// their warping, the component orthogonal to the rigid motions R_r,
+  /// their warping, the component orthogonal to the six rigid motions R_r,
   ///   w <- w - sum_r c_r R_r   with   int R_s . w dA = 0   for all s,
   /// with the energy norm
   ///   |w|^2 = w^T (S_00 + (0.1 / H)^2 S_11) w,
@@ -18,54 +18,55 @@ namespace lamella
   class Warping
   {
   public:
+    /// Computes the rigid motions and the energy norm of @p section.
     explicit Warping(const Section &section);
 
-    /// Returns H, the smaller side of the section's bounding box [length].
+    /// Returns the smaller side of the section's bounding box [length].
     double
     height() const
     {
       return smaller_extent;
     }
 
-    /// Replaces the displacement @p field by its warping.
+    /// Subtracts the rigid motions from the displacement @p field.
     void
     remove_rigid(Vector &field) const;
 
-    /// Returns the load vector of the traction w = @p field, int Phi_alpha . w
+    /// Returns the load vector of the traction @p field: int Phi_alpha . field
     /// dA for each section function Phi_alpha [length^2].
     Vector
     traction(const Vector &field) const;
 
-    /// Returns the product (S_00 + (0.1 / H)^2 S_11) w for w = @p field.
+    /// Returns M w for w = @p field, with the matrix M of the energy norm.
     Vector
     metric(const Vector &field) const;
-    /// Returns metric() of each column of @p fields.
+    /// Returns M w for each column w of @p fields (M of the energy norm).
     FieldColumns
     metric(const FieldColumns &fields) const;
 
-    /// Returns a basis, orthonormal in the product of metric(), of the
-    /// displacements @p snapshots without rigid motions and without the span of
+    /// Returns a basis, orthonormal in the energy norm, of the displacements
+    /// @p snapshots without rigid motions and without the span of the columns
     /// @p known, by proper orthogonal decomposition. Each snapshot is
     /// orthogonalized to the rigid motions and the columns @p warpings, scaled
     /// to unit norm, then orthogonalized to @p known, which must include
     /// @p warpings. Eigenvectors of the Gram matrix with eigenvalues above
-    /// @p tolerance^2 min(1, largest eigenvalue) form the basis. Snapshots that
-    /// are zero up to rounding after the first step are ignored.
+    /// @p tolerance^2 max(1, largest eigenvalue) form the basis. Snapshots that
+    /// are zero up to rounding before scaling are ignored.
     FieldColumns
     basis(const std::vector<Vector> &snapshots,
           const FieldColumns        &warpings,
           const FieldColumns        &known,
           const double               tolerance) const;
 
-    /// Returns the norms of the components of @p snapshots orthogonal to the
-    /// rigid motions and to the columns @p warpings.
+    /// Returns the energy norms of the components of @p snapshots orthogonal to
+    /// the rigid motions and to the columns @p warpings.
     std::vector<double>
     strengths(const std::vector<Vector> &snapshots,
               const FieldColumns        &warpings) const;
 
-    /// Returns a basis() of @p snapshots that are not scaled to unit norm, so
-    /// that large snapshots have more weight. Basis functions have descending
-    /// eigenvalues, down to @p tolerance.
+    /// Returns a basis of @p snapshots as basis() does, but without scaling
+    /// them to unit norm, so that large snapshots have more weight. Basis
+    /// functions are in the order of descending eigenvalues.
     FieldColumns
     weighted_basis(const std::vector<Vector> &snapshots,
                    const FieldColumns        &warpings,
@@ -73,8 +74,8 @@ namespace lamella
                    const double               tolerance) const;
 
   private:
-    /// Displacements orthogonalized to rigid motions and warpings, with their
-    /// metric() and energy norms.
+    /// Displacements orthogonalized to rigid motions and given warpings, their
+    /// products with the matrix of the energy norm, and their norms.
     struct WarpingFields
     {
       FieldColumns        fields, metrics;
@@ -86,23 +87,23 @@ namespace lamella
 
     const Section &section;
     double         smaller_extent;
-    /// Matrix S_00 + (0.1 / H)^2 S_11.
-    Matrix metric_matrix;
-    /// Integrals int R_r . Phi_alpha dA, and inverse of int R_r . R_s dA.
+    Matrix         metric_matrix; ///< Matrix S_00 + (0.1 / H)^2 S_11.
+    /// Integrals int R_r . Phi_alpha dA of rigid motions and section functions,
+    /// and the inverse of the matrix int R_r . R_s dA.
     std::vector<Vector>              rigid_products;
     dealii::LAPACKFullMatrix<double> inverse;
   };
 
   /// Returns a basis of the columns of X = @p fields, orthonormal in the inner
-  /// product of a matrix M with M X = @p metrics: X U Lambda^(-1/2), with the
-  /// eigenvectors U and eigenvalues Lambda of X^T M X above @p tolerance^2
-  /// min(1, largest).
+  /// product of a matrix M with M X = @p metrics: X U Lambda^(-1/2), with those
+  /// eigenvectors U of X^T M X whose eigenvalues Lambda exceed @p tolerance^2
+  /// max(1, largest eigenvalue), in descending order.
   FieldColumns
   orthonormal(const FieldColumns &fields,
               const FieldColumns &metrics,
               const double        tolerance);
 
-  /// Returns column @p j as a vector of coefficients.
+  /// Returns column @p j of @p columns as a vector.
   Vector
   column_of(const FieldColumns &columns, const unsigned int j);
 
@@ -111,7 +112,7 @@ namespace lamella
   selected_columns(const FieldColumns              &columns,
                    const std::vector<unsigned int> &numbers);
 
-  /// Returns the matrix [a, b]: the columns of @p a, then those of @p b.
+  /// Returns the matrix [a, b]: the columns of @p a followed by those of @p b.
   FieldColumns
   beside(const FieldColumns &a, const FieldColumns &b);
 } // namespace lamella

@@ -23,19 +23,18 @@ namespace lamella
     double min_reentrant_angle = 225.;
   };
 
-  /// Returns the numbers of the vertices with singular stresses, ascending:
-  /// re-entrant corners of the boundary of @p section, and points where the
+  /// Returns the indices of the mesh vertices with singular stresses,
+  /// ascending: re-entrant corners of the boundary, and points where the
   /// boundary meets the interface between plies of different material or angle.
   std::vector<unsigned int>
   singular_corners(const SectionMesh &section, const CornerRules &rules = {});
 
   /// Returns the mesh @p section with @p layers geometrically graded layers of
-  /// cells around each of its singular_corners(). Every edge that ends at such
-  /// a corner is split at the fractions r^k of its length, k = 1 to @p layers,
-  /// r = CornerRules::ratio. Opposite edges of cells are split equally. Edges
+  /// cells around each of its singular_corners(). Each edge that ends at such a
+  /// corner is split at the fractions r^k of its length, k = 1 to @p layers, r
+  /// = CornerRules::ratio. Opposite edges of a cell are split equally. Edges
   /// must be straight. Throws InputError for the entry `Corner layers` in the
-  /// subsection @p what if there are no singular corners or the result has more
-  /// than max_section_cells cells.
+  /// subsection @p what if there are no singular corners or too many cells.
   std::shared_ptr<const SectionMesh>
   graded_to_corners(const SectionMesh &section,
                     const unsigned int layers,

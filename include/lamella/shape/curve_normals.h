@@ -11,11 +11,11 @@
 
 namespace lamella
 {
-  /// The field of outward unit normals of boundaries of a section, extended to
-  /// all points x of the section. The normal at x is that of the point p on the
-  /// nearest side for which x - p is parallel to the normal. Normals vary
-  /// linearly along a side; at a vertex, the normals of the adjacent sides are
-  /// averaged unless they differ by more than 30 degrees.
+  /// The outward unit normals of boundaries of a section, extended to all
+  /// points x of the section: the normal at x is that of the nearest point p on
+  /// a side whose normal is parallel to x - p. Normals vary linearly along a
+  /// side; at a vertex, the normals of the adjacent sides are averaged unless
+  /// they differ by more than 30 degrees.
   class CurveNormals
   {
   public:
@@ -23,7 +23,8 @@ namespace lamella
     CurveNormals(const SectionMesh              &section,
                  const std::vector<std::string> &names);
 
-    /// Returns the unit normal at the point @p x by a loop over all sides.
+    /// Returns the outward unit normal, extended from the boundaries to the
+    /// point @p x of the section. All sides are searched.
     dealii::Tensor<1, 2>
     at(const dealii::Point<2> &x) const;
 

@@ -9,8 +9,8 @@ namespace lamella
 {
   /// Closest-point projection onto the elliptical outer surface of a tube,
   ///   E(phi) = center + (a cos phi, b sin phi),
-  /// The outward unit normal is n = (b cos phi, a sin phi) / |...|. Interfaces
-  /// at constant depth are parallel curves, which are ellipses only if a = b.
+  /// with the outward unit normal n = (b cos phi, a sin phi) / |...|. Curves at
+  /// a constant depth below the surface are ellipses only if a = b.
   class EllipseProjection
   {
   public:
@@ -23,17 +23,18 @@ namespace lamella
       , b(b)
     {}
 
-    /// Returns the parameter phi in (-pi, pi] of the point closest to @p x, by
-    /// Newton's method for (x - E) . E' = 0 within a quadrant. phi is unique at
-    /// depths below the smallest radius of curvature, min(a, b)^2 / max(a, b).
+    /// Returns the parameter phi in (-pi, pi] of the point E(phi) of the
+    /// ellipse closest to @p x, by Newton's method for (x - E) . E' = 0 within
+    /// a quadrant. phi is unique at depths below the smallest radius of
+    /// curvature, min(a, b)^2 / max(a, b).
     double
     parameter(const dealii::Point<2> &x) const;
 
-    /// Returns the point E(@p phi) of the ellipse.
+    /// Returns center + (a cos phi, b sin phi), a point of the ellipse.
     dealii::Point<2>
     point(const double phi) const;
 
-    /// Returns the outward unit normal n = (n_x, n_z) at E(@p phi).
+    /// Returns the outward unit normal (n_x, n_z) at the parameter @p phi.
     dealii::Tensor<1, 2>
     normal(const double phi) const;
 

@@ -11,27 +11,29 @@
 
 namespace lamella
 {
-  /// Mesh data for Triangulation::create_triangulation(). `elements` and
-  /// `lines` have the element of the Gmsh file for each cell and each line.
+  /// Section mesh of a Gmsh file, for Triangulation::create_triangulation().
   struct GmshMesh
   {
-    std::vector<dealii::Point<2>>          vertices;
-    std::vector<dealii::CellData<2>>       cells;
-    dealii::SubCellData                    rest;
-    std::vector<const GmshFile::Element *> elements, lines;
+    std::vector<dealii::Point<2>>    vertices; ///< Positions (x, z) [length].
+    std::vector<dealii::CellData<2>> cells;    ///< Vertices and ply of cells.
+    dealii::SubCellData              rest;     ///< Boundary lines.
+    std::vector<const GmshFile::Element *>
+      elements, ///< Element of the file for each cell.
+      lines;    ///< Element of the file for each boundary line.
   };
 
-  /// Throws InputError with the file's line number if a cell is not convex.
+  /// Throws InputError for @p entry (the file name), with the line number in
+  /// the file, if a cell of @p mesh is not convex.
   void
   check_cells_are_convex(const GmshMesh &mesh, const Entry &entry);
 
-  /// Throws InputError if the angles of the cells at a vertex exceed 360
-  /// degrees in sum, so that cells overlap.
+  /// Throws InputError for @p entry (the file name) if the sum of the angles of
+  /// the cells at a vertex exceeds 360 degrees, so that cells overlap.
   void
   check_angles(const GmshMesh &mesh, const Entry &entry);
 
-  /// Removes the lines of @p mesh that are not sides of cells. Throws
-  /// InputError if a line is an interior side or belongs to two boundaries.
+  /// Removes lines of @p mesh that are not sides of cells. Throws InputError
+  /// for @p entry if a line is an interior side or belongs to two boundaries.
   void
   keep_boundary_lines(GmshMesh &mesh, const Entry &entry);
 } // namespace lamella

@@ -15,47 +15,50 @@
 
 namespace lamella
 {
-  /// Contents of a Gmsh mesh file. Each item has its line number for messages.
+  /// Nodes, elements and physical groups of a Gmsh mesh file. `line` is the
+  /// line number of each item in the file, for messages.
   struct GmshFile
   {
-    /// Element types, as numbered by Gmsh.
-    static constexpr int line_type = 1, triangle = 2, quadrilateral = 3,
-                         point = 15;
+    /// Element type line, as numbered by Gmsh.
+    static constexpr int line_type = 1,  ///< Line with two nodes.
+      triangle                     = 2,  ///< Triangle with three nodes.
+      quadrilateral                = 3,  ///< Quadrilateral with four nodes.
+      point                        = 15; ///< Point with one node.
 
-    /// Name of a physical group and its line number in the file.
+    /// Name of a physical group.
     struct Name
     {
-      std::string  name;
-      unsigned int line = 0;
+      std::string  name;     ///< Name without quotation marks.
+      unsigned int line = 0; ///< Line number in the file, from 1.
     };
 
-    /// A node with three coordinates in the file's unit of length.
+    /// A node of the mesh.
     struct Node
     {
-      dealii::Point<3> position;
-      unsigned int     line = 0;
+      dealii::Point<3> position; ///< Coordinates in the file's unit of length.
+      unsigned int     line = 0; ///< Line number in the file, from 1.
     };
 
+    /// An element of the mesh.
     struct Element
     {
       /// Element type as numbered by Gmsh, e.g. GmshFile::triangle.
       int type = 0;
       /// Absolute tag of the physical group of the element; 0 if it has none.
       int          group = 0;
-      unsigned int line  = 0;
-      /// Node indices for points, lines, triangles and quadrilaterals.
+      unsigned int line  = 0; ///< Line number in the file, from 1.
+      /// Indices of the 1 to 4 nodes in GmshFile::nodes, then zeros.
       std::array<unsigned int, 4> nodes{};
     };
 
-    /// Names of physical groups by dimension and tag.
+    /// Names of physical groups; the key is (dimension, tag).
     std::map<std::pair<int, int>, Name> names;
-    /// Nodes and elements in the order of the file.
-    std::vector<Node>    nodes;
-    std::vector<Element> elements;
+    std::vector<Node>    nodes;    ///< Nodes in the order of the file.
+    std::vector<Element> elements; ///< Elements in the order of the file.
   };
 
   /// Throws InputError with the name of @p entry, its text (the file name), the
-  /// number of the line, the rule and the remedy.
+  /// number of the line, the violated @p rule and the @p remedy.
   [[noreturn]] void
   refuse_line(const Entry       &entry,
               const unsigned int line,
@@ -66,7 +69,7 @@ namespace lamella
   /// 2.2. All numbers in the result are finite, numbers of nodes and elements
   /// are unique, and elements refer to existing nodes. Sections of the file
   /// that a plane mesh does not need (`$Comments`, `$Periodic`) are skipped.
-  /// Throws InputError for @p entry, with line number, at the first error.
+  /// Throws InputError for @p entry, with the line number, at the first error.
   GmshFile
   read_gmsh_file(const std::string &text, const Entry &entry);
 } // namespace lamella

@@ -18,21 +18,21 @@ namespace lamella
   /// number in error messages. The text must outlive this object.
   struct GmshLines
   {
-    /// Advice to the user at the end of most error messages.
+    /// Advice at the end of most error messages: how to write the file again.
     static constexpr const char *anew =
       "Write the file anew with 'gmsh -2 NAME.geo -format msh41 -o NAME.msh'.";
 
+    /// Reads @p text, the contents of the file named in @p entry.
     GmshLines(const std::string_view text, const Entry &entry)
       : rest(text)
       , entry(entry)
     {}
 
-    /// Returns @p word for messages: quoted, shortened, only printable
-    /// characters.
+    /// Returns @p word for messages: quoted, shortened, printable.
     static std::string
     shown(const std::string_view word);
 
-    /// Advances to the next line. Returns false if there is none.
+    /// Advances to the next nonblank line. Returns false if there is none.
     bool
     next();
 
@@ -41,14 +41,13 @@ namespace lamella
     [[noreturn]] void
     fault(const std::string &rule, const std::string &remedy = anew) const;
 
-    /// Throws InputError unless the current line has @p n words. @p meaning
-    /// describes these words in the message.
+    /// Throws InputError unless the current line has @p n words, separated by
+    /// blanks. @p meaning describes these words in the message.
     void
     expect(const std::size_t n, const std::string &meaning) const;
 
-    /// Returns word @p i of the line as an integer from @p lowest to
-    /// @p highest. Throws InputError, with @p meaning as name of the number,
-    /// for any other text.
+    /// Returns word @p i of the current line as an integer from @p lowest to
+    /// @p highest. Throws InputError, naming it @p meaning, for other text.
     std::int64_t
     integer(const std::size_t  i,
             const std::string &meaning,
@@ -56,18 +55,16 @@ namespace lamella
             const std::int64_t highest =
               std::numeric_limits<std::int64_t>::max()) const;
 
-    /// Returns word @p i of the line as a number. Throws InputError, with
-    /// @p meaning as name of the number, unless the word is a finite number.
+    /// Returns word @p i of the current line as a finite number. Throws
+    /// InputError, naming the number @p meaning, for other text.
     double
     number(const std::size_t i, const std::string &meaning) const;
 
-    std::string_view rest;
-    /// Entry whose text is the file name.
-    const Entry                  &entry;
-    std::string_view              current;
-    std::vector<std::string_view> words;
-    /// Number of the current line, from 1.
-    unsigned int line = 0;
+    std::string_view rest;    ///< Text after the current line.
+    const Entry     &entry;   ///< Entry whose text is the file name.
+    std::string_view current; ///< Current line, without outer blanks.
+    std::vector<std::string_view> words; ///< Words of the current line.
+    unsigned int line = 0; ///< Number of the current line, from 1.
   };
 
 
@@ -75,16 +72,16 @@ namespace lamella
   /// A section of a Gmsh file, from `$NAME` to `$EndNAME`.
   struct GmshPart
   {
-    /// Returns word @p i of the line, the number of @p things (e.g. nodes) that
-    /// follow. Throws InputError if this section has fewer than @p lines_each
-    /// lines for each of them.
+    /// Returns word @p i of the current line as the number of items that
+    /// follow, named @p things in messages (e.g. nodes). Throws InputError if
+    /// the section has fewer than @p lines_each lines per item.
     std::int64_t
     announced(const std::size_t  i,
               const std::string &things,
               const unsigned int lines_each = 1) const;
 
     /// Advances to the next line. Throws InputError if the section has no more
-    /// lines; its message says that the item @p due is missing.
+    /// lines; @p due names the missing item in the message.
     void
     next_line(const std::string &due);
 
@@ -93,9 +90,8 @@ namespace lamella
     expect_end();
 
     /// Iterator over the lines after `$NAME` up to the end of the section.
-    GmshLines lines;
-    /// Number of nonblank lines of the section.
-    unsigned int n_lines = 0;
+    GmshLines    lines;
+    unsigned int n_lines = 0; ///< Number of nonblank lines of the section.
   };
 
 
@@ -109,20 +105,22 @@ namespace lamella
     /// or 2.2 and each section is complete and occurs only once.
     GmshParts(const std::string &text, const Entry &entry);
 
-    /// Returns whether nodes and elements are grouped by entities (format 4.1).
+    /// Returns true if nodes and elements are grouped by geometric entities
+    /// (format 4.1), false if they are listed one by one (format 2.2).
     bool
     in_blocks() const
     {
       return is_in_blocks;
     }
 
+    /// Returns true if the file has the section `$NAME` with @p name.
     bool
     has(const std::string &name) const
     {
       return parts.count(name) == 1;
     }
 
-    /// Returns the section @p name, which must exist.
+    /// Returns the section `$NAME` with @p name, which must exist.
     GmshPart &
     part(const std::string &name);
 
@@ -142,7 +140,7 @@ namespace lamella
     expect_first(const std::string &name) const;
 
     /// Returns the section @p name, which begins at the current line, and
-    /// advances to its end. If @p wanted is false, the section is not checked.
+    /// advances to its end. If @p wanted is false, it may have any text.
     GmshPart
     part_to_end(const std::string &name, const bool wanted);
 

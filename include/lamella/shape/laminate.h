@@ -14,39 +14,38 @@
 
 namespace lamella
 {
-  /// A rectangular laminated section with plies from z = 0 upwards. `angles`,
-  /// `thicknesses` and `materials` have one entry per ply, bottom to top.
+  /// A rectangular laminated section with plies from z = 0 upwards.
   struct Laminate
   {
-    /// Width along x [length].
-    double width = 0.;
-    /// Fiber angles of the plies in degrees (see Ply::angle).
+    double width = 0.; ///< Width along x [length].
+    /// Fiber angles of the plies in degrees, bottom to top (see Ply::angle).
     std::vector<double> angles;
-    /// Thicknesses of the plies [length], positive.
+    /// Thicknesses of the plies, bottom to top [length], positive.
     std::vector<double> thicknesses;
-    /// Names of the materials of the plies.
+    /// Names of the materials of the plies, bottom to top.
     std::vector<std::string> materials;
-    /// Number of cells through the thickness of each ply; a single number
-    /// applies to all plies.
+    /// Number of cells through the thickness of each ply, bottom to top; a
+    /// single number applies to all plies.
     std::vector<unsigned int> cells_per_ply{1};
-    /// Number of equal cells in each interval of the width. The intervals end
-    /// at @p across_breaks, ascending x coordinates between 0 and the width.
+    /// Number of equal cells in each interval of the width, from x = 0.
     std::vector<unsigned int> cells_across{1};
-    std::vector<double>       across_breaks{};
+    /// Ends of the intervals of cells_across, except the last, ascending x
+    /// [length].
+    std::vector<double> across_breaks{};
 
     /// Returns the sum of the ply thicknesses [length].
     double
     height() const;
 
     /// Returns the plies, bottom to top, with material data from @p library.
-    /// Throws std::out_of_range if it has no material of a ply.
+    /// Throws std::out_of_range if @p library has no material of this name.
     std::vector<Ply>
     plies(const Materials &library) const;
   };
 
-  /// Returns the structured mesh of @p laminate, with cells_across times
-  /// cells_per_ply quadrilaterals in each ply. Boundary ids 0 to 3 are `left`
-  /// (x = 0), `right`, `bottom` (z = 0) and `top`. Material ids number plies.
+  /// Returns the structured mesh of @p laminate, with the plies' data from
+  /// @p materials. Boundary ids 0 to 3 are `left` (x = 0), `right`, `bottom` (z
+  /// = 0) and `top`. The material id of a cell is the index of its ply.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Laminate &laminate, const Materials &materials);
 
@@ -62,21 +61,21 @@ namespace lamella
   /// for A, force for B, force times length for D.
   struct LaminateStiffness
   {
-    dealii::Tensor<2, 3> A, B, D;
-    /// Axial stiffness EA = b / a_11 [force] and bending stiffness EI = b /
-    /// d_11 [force length^2] of a strip of width b that is free to contract and
-    /// twist. The compliances a_11 = e_yy / N_yy and d_11 = k_yy / M_yy are
-    /// entries of the inverse of the 6 x 6 matrix [A, B; B, D].
-    double EA = 0., EI = 0.;
-    /// EI of a strip free to contract, but not to twist [force length^2].
+    dealii::Tensor<2, 3> A, ///< Extensional stiffness [force / length].
+      B,                    ///< Coupling stiffness [force].
+      D;                    ///< Bending stiffness [force length].
+    /// Axial stiffness EA = b / a_11 [force] of a strip of width b that is free
+    /// to contract and twist. a_11 = e_yy / N_yy and d_11 = k_yy / M_yy are
+    /// compliances, entries of the inverse of the 6 x 6 matrix [A, B; B, D].
+    double EA = 0.;
+    double EI = 0.; ///< Bending stiffness EI = b / d_11 [force length^2].
+    /// Bending stiffness of a strip that contracts freely but does not twist.
     double EI_untwisted = 0.;
-    /// Shear stiffness, the integral of C_yz,yz over the section, without shear
-    /// correction factor [force].
+    /// Shear stiffness, int C_yz,yz dA without shear correction factor [force].
     double GA = 0.;
   };
 
-  /// Computes the stiffnesses of a laminate of @p plies, bottom to top, of
-  /// @p width b.
+  /// Computes the stiffnesses of a laminate of @p width; plies bottom to top.
   LaminateStiffness
   laminate_stiffness(const std::vector<Ply> &plies, const double width);
 } // namespace lamella

@@ -11,7 +11,7 @@
 
 namespace lamella
 {
-  /// Declares and parses a `subsection Section NAME` for all shapes.
+  /// Declares and parses the `subsection Section NAME` of a parameter file.
   struct SectionParameters
   {
     /// Largest value of the entry `Cells divided`.
@@ -23,11 +23,11 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the section described by @p in. @p materials are the names of
-    /// all materials; if there is only one, it is the default. The path of a
-    /// mesh file is relative to @p folder; the file is not read. Throws
-    /// InputError for invalid entries, entries of other shapes, more than about
-    /// 50,000 cells, and more than 10,000 cells in one direction.
+    /// Returns the section described by the entries @p in. @p materials are the
+    /// names of all materials; a single one is the default. The path of a mesh
+    /// file is relative to @p folder; the file is not read. Throws InputError
+    /// for invalid entries, entries of other shapes, more than about 50,000
+    /// cells, and more than 10,000 cells in one direction.
     static SectionShape
     parse(const Entries                  &in,
           const std::vector<std::string> &materials,

@@ -19,19 +19,19 @@ namespace lamella
   /// edges of degree 6. Used in reports only.
   struct SectionProperties
   {
-    /// Sum of the ply areas [length^2].
-    double area = 0.;
+    double area = 0.; ///< Sum of the ply areas [length^2].
     /// Centroid (x, z) of the area, not weighted with moduli [length].
     dealii::Point<2> centroid;
-    /// Second moments of area {{xx, xz}, {xz, zz}} about the centroid, e.g. xx
-    /// = int (x - x_c)^2 dA [length^4].
+    /// Second moments about the centroid, e.g. xx = int (x - x_c)^2 dA
+    /// [length^4].
     dealii::Tensor<2, 2> second_moments;
     /// Area of each ply [length^2], in the order of SectionMesh::plies.
     std::vector<double> ply_areas;
     /// Arc length of each boundary, by name [length].
     std::map<std::string, double> boundary_lengths;
-    /// Lower left and upper right corner of the bounding box of the vertices.
-    dealii::Point<2> low, high;
+    /// Lower left corner of the bounding box of the vertices (x, z) [length].
+    dealii::Point<2> low;
+    dealii::Point<2> high; ///< Upper right corner of the box [length].
   };
 
   /// Computes the properties of @p section.
@@ -47,8 +47,8 @@ namespace lamella
   check_section_mesh(const SectionMesh &section, const Entry &entry);
 
   /// Throws InputError for the subsection @p path if a cell has an aspect ratio
-  /// (diameter^2 / area) above 2e6. Its stiffnesses across and along differ by
-  /// the square of this ratio, beyond double precision.
+  /// (diameter^2 / area) above 2e6. Its stiffnesses in the two directions would
+  /// differ by the square of this ratio, beyond double precision.
   void
   check_proportions(const SectionMesh &section, const std::string &path);
 } // namespace lamella

@@ -27,28 +27,28 @@ namespace lamella
     SectionGeometry(std::shared_ptr<const SectionMesh> mesh,
                     const unsigned int                 degree);
 
-    /// Returns the finite element with the shape functions N_i.
+    /// Returns the finite element whose shape functions interpolate positions.
     const dealii::FE_Q<2> &
     fe() const
     {
       return element;
     }
 
-    /// Returns the positions (x, z) of all nodes [length], by node number.
+    /// Returns the positions (x, z) of all nodes [length], by node index.
     const std::vector<dealii::Point<2>> &
     nodes() const
     {
       return positions;
     }
 
-    /// Returns the number of cells, numbered as the mesh's active cells.
+    /// Returns the number of cells; indices are those of active cells.
     unsigned int
     n_cells() const
     {
       return cells.size();
     }
 
-    /// Returns the numbers of the (degree + 1)^2 nodes of @p cell in the order
+    /// Returns the indices of the (degree + 1)^2 nodes of @p cell in the order
     /// of the shape functions of fe(): vertices, edge interiors, cell interior.
     const std::vector<unsigned int> &
     nodes_of_cell(const unsigned int cell) const
@@ -56,20 +56,20 @@ namespace lamella
       return cells[cell];
     }
 
-    /// A mapped point x, z and the Jacobian d(x, z) / d(xi, eta) of the map.
+    /// A point of a section, mapped from a reference cell.
     struct Place
     {
-      dealii::Point<2>     position;
-      dealii::Tensor<2, 2> jacobian;
+      dealii::Point<2>     position; ///< Coordinates (x, z) [length].
+      dealii::Tensor<2, 2> jacobian; ///< Matrix d(x, z) / d(xi, eta) [length].
     };
 
-    /// Maps the point @p unit of the reference cell [0, 1]^2, or of its
-    /// neighborhood, into @p cell.
+    /// Returns the image in @p cell of the point @p unit of the reference cell
+    /// [0, 1]^2, or of a point near the reference cell.
     Place
     map(const unsigned int cell, const dealii::Point<2> &unit) const;
 
   private:
-    /// Maps @p unit by the bilinear map of the vertices of @p cell.
+    /// Returns the image of @p unit by the bilinear map to the cell's vertices.
     Place
     bilinear(const unsigned int cell, const dealii::Point<2> &unit) const;
 
@@ -78,7 +78,8 @@ namespace lamella
     dealii::DoFHandler<2>                  dof_handler;
     std::vector<dealii::Point<2>>          positions;
     std::vector<std::vector<unsigned int>> cells;
-    /// Flags of the cells whose map is bilinear.
+    /// For each cell: true if its map is bilinear, since all its sides are
+    /// straight.
     std::vector<bool> is_bilinear;
   };
 

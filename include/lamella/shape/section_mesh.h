@@ -23,20 +23,20 @@
 namespace lamella
 {
   /// The plane that contains the fibers of a ply, spanned by y (along the beam)
-  /// and t = y x n with the unit normal n of the ply in the section's plane. In
-  /// walls, n points outwards, so a constant angle from +y towards t is a helix
-  /// around a tube or box. In a laminate, n = +z and t = +x.
+  /// and t = y x n, where n is the unit normal of the ply and lies in the plane
+  /// of the section. In walls, n points outwards, so a constant angle from +y
+  /// towards t is a helix around a tube or box. In a laminate, n = +z, t = +x.
   struct PlyPlane
   {
-    /// Normal n = (n_x, n_z) if it is constant.
+    /// Unit normal (n_x, n_z) of the ply if it is constant.
     dealii::Tensor<1, 2> normal = dealii::Point<2>(0., 1.);
-    /// Function that returns n at a point (x, z); empty if n is constant.
+    /// Function that returns the normal at a point (x, z); empty if constant.
     std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)> normal_at;
     /// Name of the wall of the ply, e.g. `left`; empty if the section has no
     /// walls. Successive plies of a wall are adjacent.
     std::string wall;
 
-    /// Returns the normal n at the point @p x of the section.
+    /// Returns the unit normal of the ply at the point @p x of the section.
     dealii::Tensor<1, 2>
     at(const dealii::Point<2> &x) const
     {
@@ -48,17 +48,14 @@ namespace lamella
   /// or a physical surface of a Gmsh file. Each cell lies within one ply.
   struct Ply
   {
-    /// Name of the material in the scene.
-    std::string material;
-    /// Fiber angle in the plane of the ply in degrees, 0 along +y and positive
-    /// towards the tangent t of PlyPlane, +x in a laminate.
-    double angle = 0.;
-    /// Smallest and largest z [length].
-    double bottom = 0., top = 0.;
-    /// Copy of the material data.
-    Material properties;
-    /// Plane of the ply, by default with the normal +z.
-    PlyPlane plane = {};
+    std::string material; ///< Name of the material in the scene.
+    /// Fiber angle in the plane of the ply in degrees: 0 along the beam axis +y
+    /// and positive towards the tangent of PlyPlane, which is +x in a laminate.
+    double angle  = 0.;
+    double bottom = 0.,  ///< Smallest z [length].
+      top         = 0.;  ///< Largest z [length].
+    Material properties; ///< Copy of the material data.
+    PlyPlane plane = {}; ///< Plane of the ply, by default with the normal +z.
 
     /// Returns the ply axes in the body frame at the point @p x of the section:
     /// along the fiber, across the fiber and normal to the ply.
@@ -68,9 +65,9 @@ namespace lamella
       return ply_axes(angle, plane.at(x));
     }
 
-    /// Returns the stiffness C in the axes t, y, n of PlyPlane
-    /// [force/length^2]. These are the body axes if n = +z; otherwise use
-    /// PlyLaws for the body frame.
+    /// Returns the elasticity matrix in the axes (tangent, y, normal) of
+    /// PlyPlane [force/length^2]. These are the body axes if the normal is +z;
+    /// otherwise use PlyLaws for the body frame.
     ElasticTensor
     stiffness() const
     {
@@ -91,20 +88,20 @@ namespace lamella
 
   /// The geometry of a section: a mesh of quadrilaterals in its plane, in the
   /// coordinates x, z of the body. The lower left corner is the origin, except
-  /// for meshes from files. Cross-section expansions, integration and the
-  /// extrusion to solids use its cell numbers; the mesh is never refined. Edges
-  /// on arcs have a manifold, all others are straight.
+  /// for meshes from files. The mesh is never refined: cross-section expansions
+  /// and solid meshes refer to its cell indices. Edges not on arcs are
+  /// straight.
   struct SectionMesh
   {
     /// Mesh; the material id of a cell is the index of its ply in @p plies.
     dealii::Triangulation<2> mesh;
-    /// Plies; from bottom to top for a laminate, a single one if homogeneous.
+    /// All plies; bottom to top in a laminate, a single one if homogeneous.
     std::vector<Ply> plies;
-    /// Names of the boundaries by boundary id.
+    /// Name of each boundary (e.g. `top`), by boundary id of the mesh.
     std::map<dealii::types::boundary_id, std::string> boundaries;
   };
 
-  /// Section meshes by name of the section.
+  /// Section meshes of a scene, by the name of the section.
   using SectionMeshes =
     std::map<std::string, std::shared_ptr<const SectionMesh>>;
 } // namespace lamella

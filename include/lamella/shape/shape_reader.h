@@ -12,7 +12,7 @@
 namespace lamella
 {
   /// Parsers of the entries of a section, one for each shape. All functions
-  /// throw InputError for invalid entries.
+  /// throw InputError for invalid entries, named by @p entry.
   struct ShapeReader
   {
     /// Largest number of cells in one direction, to detect typing errors.
@@ -20,33 +20,37 @@ namespace lamella
     /// Largest number of refinements of an ellipse, for 49152 cells.
     static constexpr unsigned int max_ellipse_refinements = 6;
 
-    const Entries &in;
+    const Entries &in; ///< Entries of the section's subsection.
     /// Names of the materials of the scene.
     const std::vector<std::string> &materials;
 
-    /// Returns a comma-separated list of at least one length of any sign.
+    /// Returns the comma-separated lengths of @p entry, at least one.
     std::vector<double>
     lengths(const std::string &entry) const;
-    /// Returns a comma-separated list of at least one number of cells.
+    /// Returns the comma-separated numbers of cells of @p entry, at least one.
     std::vector<unsigned int>
     counts(const std::string &entry) const;
-    /// Returns a single number of cells.
+    /// Returns the single number of cells of @p entry.
     unsigned int
     count(const std::string &entry) const;
 
-    /// Returns @p name. Throws InputError for @p entry if it is no material.
+    /// Returns @p name. Throws InputError for @p entry if no material has it.
     std::string
     material(const Entry &entry, const std::string &name) const;
     /// Returns material and fiber angle of a section of a single material.
     OrientedMaterial
     oriented_material() const;
 
+    /// Returns a rectangular laminate.
     Laminate
     laminate() const;
+    /// Returns a half disc for Hertzian contact.
     HalfDisc
     half_disc() const;
+    /// Returns a solid ellipse.
     Ellipse
     ellipse() const;
+    /// Returns a laminated elliptical tube.
     Tube
     tube() const;
     /// Returns a thin-walled section of the shape @p form.
@@ -57,8 +61,8 @@ namespace lamella
     file(const std::string &folder) const;
   };
 
-  /// Returns one item for each of @p n plies: @p items, or its only item
-  /// repeated. Throws InputError for @p entry for another number of items.
+  /// Returns @p n values, one per ply: @p items, or its only item repeated.
+  /// Throws InputError for @p entry if there are neither one nor @p n items.
   template <typename T>
   std::vector<T>
   one_per_ply(const std::vector<T> &items,

@@ -30,9 +30,11 @@ namespace lamella
     file ///< a mesh by Gmsh
   };
 
+  /// Names of the shapes in parameter files.
   template <>
   struct Names<ShapeKind>
   {
+    /// Value and name of each shape except `undefined`.
     static constexpr NameOf<ShapeKind> all[] = {
       {ShapeKind::laminate, "laminate"},
       {ShapeKind::half_disc, "half disc"},
@@ -46,30 +48,28 @@ namespace lamella
       {ShapeKind::file, "file"}};
   };
 
-  /// Material and fiber angle of a homogeneous section or of one of its plies.
+  /// Material and fiber angle of a homogeneous section or of one ply.
   struct OrientedMaterial
   {
-    /// Name of the material in the scene.
-    std::string material;
-    /// Fiber angle about z in degrees, 0 along +y, positive towards +x.
+    std::string material; ///< Name of the material in the scene.
+    /// Fiber angle in degrees: 0 along the beam axis +y, positive towards +x.
     double angle = 0.;
   };
 
-  /// A ply of a wall.
+  /// A ply of a wall of a thin-walled section or tube.
   struct WallPly
   {
-    /// Material, and fiber angle in the wall's plane (PlyPlane) in degrees.
+    /// Material, and fiber angle in degrees in the plane of the wall, 0 along
+    /// +y.
     OrientedMaterial oriented_material;
-    /// Thickness [length].
-    double thickness = 0.;
+    double           thickness = 0.; ///< Thickness [length].
   };
 
-  /// Plies of a wall from the inside to the outside.
+  /// Plies of a wall of a thin-walled section or tube, from inside to outside.
   using WallLayup = std::vector<WallPly>;
 
-  /// A half disc for Hertzian contact of cylinders (the paper's section 4.1),
-  /// with the flat boundary `flat` on z = 0 from x = 0 to x = 2 radius and the
-  /// round boundary `arc`.
+  /// A half disc for Hertzian contact of cylinders, with the flat boundary
+  /// `flat` on z = 0 from x = 0 to x = 2 radius and the round boundary `arc`.
   ///
   /// The mesh is graded towards the point P of the arc at the angle
   /// graded_towards, where cells have about the width finest_cell. The mesh
@@ -78,14 +78,14 @@ namespace lamella
   /// are nearly square. A conformal map of the half disc moves P from the top.
   struct HalfDisc
   {
-    /// Radius [length].
-    double radius = 0.;
-    /// Angle of the point P in degrees from +x to +z, 30 to 150; 90 is the top.
+    double radius = 0.; ///< Radius [length].
+    /// Angle of P, the point of finest mesh, in degrees from +x to +z, 30 to
+    /// 150.
     double graded_towards = 90.;
     /// Width of the finest cells [length]; in a scene by default radius / 8.
     double finest_cell = 0.;
-    /// Number of cells in each ring around P, a multiple of 4, and at least 12
-    /// if graded_towards is not 90.
+    /// Number of cells in each ring around the point of finest mesh: a multiple
+    /// of 4, and at least 12 if graded_towards is not 90.
     unsigned int sectors = 8;
     /// Material and fiber angle of the section.
     OrientedMaterial oriented_material;
@@ -94,11 +94,11 @@ namespace lamella
   /// A solid ellipse in [0, width] x [0, height] with the boundary `arc`.
   struct Ellipse
   {
-    /// Lengths of the axes along x and z [length].
-    double width = 0., height = 0.;
+    double width = 0., ///< Length of the axis along x [length].
+      height     = 0.; ///< Length of the axis along z [length].
     /// Number n of global refinements; the mesh has 12 4^n cells.
     unsigned int     refinements = 1;
-    OrientedMaterial oriented_material;
+    OrientedMaterial oriented_material; ///< Material and fiber angle.
   };
 
   /// A section of vertical webs and horizontal flanges in the rectangle [0,
@@ -107,7 +107,7 @@ namespace lamella
   /// as solids, without a thin-wall theory.
   ///
   /// The mesh consists of rectangular blocks, e.g. eight of 3 x 3 for a box.
-  /// The block of a web and a flange has cells_per_wall^2 cells.
+  /// The corner block of a web and a flange has cells_per_wall^2 cells.
   ///
   /// The plies of a wall are parallel to the wall (see PlyPlane). Flanges
   /// extend over the whole width, webs end at flanges. Normals point outwards:
@@ -116,18 +116,21 @@ namespace lamella
   struct ThinWalled
   {
     /// Shape: box, double_t, t, channel or angle.
-    ShapeKind form = ShapeKind::undefined;
-    /// Outer dimensions [length].
-    double width = 0., height = 0.;
-    /// Thicknesses of the webs from left to right and of the flanges from
-    /// bottom to top [length], as many as wall_counts(). Their sums must be
-    /// less than the width and the height.
-    std::vector<double> webs, flanges;
-    /// Number of cells through each wall, and along each wall between corners.
-    unsigned int     cells_per_wall = 1, cells_along_wall = 4;
+    ShapeKind form  = ShapeKind::undefined;
+    double    width = 0., ///< Outer dimension along x [length].
+      height        = 0.; ///< Outer dimension along z [length].
+    /// Thicknesses of the webs from left to right, as many as wall_counts()
+    /// [length]. Their sum must be less than the width.
+    std::vector<double> webs;
+    /// Thicknesses of the flanges from bottom to top, as many as wall_counts()
+    /// [length]. Their sum must be less than the height.
+    std::vector<double> flanges;
+    unsigned int cells_per_wall = 1, ///< Number of cells through each wall.
+      cells_along_wall          = 4; ///< Cells along each wall between corners.
+    /// Material and fiber angle of all walls without layup.
     OrientedMaterial oriented_material;
-    /// Layup of each wall, webs first; empty for walls of one material. The ply
-    /// thicknesses of a wall must add up to its thickness.
+    /// Layup of each wall, webs first; empty if all walls are of one material.
+    /// The ply thicknesses of a wall must add up to its thickness.
     std::vector<WallLayup> layups = {};
     /// Number of cells through the thickness of each ply of a layup.
     unsigned int cells_per_ply = 1;
@@ -140,37 +143,39 @@ namespace lamella
   /// edges; their reference coordinate eta is along the normal.
   struct Tube
   {
-    /// Outer dimensions [length].
-    double width = 0., height = 0.;
-    /// Plies from inside to outside. The total thickness must be less than
+    double width = 0., ///< Outer dimension along x [length].
+      height     = 0.; ///< Outer dimension along z [length].
+    /// Plies from inside to outside. The sum of their thicknesses must be less
+    /// than
     /// min(width, height)^2 / (2 max(width, height)).
     WallLayup layup;
-    /// Number of cells around the tube, a multiple of 4, at equal increments of
-    /// the ellipse's parameter, and number of cells through each ply.
-    unsigned int cells_around = 24, cells_per_ply = 1;
+    /// Number of cells around the tube, a multiple of 4.
+    unsigned int cells_around  = 24;
+    unsigned int cells_per_ply = 1; ///< Number of cells through each ply.
   };
 
-  /// Returns the numbers of webs and flanges of the thin-walled @p form. Throws
-  /// std::out_of_range if @p form is not thin-walled.
+  /// Returns the number of webs and the number of flanges of the thin-walled
+  /// shape @p form. Throws std::out_of_range if @p form is not thin-walled.
   std::pair<unsigned int, unsigned int>
   wall_counts(const ShapeKind form);
 
-  /// Returns the names of the walls of @p form in the order of
-  /// ThinWalled::layups: `left`, `right`, `bottom`, `top`, `web`, `flange`.
-  /// Throws std::out_of_range if @p form is not thin-walled.
+  /// Returns the names of the walls of the thin-walled shape @p form, webs
+  /// first: `left`, `right`, `bottom`, `top`, `web`, `flange`. Throws
+  /// std::out_of_range if @p form is not thin-walled.
   std::vector<std::string>
   wall_names(const ShapeKind form);
 
-  /// The ply plane of a physical surface of a Gmsh file.
+  /// The plane of the plies in one physical surface of a Gmsh file.
   struct PartPlane
   {
-    /// Direction of a constant normal in degrees from +x towards +z.
+    /// Direction of a constant ply normal in degrees from +x towards +z.
     double direction = 90.;
     /// Names of physical lines, separated by blanks. If set, the normal at a
-    /// point is that of the nearest point on these lines, pointing out of the
-    /// section, or into it if @p outwards is false.
-    std::string curve    = {};
-    bool        outwards = true;
+    /// point is that of the nearest point on these lines; if empty,
+    /// `direction`.
+    std::string curve = {};
+    /// True if normals of `curve` point out of the section, false if into it.
+    bool outwards = true;
   };
 
   /// A section meshed by Gmsh with straight edges. The coordinates x, y of the
@@ -179,31 +184,30 @@ namespace lamella
   /// are boundaries; the remaining boundary is `other`.
   struct SectionFile
   {
-    /// Path of the mesh file.
-    std::string path;
+    std::string path; ///< Path of the mesh file.
     /// Factor from the file's to the scene's lengths, e.g. 0.001 for mm to m.
     double scale = 1.;
-    /// Material and fiber angle by name of the physical surface. The default is
-    /// the material with the name of the surface, at 0 degrees.
+    /// Material and fiber angle of each physical surface, by its name. The
+    /// default is the material with the name of the surface, at 0 degrees.
     std::map<std::string, OrientedMaterial> parts;
-    /// Subsection for messages, `Section NAME`.
-    std::string what;
-    /// Ply plane by name of the physical surface; the default normal is +z.
+    std::string what; ///< Name of the subsection in messages, `Section NAME`.
+    /// Plane of the plies by name of the physical surface; normal +z by
+    /// default.
     std::map<std::string, PartPlane> planes = {};
   };
 
   /// Largest number of cells of a section, to detect typing errors.
   constexpr double max_section_cells = 50000.;
 
-  /// Shape of a section in a scene; make_section_mesh() creates its mesh.
+  /// Parameters of a section of any shape, for make_section_mesh().
   using SectionShape =
     std::variant<Laminate, HalfDisc, Ellipse, ThinWalled, Tube, SectionFile>;
 
-  /// Returns the kind of the alternative stored in @p shape.
+  /// Returns the kind of shape that @p shape holds.
   ShapeKind
   kind_of(const SectionShape &shape);
 
-  /// Returns the name of the kind of @p shape in a scene, e.g. `half disc`.
+  /// Returns the name of the shape in parameter files, e.g. `half disc`.
   inline std::string
   name_of(const SectionShape &shape)
   {
@@ -211,14 +215,13 @@ namespace lamella
   }
 
   /// Returns the mesh of @p shape, with manifolds on arcs. Throws
-  /// std::out_of_range if a material is not in @p materials, and InputError if
-  /// a mesh file has no valid section.
+  /// std::out_of_range for unknown materials, InputError for a bad Gmsh file.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const SectionShape &shape, const Materials &materials);
 
-  /// Returns the mesh @p section with each cell divided into four, @p times
-  /// times. Throws InputError for the entry `Cells divided` in the subsection
-  /// @p what if the result has more than max_section_cells cells.
+  /// Returns the mesh @p section with each cell divided into four, repeated
+  /// @p times times. Throws InputError for the entry `Cells divided` in the
+  /// subsection @p what if the result has more than max_section_cells cells.
   std::shared_ptr<const SectionMesh>
   divided(const SectionMesh &section,
           const unsigned int times,
@@ -241,7 +244,7 @@ namespace lamella
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const ThinWalled &walls, const Materials &materials);
 
-  /// Reads the Gmsh file and returns its mesh, scaled. Throws InputError.
+  /// Returns the scaled mesh of a Gmsh file. Throws InputError if invalid.
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const SectionFile &file, const Materials &materials);
 } // namespace lamella

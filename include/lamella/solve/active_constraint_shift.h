@@ -10,61 +10,62 @@
 
 namespace lamella
 {
-  /// Regularization of an indefinite tangent by springs in the active
-  /// constraints, for bodies that only contact with obstacles keeps from
-  /// buckling (a column behind a stop, a sheet between a pressure and a floor).
-  /// The tangent K is not definite, but S = K + rho B^T B is, with a spring of
-  /// stiffness rho in each active constraint and their rows B.
+  /// Regularization of an indefinite tangent stiffness K by springs in the
+  /// active constraints, for bodies that only contact with obstacles keeps from
+  /// buckling (a column behind a stop). S = K + rho B^T B is definite, with the
+  /// active constraint rows B and a spring of stiffness rho in each.
   ///
-  /// With the shifted forces lambda' = lambda + rho g, the increment x from a
-  /// state with gaps g_0 and residual forces r,
+  /// With the gaps g, penalty eps, contact forces lambda and shifted forces
+  /// lambda' = lambda + rho g, the increment x from a state (index 0) with
+  /// residual r,
   ///   K x = r + B^T (lambda - lambda_0),   lambda = -eps g,
   /// equals that of
   ///   S x = r + B^T (lambda' - lambda'_0),   lambda' = -(eps - rho) g,
-  /// as long as the constraint is active: a contact problem whose S has a
-  /// Cholesky factor. If a constraint opens, x has an error due to the spring
-  /// force, which the next iteration corrects. rho is a fraction of the penalty
-  /// eps. If S is definite, the state is stable.
+  /// as long as the constraints are active. If a constraint opens, x has an
+  /// error due to the spring force, which the next iteration corrects. rho is a
+  /// fraction of eps. If S is definite, the state is stable.
   class ActiveConstraintShift
   {
   public:
-    /// Springs of each body.
+    /// Springs to the ground, one list per body.
     using Springs = std::vector<std::vector<SpringTerm>>;
 
-    /// Adds a spring to each active constraint of @p state in @p contacts of
-    /// @p n_bodies bodies. rho is @p share times the penalty eps.
+    /// Adds a spring to each active constraint of a body with an obstacle that
+    /// has a force in @p state. Its stiffness is @p share times the penalty.
     ActiveConstraintShift(const std::vector<ContactInterface> &contacts,
                           const State                         &state,
                           const unsigned int                   n_bodies,
                           const double                         share);
 
+    /// Returns true if no constraint has a spring.
     bool
     none() const
     {
       return shift.empty();
     }
 
+    /// Returns the springs of all bodies, to be added to the tangent stiffness.
     const Springs &
     springs() const
     {
       return of_bodies;
     }
 
-    /// Returns all constraints; those with a spring have the penalty eps - rho.
+    /// Returns all constraints; springs are subtracted from their penalties.
     GapConstraints
     rows() const
     {
       return GapConstraints(softened);
     }
 
-    /// Replaces the forces of @p state, with the displacements @p u at load
-    /// factor @p factor, by lambda'; apply_shift() is the inverse. Tensile
-    /// constraints are deactivated.
+    /// Adds spring stiffness times gap to the force of each constraint with a
+    /// spring, for the displacements @p u at load factor @p factor.
     void
     remove_shift(const BlockVector &u,
                  const LoadFactor  &factor,
                  State             &state) const;
     void
+    /// Inverse of remove_shift(). Also deactivates constraints without force.
     apply_shift(const BlockVector &u,
                 const LoadFactor  &factor,
                 State             &state) const;

@@ -13,33 +13,34 @@
 
 namespace lamella
 {
-  /// A force and its moment about the scene origin, in scene components.
+  /// A force and its moment about the scene origin or another stated point.
   struct Wrench
   {
-    dealii::Tensor<1, 3> force, moment;
+    dealii::Tensor<1, 3> force, ///< Force in scene components.
+      moment;                   ///< Moment in scene components.
   };
 
-  /// A force and its moment about a given point, in scene components.
+  /// A force and its moment about a given point.
   struct Resultant
   {
-    dealii::Tensor<1, 3> force, moment;
+    dealii::Tensor<1, 3> force, ///< Force in scene components.
+      moment; ///< Moment about the point `about` in scene components.
     /// Reference point of the moment in the scene; not the point of action.
     dealii::Point<3> about;
-    /// Point on the line of action nearest to `about`, if any.
+    /// Point on the line of action nearest to `about`; empty without net force.
     std::optional<dealii::Point<3>> center_of_pressure = {};
   };
 
   /// Sum of all forces on one body and of their moments about its center, for
-  /// the check of equilibrium. Forces are obtained from their work on the rigid
-  /// motions of the body. The sum is relative to the largest force.
+  /// the check of equilibrium; computed from the work on rigid motions.
   class BodyForces
   {
   public:
-    /// Creates an empty sum for the body @p of with the displacements @p u.
+    /// Creates an empty sum for the body @p of, displaced by @p u.
     BodyForces(const Body &of, const Vector &u);
 
-    /// Returns the force of a load, and its moment about the body center.
-    /// @p work returns the work of the load on a given displacement vector.
+    /// Returns the force of a load and its moment about the body center.
+    /// @p work returns the work of the load on a displacement vector.
     template <typename Work>
     Wrench
     resultant_of_work(const Work &work) const
@@ -53,23 +54,24 @@ namespace lamella
       return about_center;
     }
 
-    /// Returns @p about_center with the moment about the scene origin.
+    /// Converts the moment of @p about_center from body center to scene origin.
     Wrench
     about_origin(const Wrench &about_center) const;
 
+    /// Adds a force and its moment about the body center to the sum.
     void
     add(const Wrench &about_center);
 
-    /// Sets a lower bound @p force of the largest force in unbalanced().
+    /// Makes unbalanced() divide by a force of at least @p force.
     void
     at_least(const double force);
 
-    /// Returns the norms of summed force and moment, over the largest force and
-    /// that force times the body size.
+    /// Returns |sum of forces| / F and |sum of moments| / (F times the body
+    /// size), where F is the largest single force (or moment over body size).
     std::pair<double, double>
     unbalanced() const;
 
-    const Body &body;
+    const Body &body; ///< Body on which the forces act.
 
   private:
     std::vector<Vector> rigid;

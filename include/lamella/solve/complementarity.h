@@ -12,39 +12,39 @@ namespace lamella
   /// with a dense symmetric positive definite M. Its unique solution minimizes
   /// 1/2 lambda^T M lambda + q^T lambda over lambda >= 0. In contact, M is the
   /// regularized compliance of the contact constraints, q their gaps without
+  /// contact forces, and s their gaps under the forces lambda.
   /// contact forces, and s those under the forces lambda (Eq. 18).
   struct ComplementarityProblem
   {
     /// Entries of M by columns [length/force if s is a gap]; positive diagonal.
     std::vector<double> matrix;
-    /// The n entries of q: s at lambda = 0.
+    /// The n values of s for lambda = 0, e.g. gaps without contact forces.
     std::vector<double> q;
-    /// Tolerance in the unit of q; any s_i above -tolerance counts as zero.
+    /// Tolerance in the unit of q; values of s above -tolerance count as zero.
     double tolerance = 0.;
   };
 
   /// Solution of a ComplementarityProblem, with numbers of iterations.
   struct ComplementaritySolution
   {
-    /// The n entries of lambda, none negative.
+    /// The n unknowns lambda, e.g. contact forces; none is negative.
     std::vector<double> lambda;
-    /// True where lambda_i > 0.
-    std::vector<bool> active;
-    /// Numbers of active sets tried, and of interior-point iterations.
-    unsigned int pivot_rounds = 0, interior_iterations = 0;
+    std::vector<bool>   active; ///< Flags of the constraints with lambda_i > 0.
+    unsigned int        pivot_rounds = 0, ///< Number of active sets tried.
+      interior_iterations = 0; ///< Number of interior-point iterations.
   };
 
-  /// Solves @p problem, starting from the active set @p start (one entry per
-  /// constraint). An active set A gives lambda_A = -M_AA^-1 q_A, zero
-  /// elsewhere, and s = M lambda + q. It is correct if no entry is negative.
+  /// Solves @p problem, starting from the flags @p start of active constraints.
+  /// An active set A gives lambda_A = -M_AA^-1 q_A, zero elsewhere, and s = M
+  /// lambda + q. It is correct if lambda and s have no negative entries.
   ///
   /// First, block principal pivoting is used: constraints with lambda_i < 0 are
   /// deactivated, those with s_i < 0 activated (Kostreva, 1978; the primal-dual
-  /// active set method). If it does not converge in ten rounds, an
-  /// interior-point method (Mehrotra, 1992) finds a better start. If the number
-  /// of wrong constraints then does not fall for three rounds, only the one
-  /// with the largest index changes (Murty's rule; Judice and Pires, 1994).
-  /// After 10 n + 100 sets, the last is returned.
+  /// active set method). If ten rounds do not converge, an interior-point
+  /// method (Mehrotra, 1992) finds a better start. If the number of wrong
+  /// constraints still does not fall for three rounds, only the wrong
+  /// constraint with the largest index changes (Murty's rule; Judice and Pires,
+  /// 1994). After 10 n + 100 sets, the last one is returned.
   ///
   /// Costs in operations: |A|^3 / 3 for the Cholesky factor of a set and n |A|
   /// for s; n^3 / 3 for an interior-point iteration. Throws NumericsError if a

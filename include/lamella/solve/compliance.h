@@ -12,59 +12,58 @@ namespace lamella
 {
   /// The compliance of contact constraints, the Schur complement
   ///   C = B K^-1 B^T
-  /// with the condensed stiffness K of each body and the constraint rows B
-  /// included so far. C_ij [length / force] is the gap in constraint i due to a
-  /// unit force in constraint j. C is symmetric, and positive definite if the
-  /// constraints are independent. Slips are included like gaps, by their
-  /// numbers (GapConstraints). With the Cholesky factor L of K, C = Y^T Y, Y =
-  /// L^-1 B^T, where CHOLMOD computes only nonzeros. Memory: n (n + 1) / 2
-  /// numbers for n constraints, and Y. Keeps references to the tangent operator
-  /// and the constraints. include() is collective.
+  /// with the condensed stiffness K of each body and the rows B of all
+  /// constraints added by include(). C_ij [length / force] is the gap in
+  /// constraint i due to a unit force in constraint j; slips are constraints,
+  /// too (see GapConstraints). C is symmetric, and positive definite if the
+  /// constraints are independent. Memory: n (n + 1) / 2 numbers for n
+  /// constraints, and the nonzeros of L^-1 B^T (Cholesky factor L of K).
   class Compliance
   {
   public:
     /// Keeps references to both arguments, which must outlive this object;
-    /// @p tangent_operator must have solvers.
+    /// @p tangent_operator must have factorized the stiffnesses of all bodies.
     Compliance(const TangentOperator &tangent_operator,
                const GapConstraints  &rows);
 
-    /// Includes the constraints @p wanted in the compliance. Those not yet
-    /// included are solved for together, in each body on which they act.
+    /// Adds the constraints with the indices @p wanted to the compliance. One
+    /// multiple solution per body computes all that have not been added before.
     void
     include(const std::vector<unsigned int> &wanted);
 
-    /// Returns the included constraints in one group per call of include(). The
-    /// same calls reproduce the compliance bit for bit.
+    /// Returns the indices of the constraints added by each call of include().
+    /// The same calls reproduce the compliance bit for bit.
     const std::vector<std::vector<unsigned int>> &
     row_groups() const
     {
       return included;
     }
 
-    /// Returns true if constraint @p row was included, as required below.
+    /// Returns true if constraint @p row has been added by include().
     bool
     is_included(const unsigned int row) const
     {
       return place[row] != dealii::numbers::invalid_unsigned_int;
     }
 
-    /// Returns the change of gap @p row due to a unit force in it [length /
-    /// force]; zero between supported points.
+    /// Returns the change of the gap of constraint @p row due to a unit force
+    /// in it [length / force]; zero if the force acts on supported points only.
     double
     diagonal(const unsigned int row) const;
 
-    /// Returns the submatrix of C for the constraints @p of, by columns.
+    /// Returns the compliance matrix of the constraints @p of, by columns.
     std::vector<double>
     among(const std::vector<unsigned int> &of) const;
 
-    /// Returns K^-1 B^T lambda, the displacements due to the forces @p lambda
-    /// in the distinct constraints @p of; zero in prescribed DoFs.
+    /// Returns the displacements K^-1 B^T lambda due to the forces @p lambda in
+    /// the distinct constraints @p of. They are zero in prescribed DoFs.
     BlockVector
     displacement(const std::vector<unsigned int> &of,
                  const std::vector<double>       &lambda) const;
 
   private:
-    /// Solutions K^-1 b^T for constraint rows b of a body; their rows in C.
+    /// Solutions K^-1 b^T for the constraint rows b of one body, and the index
+    /// of each row in the compliance matrix.
     struct BodyConstraints
     {
       std::unique_ptr<SolvedRows> solved;
@@ -75,7 +74,7 @@ namespace lamella
     const GapConstraints         rows;
     std::vector<BodyConstraints> bodies;
 
-    /// Position of each constraint in C, and lower triangle of C by rows.
+    /// Index of each constraint in C, and lower triangle of C by rows.
     std::vector<unsigned int>        place;
     std::vector<std::vector<double>> entries;
 

@@ -7,12 +7,12 @@
 
 namespace lamella
 {
-  /// Returns the minimum of 1/2 x . W x + q . x over vectors x with the
-  /// components of each contact point in the Lorentz cone |x_t| <= x_n. It is
-  /// unique if W is positive definite. Interior-point method with Nesterov-Todd
-  /// scaling and Mehrotra's predictor (Andersen, Roos and Terlaky, Math.
-  /// Program. 95 (2003) 249-277): 10 to 25 factorizations of W plus a
-  /// block-diagonal matrix. Returns the last iterate if it does not converge.
+  /// Returns the minimizer of 1/2 x . W x + q . x over vectors x with the
+  /// components (x_n, x_t) of each contact point in the cone |x_t| <= x_n. It
+  /// is unique if W is positive definite. Interior-point method with
+  /// Nesterov-Todd scaling and Mehrotra's predictor (Andersen, Roos and
+  /// Terlaky, Math. Program. 95 (2003) 249-277): 10 to 25 factorizations of W
+  /// plus a block-diagonal matrix. May return an iterate not yet converged.
   PointVectors
   cone_minimum(const PointCompliance &W, const PointVectors &q);
 } // namespace lamella

@@ -18,86 +18,84 @@ namespace lamella
   /// largest displacement (ContactSolver::displacement_scale()).
   struct SolverParameters
   {
-    /// Maximum number of contact iterations; exceeding it is a failure.
+    /// Maximum number of active-set rounds in a load step; more are a failure.
     unsigned int max_iterations = 50;
 
-    /// Relative correction below which iterative refinement ends.
+    /// Refinement ends if a correction relative to the solution is below this.
     double refinement_tolerance = arithmetic::rounding_of_sums;
-    /// Maximum number of corrections in addition to the mandatory ones.
+    /// Maximum number of corrections by refinement, besides the mandatory ones.
     /// Refinement also ends if a correction exceeds half the previous one.
     unsigned int max_refinements = 6;
 
-    /// Relative penetration that counts as rounding.
+    /// Penetrations below this length (relative) count as rounding.
     double rounding = arithmetic::rounding;
-    /// Tolerance of the contact law in active constraints, and a weaker
-    /// tolerance that is accepted if a further round hardly improves the error.
-    double law_tolerance      = arithmetic::rounding_of_results,
-           weak_law_tolerance = arithmetic::rounding_of_solutions;
-    /// A round is slow if it leaves more than this fraction of the error of the
-    /// contact law; `weak_law_tolerance` then applies.
+    /// Tolerance of the contact law in active constraints (relative length).
+    double law_tolerance = arithmetic::rounding_of_results;
+    /// Larger tolerance, used if the last round reduced the error slowly.
+    double weak_law_tolerance = arithmetic::rounding_of_solutions;
+    /// weak_law_tolerance applies if a round leaves more than this fraction of
+    /// the error of the contact law.
     double slow = 0.1;
     /// Maximum number of rounds of ContactSolver::correct_active_set().
     unsigned int max_set_corrections = 20;
 
-    /// release_springs() ends if the relative change of the spring offsets, or
-    /// the spring force over the largest load or contact force, is below these
-    /// tolerances. It fails after `max_releases` rounds.
-    double spring_offset_tolerance = arithmetic::rounding_of_results,
-           spring_force_tolerance  = arithmetic::rounding_of_sums;
-    unsigned int max_releases      = 60;
+    /// Relative change of spring offsets below which release_springs() ends.
+    double spring_offset_tolerance = arithmetic::rounding_of_results;
+    /// Spring force over the largest force below which release_springs() ends.
+    double       spring_force_tolerance = arithmetic::rounding_of_sums;
+    unsigned int max_releases = 60; ///< Maximum rounds of release_springs().
   };
 
   /// Solver of one load step: first the linear solution, then contact, then the
-  /// release of stabilizing springs. A ContactStrategy finds the active set;
-  /// the result is refined against the residual evaluated from strains and the
-  /// contact law. Equations at load factor t, with internal forces f_int, loads
-  /// f, gaps g with rows B, contact forces lambda and law compliance a:
+  /// release of stabilizing springs. A ContactStrategy finds the active set.
+  /// Equations at load factor t, with displacements u, internal forces f_int,
+  /// loads f, gaps g with rows B, contact forces lambda and law_compliance() a:
   ///   f_int(u) + f_springs(u) = t f + B^T lambda   (in the free DoFs)
   ///   g(u) + a lambda >= 0,  lambda >= 0,  and in each constraint one is zero.
   /// f_int is linear in u; the active set is the only nonlinearity.
   ///
-  /// Iterative refinement: the residuals of both equations are evaluated at the
-  /// state, f_int from strains (Structure::residual()), and corrected with the
-  /// factorization of the strategy. Keeps references to the structure and the
-  /// gap constraints. Collective, with equal arguments.
+  /// Iterative refinement: the residuals of both equations are evaluated, f_int
+  /// from strains (Structure::residual()), and corrected with the factorization
+  /// of the strategy. Keeps references to the structure and the gap
+  /// constraints. Collective, with equal arguments.
   class ContactSolver
   {
   public:
-    /// Callback for a line of text.
+    /// Callback for a line of text on the progress of the solution.
     using Progress = std::function<void(const std::string &)>;
-    /// Function that describes the gap constraint of a given number.
+    /// Function that returns a description of the gap constraint with an index.
     using Describe = std::function<std::string(const unsigned int)>;
 
-    /// Creates a solver for the tangent @p tangent_operator with the strategy
+    /// Creates a solver for the stiffness @p tangent_operator with the strategy
     /// @p which. The structure and @p rows must outlive this object.
     ContactSolver(std::shared_ptr<const TangentOperator> tangent_operator,
                   const GapConstraints                  &rows,
                   const SolverParameters &parameters = SolverParameters(),
                   const Strategy          which      = Strategy::condensed);
 
-    /// Callback for a line of text per iteration; no output by default.
+    /// Callback for one line of text per round; no output by default.
     Progress progress;
-    /// Description of a gap constraint in messages; by default its number.
+    /// Description of a gap constraint in messages; its index by default.
     Describe describe;
 
     /// Returns the linear solution at load factor @p factor without contact,
-    /// refined by at least two corrections. Springs have no force at the
-    /// offsets @p rest. Throws NumericsError if it is not finite.
+    /// refined by at least two corrections. Stabilizing springs have no force
+    /// at the offsets @p rest. Throws NumericsError if it is not finite.
     State
     solve_free(const LoadFactor &factor, const SpringOffsets &rest = {});
 
     /// Returns the solution with contact, starting from @p free, the result of
     /// solve_free() at the same @p factor, and from the forces and active set
-    /// of the @p previous load step, if any. Without friction the start affects
-    /// the number of rounds only. Returns @p free if no constraint penetrates
-    /// there. Throws NumericsError, naming the constraints that still change,
-    /// if the active set does not converge.
+    /// of the @p previous load step, if any. Without friction, the start
+    /// affects the number of rounds only. Returns @p free if no constraint
+    /// penetrates there. Throws NumericsError, naming the constraints that
+    /// still change, if the active set does not converge.
     ///
     /// Each round determines the active set for the current estimates of the
-    /// forces (method of multipliers), refines the state, and checks the
-    /// contact law. The loop ends if no active constraint is tensile, no
-    /// inactive constraint penetrates beyond rounding, and active constraints
-    /// satisfy the law to law_tolerance or weak_law_tolerance.
+    /// contact forces (method of multipliers), refines the state, and checks
+    /// the contact law. The loop ends if no active constraint is tensile, no
+    /// inactive one penetrates beyond rounding, and active ones satisfy the law
+    /// to law_tolerance or weak_law_tolerance.
     State
     solve_contact(const State      &free,
                   const LoadFactor &factor,
@@ -105,17 +103,18 @@ namespace lamella
 
     /// Returns @p state, a result of solve_contact(), without the influence of
     /// the stabilizing springs. Each round solves with spring offsets at the
-    /// previous state. Throws NumericsError after max_releases rounds: the body
-    /// is unconstrained, or the springs are too stiff.
+    /// previous state. Throws NumericsError after max_releases rounds if a body
+    /// is unconstrained or the springs are too stiff.
     State
     release_springs(State state, const LoadFactor &factor);
 
-    /// Returns the gap of each constraint at load factor @p factor [length].
+    /// Returns the gap [length] of each constraint for the displacements @p u
+    /// at load factor @p factor.
     std::vector<double>
     gaps(const BlockVector &u, const LoadFactor &factor) const;
 
-    /// Solves the linear system of one correction with the active constraints
-    /// @p closed (ContactStrategy::solve()).
+    /// Solves for corrections of displacements and forces with the active
+    /// constraints @p closed (ContactStrategy::solve()).
     void
     solve_linear(const ActiveConstraints &closed,
                  const BlockVector       &r_u,
@@ -126,8 +125,8 @@ namespace lamella
       strategy->solve(closed, r_u, r_lambda, du, dlambda);
     }
 
-    /// Returns the active gaps of @p state, with all their slips constrained as
-    /// if sticking. The resulting linear system is symmetric.
+    /// Returns the active constraints of @p state with all their slips
+    /// prescribed, as if no point slipped; the linear system is symmetric.
     ActiveConstraints
     sticking_equations(const State &state) const;
 
@@ -137,28 +136,28 @@ namespace lamella
     {
       return strategy->memory();
     }
-    /// Restores @p memory in a new solver of the same scene.
+    /// Restores data of the contact strategy, the result of memory().
     void
     restore(const StrategyHistory &memory)
     {
       strategy->restore(memory);
     }
 
-    /// Returns the tangent operator.
+    /// Returns the tangent stiffness with its factorizations.
     const TangentOperator &
     tangent() const
     {
       return *tangent_operator;
     }
 
-    /// Returns the tangent operator for another solver with other constraints.
+    /// Returns the tangent stiffness for another solver with other constraints.
     std::shared_ptr<const TangentOperator>
     shared_tangent() const
     {
       return tangent_operator;
     }
 
-    /// Returns warnings of the strategy, one sentence each.
+    /// Returns warnings of the contact strategy, one sentence each.
     std::vector<std::string>
     warnings() const
     {
@@ -171,8 +170,8 @@ namespace lamella
     {
       /// Active constraints that are tensile, and inactive ones that penetrate.
       std::vector<unsigned int> tensile, penetrating;
-      /// Sticking constraints with a shear force beyond mu lambda_n, and
-      /// slipping ones whose slip is along their shear force.
+      /// Sticking constraints whose shear force exceeds the friction limit, and
+      /// slipping ones whose slip is in the direction of their shear force.
       std::vector<unsigned int> friction_violations;
       /// Largest error of the remaining active constraints: |g + a lambda|, or
       /// the slip |v| of sticking constraints [length].
@@ -186,7 +185,8 @@ namespace lamella
       }
     };
 
-    /// Returns the violations in @p state. Gaps above -@p closed count as zero.
+    /// Returns the violations of the contact law; gaps above -@p closed are
+    /// zero.
     ContactViolations
     violations(const State      &state,
                const LoadFactor &factor,
@@ -202,17 +202,17 @@ namespace lamella
                             const double       small,
                             ContactViolations &found) const;
 
-    /// Returns -(g + a lambda) of each gap in @p closed, and -v of each slip v.
+    /// Returns -(g + a lambda) of each gap g in @p closed, and minus each slip.
     Vector
     law_residual(const State             &state,
                  const LoadFactor        &factor,
                  const ActiveConstraints &closed) const;
-    /// Returns the violations() beyond the rounding of the last correction.
+    /// Returns the violations of the contact law beyond rounding.
     ContactViolations
     find_violations(const State &state, const LoadFactor &factor) const;
 
-    /// Returns true if the @p error of the contact law [length] is small
-    /// enough. The tolerance is larger if the last round @p was_slow.
+    /// Returns true if the @p error of the contact law [length] is below
+    /// law_tolerance, or weak_law_tolerance if the last round @p was_slow.
     bool
     satisfies_contact_law(const State      &state,
                           const LoadFactor &factor,
@@ -226,31 +226,30 @@ namespace lamella
     first_problem(const State      &free,
                   const LoadFactor &factor,
                   const State      &previous) const;
-    /// Returns the next problem, about @p state with its forces as estimates.
+    /// Returns the next contact problem, about @p state; the estimates are its
+    /// forces.
     ContactProblem
     problem_at(const State &state, const LoadFactor &factor) const;
 
-    /// Replaces @p state by one with the contact forces of @p settled, as found
-    /// by the strategy before refinement, and returns true if these satisfy the
-    /// contact law. (Refinement may shift forces between dependent
-    /// constraints.) Else returns false, without effect.
+    /// Replaces the forces of @p state by those of @p settled, found by the
+    /// strategy before refinement, and returns true if they satisfy the contact
+    /// law. Otherwise returns false, without effect.
     bool
     multipliers_are_reliable(State            &state,
                              const State      &settled,
                              const LoadFactor &factor);
 
     /// Corrects the active set of the refined @p state if rounding of the
-    /// compliance leads to the same wrong set again: tensile constraints are
-    /// deactivated, penetrating ones activated, and the state is refined, up to
+    /// compliance leads to the same wrong set again: deactivates tensile
+    /// constraints, activates penetrating ones and refines, up to
     /// max_set_corrections times. Returns false, without effect, on failure.
     bool
     correct_active_set(State &state, const LoadFactor &factor);
 
     /// Corrects the displacements and the forces of the active constraints
-    /// once, with a constant active set. The residuals are r_u = t f + B^T
-    /// lambda - integral B^T C (B u) and r_lambda = -(g + a lambda), or the
-    /// negative slip -v of sticking points. Returns the maximum norm of the
-    /// correction over that of u. Throws NumericsError if it is not finite.
+    /// once, with a constant active set, from the residuals of equilibrium and
+    /// of the contact law. Returns the maximum norm of the correction over that
+    /// of the displacements. Throws NumericsError if it is not finite.
     double
     correct(State &state, const LoadFactor &factor);
 
@@ -271,8 +270,7 @@ namespace lamella
     double
     displacement_scale(const State &state, const LoadFactor &factor) const;
 
-    /// Returns the tolerance @p share times displacement_scale(), at least
-    /// State::rounding() [length].
+    /// Returns @p share times displacement_scale(), at least State::rounding().
     double
     length_of(const double      share,
               const State      &state,
@@ -293,8 +291,8 @@ namespace lamella
                      const std::vector<unsigned int> &changing) const;
 
     /// Throws the NumericsError of release_springs() for the rigid motion
-    /// @p motion of @p body. @p rate is the ratio of successive spring forces.
-    /// If close to 1, nothing else constrains the motion. Otherwise the springs
+    /// @p motion of @p body. If the ratio @p rate of successive spring forces
+    /// is close to 1, nothing else constrains the motion. Otherwise the springs
     /// are too stiff, and the message gives a suitable Stabilization.
     [[noreturn]] void
     throw_unconstrained_motion(const std::string &body,

@@ -13,32 +13,32 @@
 
 namespace lamella
 {
-  /// Solution method for contact (`Contact strategy`). Both methods give the
-  /// same results if these are unique, as for little friction.
+  /// Solution method for contact (entry `Contact strategy`). Both methods give
+  /// the same results if the solution is unique, as with little friction.
   enum class Strategy
   {
     undefined,
-    condensed, ///< K factorized once, contact on its compliance:
-               ///< CondensedStrategy
-    full       ///< K + K^p of the whole scene, as in the paper: FullStrategy
+    condensed, ///< Factorization of K per body: CondensedStrategy.
+    full       ///< K + penalties of the whole scene: FullStrategy.
   };
 
+  /// Names of the contact strategies in parameter files.
   template <>
   struct Names<Strategy>
   {
+    /// Value and name of each contact strategy.
     static constexpr NameOf<Strategy> all[] = {{Strategy::condensed,
                                                 "condensed"},
                                                {Strategy::full, "full"}};
   };
 
-  /// Base class of the contact solvers for a constant tangent, that of a
-  /// TangentOperator: finds the active set, and solves linear systems with a
-  /// given active set. ContactSolver refines the result against the residual.
-  /// Keeps references to the tangent operator and the constraints. Collective,
-  /// with the same arguments on all processes.
+  /// Base class of the contact solvers for a constant tangent stiffness: finds
+  /// the active set, and solves linear systems with a given active set.
+  /// ContactSolver refines the result. Collective, with equal arguments.
   class ContactStrategy
   {
   public:
+    /// Keeps references to both arguments, which must outlive this object.
     ContactStrategy(const TangentOperator &tangent_operator,
                     const GapConstraints  &rows)
       : tangent_operator(tangent_operator)
@@ -49,16 +49,14 @@ namespace lamella
     operator=(const ContactStrategy &) = delete;
     virtual ~ContactStrategy();
 
-    /// Solves @p problem,
+    /// Finds the active set and the increment of @p problem from its state,
     ///   K du = B^T (lambda - lambda_state),  g = g_state + B du,
     ///   lambda = max(0, ((d - a) lambda_bar - g) / d),
-    /// and returns the solution with its active set. This is the law of
-    /// contact, g + a lambda >= 0, with the compliance a increased to the
-    /// numerical compliance d, about an estimate lambda_bar of the forces
-    /// (NumericalCompliance). The solution is unique without friction.
-    /// @p monitor is called after each round; its exceptions end the search.
-    /// The increment is zero if penetrations, forces and estimates are zero.
-    /// Throws NumericsError if a system cannot be solved.
+    /// with gaps g, constraint rows B and contact forces lambda. This is the
+    /// contact law with the compliance a increased to d about an estimate
+    /// lambda_bar of the forces (NumericalCompliance). The solution is unique
+    /// without friction. @p monitor is called after each round; its exceptions
+    /// end the search. Throws NumericsError if a system cannot be solved.
     virtual ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor) = 0;
 
@@ -78,27 +76,27 @@ namespace lamella
           BlockVector             &du,
           Vector                  &dlambda) = 0;
 
-    /// Returns the data that a restarted run needs.
+    /// Returns the data of this strategy that a restarted run needs.
     virtual StrategyHistory
     memory() const = 0;
-    /// Restores @p memory in a new strategy of the same scene. Collective.
+    /// Restores the result of memory() in a new strategy. Collective.
     virtual void
     restore(const StrategyHistory &memory) = 0;
 
-    /// Increases the numerical penalty, which accelerates the convergence of
-    /// the multiplier estimates (NumericalCompliance).
+    /// Increases the numerical penalty tenfold, which accelerates the
+    /// convergence of the estimated contact forces (NumericalCompliance).
     void
     increase_penalty()
     {
       numerical_compliance.increase_penalty();
     }
 
-    /// Returns true if the forces of solve() are accurate before refinement.
-    /// False for FullStrategy, where penalties cost digits.
+    /// Returns true if the contact forces of solve() are accurate before
+    /// refinement; false for FullStrategy, where penalties cost digits.
     virtual bool
     forces_are_accurate() const = 0;
 
-    /// Returns a remedy, part of a sentence, if contact does not converge.
+    /// Returns advice, part of a sentence, if contact does not converge.
     virtual std::string
     remedy() const = 0;
 
@@ -110,13 +108,13 @@ namespace lamella
     }
 
   protected:
-    const TangentOperator &tangent_operator;
-    const GapConstraints   rows;
-    NumericalCompliance    numerical_compliance;
+    const TangentOperator &tangent_operator;     ///< Tangent stiffness.
+    const GapConstraints   rows;                 ///< All contact constraints.
+    NumericalCompliance    numerical_compliance; ///< Current penalty.
   };
 
-  /// Returns a strategy of the kind @p which for the tangent
-  /// @p tangent_operator, which must have solvers for `condensed`.
+  /// Returns a strategy of the kind @p which for the constraints @p rows. The
+  /// stiffness @p tangent_operator must have factorizations for `condensed`.
   std::unique_ptr<ContactStrategy>
   make_strategy(const Strategy         which,
                 const TangentOperator &tangent_operator,

@@ -22,11 +22,10 @@ namespace lamella
   /// W may be singular. The solution is unique for small mu only.
   struct CoulombProblem
   {
-    PointCompliance compliance;
-    /// Gap and slip of each point under the forces `about` (empty: zero).
-    PointVectors q, about = {};
-    /// Friction coefficient mu of each point.
-    std::vector<double> friction;
+    PointCompliance compliance; ///< Compliance W of the contact points.
+    /// Gap and slip of each point under the forces `about`.
+    PointVectors        q, about = {}; ///< Reference forces; zero if empty.
+    std::vector<double> friction; ///< Friction coefficient mu of each point.
   };
 
   /// Contact state of a point.
@@ -40,59 +39,56 @@ namespace lamella
   /// Solution of a CoulombProblem, with its error and numbers of iterations.
   struct CoulombSolution
   {
-    PointVectors            force;
-    std::vector<PointState> states;
-    /// Relative error: largest component of lambda - P(lambda - v), with the
-    /// projection P onto the friction cone |lambda_t| <= mu lambda_n, over the
-    /// largest scaled force if that exceeds 1.
+    PointVectors            force;  ///< Contact forces (n, t_1, t_2).
+    std::vector<PointState> states; ///< Contact state of each point.
+    /// Relative error of the contact law: the largest component of lambda -
+    /// P(lambda - v), with forces lambda, gaps and slips v and the projection P
+    /// onto the friction cone, over the largest scaled force if that exceeds 1.
     double error = 0.;
-    /// Sign of the determinant of the matrix that maps the contact forces to
-    /// the gaps and sticking slips of closed points: -1 for an unstable
-    /// solution; 1 if no point is closed. W is regularized in case there are
-    /// more contact points than surface DoFs.
-    int stability = 1;
-    /// Name of the method that ended the first round, for reports, and total
-    /// number of linear systems solved.
-    std::string  by;
-    unsigned int iterations = 0;
+    /// Sign of the determinant of the matrix that maps contact forces to the
+    /// gaps and sticking slips of closed points: -1 for an unstable solution,
+    /// which no load path reaches; 1 if no point is closed.
+    int          stability = 1;
+    std::string  by; ///< Method that ended the first proximal iteration.
+    unsigned int iterations = 0; ///< Total number of linear systems solved.
   };
 
-  /// Tolerances and limits of solve_coulomb() and its methods 1 to 3.
+  /// Tolerances and limits of the three methods listed in solve_coulomb().
   struct CoulombRules
   {
-    /// Tolerance of CoulombSolution::error.
-    double tolerance = 1e-11;
-    /// Regularization of W relative to the largest diagonal entry of a point,
-    /// which makes W definite; proximal iterations remove its effect.
+    double tolerance = 1e-11; ///< Tolerance of CoulombSolution::error.
+    /// Regularization added to W, relative to the largest diagonal entry of a
+    /// point, so that W is definite; proximal iterations remove its effect.
     double compliance = 1e-10;
-    /// Regularization of W for the stability test, relative to the diagonal.
-    double stability_regularization = 1e-4;
-    /// Proximal iterations end after `max_rounds`, after `idle` rounds without
-    /// a smaller error, or if the error of a round exceeds `failed`.
-    unsigned int max_rounds = 30, idle = 2;
-    double       failed = 1e-6;
-    /// Maximum number of Newton iterations from the initial forces, after
-    /// Gauss-Seidel sweeps, and after method 2.
-    unsigned int first_iterations = 3, iterations = 40, last_iterations = 12;
-    /// Maximum number of Newton iterations after the tolerance is met. They go
-    /// on while each reduces the error tenfold and it exceeds `digits`.
+    /// Regularization of W for the stability test, relative to its diagonal.
+    double       stability_regularization = 1e-4;
+    unsigned int max_rounds = 30; ///< Maximum number of proximal iterations.
+    /// Proximal iterations end after this number without a smaller error.
+    unsigned int idle = 2;
+    /// Proximal iterations end if the error of one of them exceeds this value.
+    double failed = 1e-6;
+    /// Maximum number of Newton iterations from the initial forces.
+    unsigned int first_iterations = 3,
+                 iterations       = 40, ///< Maximum after Gauss-Seidel sweeps.
+      last_iterations             = 12; ///< Maximum after cone_minimum().
+    /// Maximum number of Newton iterations after the tolerance is met. They
+    /// continue while each reduces the error tenfold.
     unsigned int extra_iterations = 3;
-    double       digits           = 1e-15;
-    /// Number of the first Newton iteration with a line search; numbers of
-    /// Gauss-Seidel sweeps and of rounds of method 2.
-    unsigned int damped_from = 4;
-    unsigned int sweeps      = 20;
-    unsigned int cone_rounds = 6;
-    /// Method 2 uses at least this friction coefficient in cone_minimum().
+    double       digits           = 1e-15; ///< Error at which Newton ends.
+    unsigned int damped_from = 4;  ///< First Newton iteration with line search.
+    unsigned int sweeps      = 20; ///< Number of Gauss-Seidel sweeps.
+    unsigned int cone_rounds = 6;  ///< Maximum number of rounds of method 2.
+    /// Lower bound of the friction coefficient in method 2 (cone_minimum()).
     double min_friction = 1e-4;
-    /// Method 3: initial regularizations relative to the diagonal of W in its
-    /// two attempts, and their factors of decrease. If the error exceeds
-    /// `solved`, the regularization is multiplied by `increase_factor`. Limits:
-    /// rounds, and Gauss-Seidel sweeps per round.
-    double first_compliance = 0.1, second_compliance = 1.;
-    double decrease_factor = 0.1, slow_decrease_factor = 0.3,
-           increase_factor = 5., solved = 1e-9;
-    unsigned int max_regularized_rounds = 60, regularized_sweeps = 200;
+    /// Initial regularization of W in method 3, relative to its diagonal.
+    double first_compliance  = 0.1,
+           second_compliance = 1.;  ///< Its value in a second attempt.
+    double decrease_factor   = 0.1, ///< Factor of regularization per round.
+      slow_decrease_factor   = 0.3, ///< Its value in a second attempt.
+      increase_factor        = 5., ///< Its value if the error exceeds `solved`.
+      solved = 1e-9; ///< Error below which a round of method 3 succeeds.
+    unsigned int max_regularized_rounds = 60, ///< Maximum rounds of method 3.
+      regularized_sweeps = 200; ///< Gauss-Seidel sweeps per round of method 3.
   };
 
   /**

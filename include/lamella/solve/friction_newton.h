@@ -12,30 +12,28 @@
 namespace lamella
 {
   /// Newton's method with Coulomb friction on the displacements and contact
-  /// forces of the whole scene for the `full` strategy. For each constraint,
-  /// with the gap g, the slip s - s_0 in the load step, the force lambda and
-  /// its estimate lambda_bar, the compliance a of the contact law and the
-  /// numerical compliance d, let
-  ///   v = (g, s - s_0) + a lambda + (d - a) (lambda - lambda_bar),
+  /// forces of the whole scene for the `full` strategy. For the gap g, the slip
+  /// s in the load step, the force lambda and its estimate lambda_bar, the
+  /// law_compliance() a and the numerical compliance d of a constraint, let
+  ///   v = (g, s) + a lambda + (d - a) (lambda - lambda_bar),
   /// The method is that of Alart and Curnier (Comput. Methods Appl. Mech. Eng.
   /// 92 (1991) 353-375) for equilibrium and lambda = P(lambda - rho v), with
   /// the projection P onto the friction cone and a parameter rho. With the
   /// trial force z = lambda - rho v, its tangential direction e, b = mu max(0,
   /// z_n) and k = b / |z_t|, a constraint is in one of three states:
   ///   open    where z_n <= 0:     lambda = 0;
-  ///   sticks  where |z_t| <= b:   v = 0, in K^p (B_n^T B_n + B_t^T B_t) / d;
-  ///   slips   otherwise:          v_n = 0, lambda_t along e mu lambda_n, and
-  ///                               across it w (-s), w = k rho / (1 - k + k rho
-  ///                               d):
+  ///   sticks  where |z_t| <= b:   v = 0, K^p = (B_n^T B_n + B_t^T B_t) / d;
+  ///   slips   otherwise:          v_n = 0, lambda_t = mu lambda_n along e,
+  ///           -w s across e with w = k rho / (1 - k + k rho d), and K^p =
   ///     B_n^T B_n / d + (mu / d) B_e^T B_n + w B_x^T B_x,
-  /// where the last line is the contribution of a slip to the stiffness, with
+  /// where K^p is the contribution of the constraint to the stiffness, with
   /// the rows B_n of the gap, B_t of the slips, B_e along e and B_x across it.
-  /// After some steps, every fourth step is shortened if that reduces |lambda -
-  /// P(lambda - rho v)|. The tangential rho is b / |v_t| for a slip v_t. Keeps
-  /// references to all arguments.
+  /// Steps are shortened by a line search every fourth time after the first
+  /// eight. The tangential rho is b / |v_t|. Keeps references to all arguments.
   class FrictionNewton
   {
   public:
+    /// Keeps references to all arguments, which must outlive this object.
     FrictionNewton(const TangentOperator     &tangent_operator,
                    const GapConstraints      &rows,
                    const NumericalCompliance &compliance,
@@ -46,8 +44,8 @@ namespace lamella
       , matrix(matrix)
     {}
 
-    /// Solves a problem with slips as ContactStrategy::solve() does. Throws
-    /// NumericsError for a negative determinant (unstable solution).
+    /// Solves a contact problem with friction (ContactStrategy::solve()).
+    /// Throws NumericsError for a negative determinant (unstable solution).
     ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor);
 
@@ -55,25 +53,23 @@ namespace lamella
     /// An iterate of Newton's method, relative to the state of the problem.
     struct Iterate
     {
-      /// Displacement increment du, and K du computed from strains.
-      BlockVector du, K_du;
-      /// Total force of each constraint as (n, t_1, t_2).
-      PointVectors force;
-      /// Largest change of du in the last step.
-      double change;
+      /// Displacement increment du, and the forces K du computed from strains.
+      BlockVector  du, K_du;
+      PointVectors force;  ///< Total force of each constraint as (n, t_1, t_2).
+      double       change; ///< Largest change of du in the last step.
     };
 
-    /// Trial values v and z (class documentation) of all constraints.
+    /// Gaps and slips v and trial forces z (FrictionNewton) of all constraints.
     struct Trial
     {
       PointVectors v, z;
-      /// Friction bound mu max(0, z_n), and rho for tangents [force / length].
+      /// Friction limit mu max(0, z_n), and tangential rho [force / length].
       std::vector<double>     bound, rho;
       std::vector<PointState> states;
     };
 
-    /// Linearized contact law: the forces after the displacement increment du
-    /// are lambda + change - sum of weight B_on du over all terms.
+    /// Linearized contact law: the forces after a displacement increment are
+    /// lambda + change - sum of weight times gap or slip increment.
     struct Law
     {
       PointVectors             change;
@@ -82,7 +78,7 @@ namespace lamella
 
     /// Values below which quantities are rounding: `closed` for gaps of open
     /// constraints, `slip_rounding` for gaps and slips of closed ones, `small`
-    /// for forces. rho for normals; also for tangents if same_rho.
+    /// for forces. rho is that of normals, and of tangents if same_rho is true.
     struct Scales
     {
       double closed = 0., slip_rounding = 0., small = 0., rho = 0.;
@@ -100,7 +96,8 @@ namespace lamella
     trial(const ContactProblem &problem,
           const Iterate        &at,
           const Scales         &scale) const;
-    /// Adds the linearized law of the closed constraint @p r to @p law.
+    /// Adds the linearized law of constraint @p r, which is not open, to
+    /// @p law.
     void
     linearize(const unsigned int r,
               const Iterate     &at,
@@ -114,11 +111,11 @@ namespace lamella
                    Law               &law) const;
     Iterate
     step(const ContactProblem &problem, const Iterate &at, const Trial &trial);
-    /// Returns lambda - P(lambda - rho v) of constraint @p r [force].
+    /// Returns the residual lambda - P(lambda - rho v) of a constraint.
     static dealii::Tensor<1, 3>
     missed(const unsigned int r, const Iterate &at, const Trial &trial);
-    /// Returns the iterate on the way from @p from to @p to with the smallest
-    /// |lambda - P(lambda - rho v)|.
+    /// Line search: returns the iterate between @p from and @p to with the
+    /// smallest residual |lambda - P(lambda - rho v)|.
     Iterate
     shortened(const ContactProblem &problem,
               const Iterate        &from,
