@@ -9,71 +9,79 @@
 
 namespace lamella
 {
-  /// Friction variables of a state: vectors in scene axes, one per gap
-  /// constraint. Empty without friction and before the first load step.
-  ///
-  /// Coulomb's law in a load step, with the slip s_0 at its beginning:
+  /// Friction variables of an equilibrium state: one entry per gap constraint,
+  /// vectors in scene axes. Empty without friction and before the first load
+  /// step. Coulomb's law in a load step, with displacements u, slip s, initial
+  /// slip s_0, normal force lambda_n, shear force lambda_t, friction
+  /// coefficient mu:
   ///   v = s(u) + a lambda_t - s_0,   |lambda_t| <= mu lambda_n,
   ///   v = 0 where |lambda_t| < mu lambda_n,
   ///   lambda_t = -mu lambda_n v / |v| where v is not zero.
-  /// The compliance a (law_compliance()) also acts tangentially.
+  /// The compliance a of a penalty (law_compliance()) also acts tangentially.
   struct FrictionState
   {
-    /// Tangential force lambda_t on the second side [force].
+    /// Shear force of each constraint on the second contact side [force].
     std::vector<dealii::Tensor<1, 3>> shear;
-    /// Unit vector lambda_t / |lambda_t| of slipping constraints; else zero.
+    /// Unit vector along the shear force of slipping constraints; else zero.
     std::vector<dealii::Tensor<1, 3>> direction;
-    /// Slip s_0 [length], also of open constraints.
+    /// Slip of each constraint, active or not, at the start of the load step,
+    /// including the elastic slip of a penalty [length].
     std::vector<dealii::Tensor<1, 3>> before;
-    /// Accumulated slip length, and accumulated dissipated energy. A step adds
-    /// mu (lambda_n,0 + lambda_n,1) / 2 |v| >= 0 (forces at its ends).
-    std::vector<double> length, dissipated;
-    /// Gap including the compliance of the law, g + a lambda_n [length].
+    /// Slip length of each constraint, summed over all load steps.
+    std::vector<double> length;
+    /// Energy dissipated by each constraint in all load steps: per step,
+    /// friction coefficient times slip length times mean normal force.
+    std::vector<double> dissipated;
+    /// Gap of each constraint plus compliance times normal force [length].
     std::vector<double> contact_gap;
-    /// Accumulated error of the energy balance of all constraints, per step
-    ///   - mean lambda . (change of (g, s) + a lambda) - dissipated,
-    /// with the mean of the forces at the beginning and end of the step.
+    /// Error of the energy balance of friction [energy], summed over all
+    /// constraints and load steps. With mean forces of the step, each step adds
+    ///   - (mean contact force) . (change of gap and slip) - dissipated energy.
     double path_gap = 0.;
 
+    /// Returns true without friction, and before the first load step.
     bool
     empty() const
     {
       return shear.empty();
     }
 
-    /// Returns the energy dissipated by friction in all constraints.
+    /// Returns the energy dissipated by friction, summed over all constraints.
     double
     all_dissipated() const;
 
-    /// Returns the initial variables of @p rows, zero except initial gaps.
+    /// Returns the friction variables of the unloaded scene: initial gaps of
+    /// the constraints @p rows; zero forces, slips and energies.
     static FrictionState
     unloaded(const GapConstraints &rows);
   };
 
-  /// End of the message if a friction solution is unstable or was not found.
+  /// Last sentence of error messages if a friction solution is not found.
   constexpr const char *friction_remedy =
     ". Try more Substeps, a smaller step in Load factors, or a softer penalty.";
 
-  /// Throws NumericsError if the friction solution is unstable.
+  /// Throws NumericsError: the equilibrium with friction is unstable.
   [[noreturn]] void
   throw_unstable();
 
-  /// Returns the components of the scene vector @p vector along the two
-  /// tangents of @p row; in_scene() is the inverse.
+  /// Returns the components of @p vector (scene axes) along the two tangents of
+  /// the contact constraint @p row; zero if it has no friction.
   dealii::Tensor<1, 2>
   along_tangents(const GapConstraint &row, const dealii::Tensor<1, 3> &vector);
+  /// Returns the scene vector with the @p components along the tangents of the
+  /// contact constraint @p row.
   dealii::Tensor<1, 3>
   in_scene(const GapConstraint &row, const dealii::Tensor<1, 2> &components);
 
-  /// Returns the slip of @p row at displacements @p u and load factor
-  /// @p factor, along its two tangents [length].
+  /// Returns the slip (relative tangential displacement) of the constraint @p
+  /// row at @p u and @p factor, along its two tangents [length].
   dealii::Tensor<1, 2>
   slip_of(const GapConstraint &row,
           const BlockVector   &u,
           const LoadFactor    &factor);
 
-  /// Adds the contact force of @p row, with normal force @p normal and shear
-  /// force @p shear, to the load vector @p f.
+  /// Adds the nodal forces of the contact constraint @p row, for its @p normal
+  /// force and @p shear force (scene axes), to the load vector @p f.
   void
   add_force(const GapConstraint        &row,
             const double                normal,

@@ -10,62 +10,65 @@
 
 namespace lamella
 {
-  /// Returns the forces of the constraints: normal and two tangential.
+  /// Returns the contact forces of all constraints along normal and tangents.
   std::vector<dealii::Tensor<1, 3>>
   forces_by_rows(const GapConstraints &rows, const State &state);
 
-  /// Returns the slip of constraint number @p r in the load step, s + a
-  /// lambda_t - s_0 (FrictionState) [length].
+  /// Returns the slip of the constraint @p row, of index @p r, since the start
+  /// of the load step, including the elastic slip of a penalty [length].
   dealii::Tensor<1, 2>
   slip_in_step(const GapConstraint &row,
                const unsigned int   r,
                const State         &state,
                const LoadFactor    &factor);
 
-  /// Sets slips, shear forces and initial forces of @p problem from @p state.
+  /// Adds the friction data of @p state to @p problem: slips in the load step,
+  /// without elastic slip, and contact forces.
   void
   add_friction(const GapConstraints &rows,
                const State          &state,
                const LoadFactor     &factor,
                ContactProblem       &problem);
 
-  /// Stores the forces @p found by a contact strategy in @p state.
+  /// Copies forces, slip directions and active set of @p found to @p state.
   void
   store_forces(const GapConstraints  &rows,
                const ContactSolution &found,
                State                 &state);
 
-  /// Returns the active gaps, sticking and slipping constraints of @p state.
+  /// Returns the equations of the active constraints of @p state: zero gap and
+  /// zero slip if they stick, zero gap only if they slip.
   ActiveConstraints
   active_equations(const GapConstraints &rows, const State &state);
 
-  /// Adds the increments @p dlambda to the forces of @p state; the shear forces
-  /// of slipping constraints change with their normal forces.
+  /// Adds the force increments @p dlambda of the equations @p closed to the
+  /// forces of @p state. Shear forces of slipping constraints follow from the
+  /// friction coefficient and the new normal force.
   void
   add_forces(const GapConstraints    &rows,
              const ActiveConstraints &closed,
              const Vector            &dlambda,
              State                   &state);
 
-  /// Returns the friction error of the active constraint @p r in @p state
-  /// [length]: |v| if it sticks, |v + |v| e| if it slips, with the slip v =
-  /// slip_in_step() and the unit vector e along the shear force.
+  /// Returns the error of Coulomb's law at the active constraint @p row, of
+  /// index @p r: |v| if it sticks, |v + |v| e| if it slips, with the slip v in
+  /// the load step and the unit vector e along the shear force [length].
   double
   friction_error(const GapConstraint &row,
                  const unsigned int   r,
                  const State         &state,
                  const LoadFactor    &factor);
 
-  /// Updates the friction variables of @p state at the end of a load step from
-  /// @p before: slips, slip lengths and dissipated energy.
+  /// Updates the friction variables of @p state at the end of a load step with
+  /// small displacements, which began at the state @p before.
   void
   end_step(const GapConstraints &rows,
            const State          &before,
            const LoadFactor     &factor,
            State                &state);
 
-  /// Updates the friction variables as end_step() does for moving contacts,
-  /// whose slips are zero at the beginning of each load step.
+  /// Updates the friction variables of @p state at the end of a load step with
+  /// moving contacts, which began at the state @p before.
   void
   end_moved_step(const GapConstraints &rows,
                  const State          &before,

@@ -9,31 +9,33 @@
 namespace lamella
 {
   /// Newton's method on the displacements u and contact forces lambda of the
-  /// whole scene. A constraint with gap g and law compliance a is active if
+  /// whole scene. A constraint with gap g and compliance a of its contact law
+  /// is active if
   ///   lambda - (g(u) + a lambda) / d > 0
-  /// (semi-smooth Newton or primal-dual active set method; for penalties, where
-  /// d = a, this is g < 0), and the step is
+  /// (semi-smooth Newton or primal-dual active set method; for penalties, d =
+  /// a, and the condition is g < 0). The Newton step is
   ///   (K + K^p) du = r_u + B_A^T r_lambda / d,   K^p = B_A^T diag(1/d) B_A,
   ///   dlambda      = (r_lambda - B_A du) / d
-  /// with the rows B_A of the active constraints, the numerical compliance d
-  /// and the residuals r_u of equilibrium and r_lambda = -(g(u) + a lambda).
-  /// Each round factorizes the matrix of the whole scene (PenaltyMatrix) and
-  /// uses the previous forces as estimates. Globalization: tensile constraints
-  /// are deactivated; of the penetrating ones, those with the deepest
+  /// with the tangent stiffness K, gradients B_A of active gaps, numerical
+  /// compliance d, unbalanced forces r_u, and r_lambda = -(g(u) + a lambda).
+  /// Each iteration factorizes the matrix of the whole scene (PenaltyMatrix).
+  /// Globalization: tensile constraints are deactivated. Those with the deepest
   /// penetration are activated, at most eight or as many as are active. If an
   /// active set occurs again, the step ends at the lowest energy along it.
   /// FrictionNewton solves problems with friction.
   class FullStrategy : public ContactStrategy
   {
   public:
-    /// Assembles the stiffness of @p tangent_operator, which needs no solvers.
+    /// Assembles the stiffness of @p tangent_operator, which needs no linear
+    /// solvers, for the contact constraints @p rows.
     FullStrategy(const TangentOperator &tangent_operator,
                  const GapConstraints  &rows);
 
     ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor) override;
 
-    /// Solves one linear system with K + K^p of the active constraints.
+    /// Solves one linear Newton system with the active constraints @p closed,
+    /// for unbalanced forces @p r_u and gap residuals @p r_lambda.
     void
     solve(const ActiveConstraints &closed,
           const BlockVector       &r_u,
@@ -60,7 +62,7 @@ namespace lamella
                                    "a softer penalty, the condensed strategy";
     }
 
-    /// Returns a warning if penalties are too hard (PenaltyMatrix::warnings()).
+    /// Returns a warning if a large penalty causes rounding errors.
     std::vector<std::string>
     warnings() const override
     {
@@ -68,29 +70,30 @@ namespace lamella
     }
 
   private:
-    /// An iterate of Newton's method, relative to the state of the problem.
+    /// Iterate of Newton's method, relative to the state of the problem.
     struct Iterate
     {
-      /// Displacement increment du, and K du computed from strains.
+      /// Displacement increment du, and its internal forces K du.
       BlockVector du, K_du;
-      /// Force of each constraint.
+      /// Contact force of each constraint, positive in compression.
       std::vector<double> force;
-      /// Active constraints, ascending.
+      /// Indices of the active constraints, ascending.
       std::vector<unsigned int> active;
     };
 
-    /// Returns the initial forces and active set, with a zero increment.
+    /// Returns the first iterate: no displacement increment, estimated contact
+    /// forces and active constraints of @p problem.
     Iterate
     begin(const ContactProblem &problem) const;
-    /// Performs the Newton step with the active constraints of @p at; all
-    /// others have no force. Returns the largest change of a displacement.
+    /// Performs the Newton step with the active constraints of @p at. Others
+    /// get no force. Returns the largest change of a displacement [length].
     double
     step(const ContactProblem &problem, Iterate &at);
     /// Returns d lambda - (g + a lambda) of each constraint [length]: d times
     /// its force if positive, or the penetration -g for penalties.
     std::vector<double>
     overlaps(const ContactProblem &problem, const Iterate &at) const;
-    /// Returns true if constraint @p row is active and not tensile.
+    /// Returns true if constraint @p row is active and not tensile in @p at.
     static bool
     stays_active(const Iterate &at, const unsigned int row);
     /// Returns the tensile active constraints, and the inactive ones whose
@@ -99,9 +102,8 @@ namespace lamella
     violating_rows(const Iterate             &at,
                    const std::vector<double> &overlap,
                    const double               closed);
-    /// Returns the next active set, ascending: active constraints without
-    /// tension, and those with the largest overlaps() above @p closed, at most
-    /// eight or as many as are active.
+    /// Returns the next active set: active constraints without tension, and up
+    /// to max(8, number of active) with the largest overlaps() > @p closed.
     static std::vector<unsigned int>
     next_active_set(const Iterate             &at,
                     const std::vector<double> &overlap,

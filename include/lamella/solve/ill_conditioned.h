@@ -7,9 +7,9 @@
 
 namespace lamella
 {
-  /// Exception: a problem that cannot be solved in double precision, such as an
-  /// indefinite stiffness or unbalanced forces. Other cross-section functions
-  /// may succeed.
+  /// Exception: the problem cannot be solved in double precision, for example
+  /// due to an indefinite stiffness or unbalanced forces. The solution is then
+  /// repeated with additional section functions of the beams.
   class IllConditioned : public NumericsError
   {
   public:

@@ -13,54 +13,60 @@
 
 namespace lamella
 {
-  /// Residuals of the Kuhn-Tucker conditions (Eq. 18) and resultants of one
-  /// contact at the end of a load step. The conditions of each constraint are
-  ///   g >= 0,  lambda >= 0,  g lambda = 0   (for penalty with g + lambda / eps
-  ///                                          in the place of g).
-  /// lambda is positive in compression, where p_N of Eq. 18 is negative.
+  /// Residuals of the Karush-Kuhn-Tucker conditions (Eq. 18 of Nagaraj et al.
+  /// 2020) and resultants of one contact at the end of a load step. The
+  /// conditions of a constraint with gap g and contact force lambda, positive
+  /// in compression, are
+  ///   g >= 0,  lambda >= 0,  g lambda = 0.
+  /// With a penalty stiffness eps, g + lambda / eps replaces g.
   struct KktResidual
   {
-    /// Number of constraints with a force.
+    /// Number of constraints with a contact force.
     unsigned int active = 0;
-    /// Resultant contact force on the second side, and its moment about the
-    /// scene origin, from the work on rigid motions: exact.
-    dealii::Tensor<1, 3> force, moment;
-    /// Force and moment of each constraint; their sum is the resultant.
+    /// Resultant contact force on the second side, scene axes.
+    dealii::Tensor<1, 3> force;
+    dealii::Tensor<1, 3> moment; ///< Moment of `force` about the scene origin.
+    /// Force, and moment about the scene origin, of each constraint.
     std::vector<Wrench> of_rows;
-    /// Point on the line of action nearest to the mean of the active points.
+    /// Point on the line of action of `force` nearest to the mean of the active
+    /// contact points, weighted by their forces.
     dealii::Point<3> center_of_pressure;
-    /// Norm of the sum of the contact forces on both bodies over the sum of
-    /// their norms; zero up to rounding.
+    /// Sum of the contact forces on both bodies over the sum of their norms;
+    /// zero up to rounding.
     double imbalance = 0.;
-    /// Largest penetration -g [length]; for penalty, force over penalty eps.
+    /// Largest penetration [length].
     double max_penetration = 0.;
-    /// Smallest force of an active constraint; zero if none is active.
+    /// Smallest contact force of an active constraint; zero if none is active.
     double min_force = 0.;
-    /// Largest lambda max(0, g) [energy], zero if the conditions are satisfied.
+    /// Largest product of contact force and positive gap [energy].
     double complementarity = 0.;
-    /// Largest |g + a lambda| of active constraints and -g of inactive ones
-    /// [length], with a = 1/eps for penalty, else zero.
+    /// Largest error of the contact law [length]: |g + lambda / eps| of active
+    /// constraints, 1 / eps = 0 without penalty; -g of inactive ones.
     double law_error = 0.;
-    /// Largest difference between the initial weighted gap of an active
-    /// constraint and the gap at its point [length]. It is large if the mesh
-    /// does not resolve the curvature of the surfaces.
+    /// Largest difference between initial weighted and pointwise gap of an
+    /// active constraint [length]. It is large if the mesh is too coarse for
+    /// the curvature of the surfaces.
     double unresolved_curvature = 0.;
-    /// Friction: resultant shear force on the second side; areas of sticking
-    /// and slipping constraints [length^2]; dissipated energy.
+    /// Resultant shear force on the second side, scene axes.
     dealii::Tensor<1, 3> shear;
-    double               sticking = 0., slipping = 0., dissipated = 0.;
-    /// Largest of law_error, tension and complementarity, each relative.
+    double               sticking = 0.; ///< Area of sticking points [length^2].
+    double               slipping = 0.; ///< Area of slipping points [length^2].
+    double               dissipated = 0.; ///< Energy dissipated by friction.
+    /// Largest relative violation: law error over displacement, tensile force
+    /// over largest force, or complementarity over the product of both.
     double violation = 0.;
   };
 
-  /// Adds the resultants, areas and energies of @p part to those of @p whole.
+  /// Adds resultants, areas and dissipated energy of @p part to @p whole,
+  /// unless the contact force of @p part is zero.
   void
   add_resultants(KktResidual &whole, const KktResidual &part);
 
-  /// Views of the forces of one contact in a state, by its constraints.
+  /// Views of the contact forces of one contact in a State, one entry per
+  /// constraint. Friction views are empty without friction.
   struct ConstraintForces
   {
-    /// Views contact number @p contact of @p rows in @p state.
+    /// Creates the views for contact @p contact of all constraints @p rows.
     ConstraintForces(const GapConstraints &rows,
                      const unsigned int    contact,
                      const State          &state);
@@ -72,22 +78,26 @@ namespace lamella
       return shear.size() == 0 ? dealii::Tensor<1, 3>() : shear[k];
     }
 
+    /// Returns true if the constraint of index @p k is active and slips.
     bool
     slips(const unsigned int k) const
     {
       return direction.size() > 0 && direction[k].norm() > 0.;
     }
 
-    dealii::ArrayView<const double>               normal;
-    dealii::ArrayView<const dealii::Tensor<1, 3>> shear, direction;
-    /// Views of FrictionState::length and dissipated.
-    dealii::ArrayView<const double> length, dissipated;
+    dealii::ArrayView<const double> normal; ///< Normal forces, compression > 0.
+    /// Shear forces on the second side, in scene axes.
+    dealii::ArrayView<const dealii::Tensor<1, 3>> shear;
+    /// Unit vectors along the shear forces of slipping constraints, else zero.
+    dealii::ArrayView<const dealii::Tensor<1, 3>> direction;
+    dealii::ArrayView<const double> length;     ///< Slip lengths of all steps.
+    dealii::ArrayView<const double> dissipated; ///< Dissipated energies.
   };
 
-  /// Returns the residuals of the contact law of @p contact with @p forces at
-  /// the displacements @p u and load factor @p factor. Adds the contact forces
-  /// to @p on_body, one entry per body. For `violation`, gaps are divided by
-  /// the largest @p displacement.
+  /// Returns the resultants of @p contact and its residuals at the
+  /// displacements @p u and load factor @p factor, with the contact @p forces.
+  /// Adds the contact forces to @p on_body, one entry per body. Relative
+  /// violations refer to the largest @p displacement of the scene.
   KktResidual
   check_contact(const ContactInterface  &contact,
                 const ConstraintForces  &forces,

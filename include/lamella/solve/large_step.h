@@ -8,13 +8,13 @@
 
 namespace lamella
 {
-  /// Load step with finite rotations: Newton's method with moving contacts, and
-  /// checks in the current configuration. A step that fails is bisected.
+  /// Load step with finite rotations: Newton's method with moving contacts,
+  /// then checks of the equilibrium. A step that does not converge is bisected.
   class LargeStep : public Step
   {
   public:
     /// Keeps references to all arguments except @p n_supports, the number of
-    /// supports. @p progress reports iterations, @p monitor factorizations.
+    /// supports. @p progress receives a line of text per iteration.
     LargeStep(const Structure                    &structure,
               const MovingContacts               &contacts,
               const unsigned int                  n_supports,
@@ -38,8 +38,8 @@ namespace lamella
     resume_from(const State &last, const LoadFactor &factor) override;
 
   private:
-    /// Returns the initial equilibrium of a step: @p before at load factor
-    /// @p from, or the unloaded state if empty, for a step to @p to.
+    /// Returns the equilibrium at which the load step to @p to starts: @p
+    /// before at load factor @p from, or the unloaded state if it is empty.
     Equilibrium
     make_start(const State      &before,
                const LoadFactor &from,
@@ -47,7 +47,7 @@ namespace lamella
 
     const Structure &structure;
     Newton           newton;
-    /// Displacements of the last state and of its contact constraints.
+    /// Displacements to which the contact constraints belong.
     BlockVector            reached;
     const unsigned int     n_supports;
     const SolveParameters &parameters;

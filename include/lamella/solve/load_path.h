@@ -23,32 +23,32 @@ namespace lamella
   {
     /// Load factor t, which multiplies loads and prescribed displacements.
     LoadFactor load_factor;
-    State      state;
-    Checks     checks;
-    /// Number of substeps; if automatic, `change` is the distance change_of()
-    /// from the solution with half as many.
-    unsigned int          substeps = 1;
-    std::optional<double> change   = {};
-    /// Number of bisections in this load step.
+    State      state;  ///< Equilibrium state at the end of the load step.
+    Checks     checks; ///< Residuals, balances and resultants of `state`.
+    /// Number of equal substeps of the load step.
+    unsigned int substeps = 1;
+    /// Relative change from the solution with half as many substeps (see
+    /// change_of()); empty if the number of substeps is fixed.
+    std::optional<double> change = {};
+    /// Number of bisections of substeps that did not converge.
     unsigned int cuts = 0;
   };
 
-  /// Returns the relative difference of @p one and @p other, two solutions at
-  /// the same load factor that start from @p before: the largest difference in
+  /// Returns the relative difference of two solutions at the same load factor
+  /// that start from the state @p before: the largest difference in
   /// - forces of supports and contacts, over the largest of these forces,
-  /// - friction forces, over their largest, at least 1 % of the largest force,
+  /// - friction forces, over the largest, at least 1 % of the largest force,
   /// - displacements, over the largest displacement,
   /// - dissipated energy, over its value, at least 1 % of the strain energy.
-  /// The largest force @p before_force and displacement of @p before count as
-  /// references, for steps that unload.
+  /// References are at least @p before_force and the displacement of @p before.
   double
   change_of(const SolvedStep &one,
             const SolvedStep &other,
             const State      &before,
             const double      before_force = 0.);
 
-  /// Interface of the solution of one load step, from a state to a checked
-  /// state at another load factor, independent of the kinematics. Collective.
+  /// Interface for the solution of one load step: from an equilibrium state to
+  /// a checked equilibrium state at another load factor. Collective.
   class Step
   {
   public:
@@ -56,40 +56,41 @@ namespace lamella
 
     /// Returns the solution at load factor @p to, starting from the state
     /// @p before at load factor @p from (empty if unloaded). Throws
-    /// NumericsError if no reliable solution is found. Large deflections are
-    /// checked only if this is the @p last substep.
+    /// NumericsError if no reliable solution is found. The neglected
+    /// effects of large deflections are estimated in the @p last substep only.
     virtual SolvedStep
     operator()(const State      &before,
                const LoadFactor &from,
                const LoadFactor &to,
                const bool        last = true) = 0;
 
-    /// Returns the checks of @p state at @p factor. Throws as operator() does.
+    /// Returns the checks of @p state at load factor @p factor. Throws
+    /// NumericsError if the state is not reliable. Effects of large deflections
+    /// are estimated if @p last is true.
     virtual Checks
     check(const State      &state,
           const LoadFactor &factor,
           const bool        last = true) = 0;
 
-    /// Continues from a state of an interrupted run at its load factor. This
-    /// default implementation does nothing.
+    /// Continues an interrupted run from a state. By default does nothing.
     virtual void
     resume_from(const State &, const LoadFactor &)
     {}
   };
 
-  /// Load step of linear kinematics:
+  /// Load step with linear kinematics:
   ///   1. the linear solution without contact (ContactSolver::solve_free()),
-  ///   2. the solution with contact, starting from the previous active set, and
-  ///      the release of stabilizing springs,
+  ///   2. the solution with contact, which starts from the previous active set,
+  ///      and the removal of stabilizing springs,
   ///   3. checks, which throw if the state is not reliable, or if the search
   ///      distance of a contact was too short.
-  /// Without friction, the previous state affects the number of rounds only.
-  /// Keeps references to all arguments; `timer` measures each Phase.
+  /// Without friction, the previous state affects the number of iterations
+  /// only. Keeps references to all arguments; `timer` measures each Phase.
   class LinearStep : public Step
   {
   public:
-    /// Creates a step with all @p contacts and @p n_supports supports of the
-    /// scene. @p contact_objects, paired once, check the search distances.
+    /// Creates the load step of a scene with @p n_supports supports. @p
+    /// contacts are the constraints of its contacts @p contact_objects.
     LinearStep(ContactSolver                       &solver,
                const std::vector<ContactInterface> &contacts,
                const Contacts                      &contact_objects,
@@ -119,33 +120,34 @@ namespace lamella
     dealii::TimerOutput                 &timer;
   };
 
-  /// Sequence of the load steps of a scene, each of which starts from the state
-  /// of the previous one. branch() returns additional solutions at other load
-  /// factors, which do not affect the load steps.
+  /// Sequence of the load steps of a scene. Each step starts from the state of
+  /// the previous one. branch() returns additional solutions.
   class LoadPath
   {
   public:
-    /// Additional distance between two solutions, used with change_of().
+    /// Relative difference of two solutions at one load factor that start from
+    /// `before`; used in addition to change_of().
     using ChangeMeasure = std::function<double(const SolvedStep &one,
                                                const SolvedStep &other,
                                                const State      &before)>;
 
     /// Creates the path from the unloaded state through the load @p factors,
-    /// each in @p substeps. If @p branches, states are stored for branch().
+    /// each in @p substeps. If @p branches is true, branch() may be called.
     LoadPath(std::shared_ptr<Step>          step,
              const std::vector<LoadFactor> &factors,
              const Substeps                &substeps = {},
              const bool                     branches = false);
 
-    /// Sets an additional distance @p more that automatic substeps reduce.
+    /// Sets @p more, an additional measure of the change between solutions,
+    /// which automatic substeps reduce to their tolerance.
     void
     watch(ChangeMeasure more)
     {
       change_measure = std::move(more);
     }
 
-    /// Resumes after the first @p n_done >= 1 steps with @p last, the state at
-    /// the end of the last of these steps.
+    /// Continues an interrupted run after its first @p n_done >= 1 load steps,
+    /// at whose end the state is @p last.
     void
     resume(const unsigned int n_done, State last);
 
@@ -155,6 +157,7 @@ namespace lamella
     {
       return done;
     }
+    /// Returns true if load steps remain.
     bool
     has_more() const
     {
@@ -166,7 +169,7 @@ namespace lamella
     {
       return factors[done];
     }
-    /// Returns the state of the last completed step; initially empty.
+    /// Returns the state after the last completed load step; initially empty.
     const State &
     state() const
     {
@@ -180,7 +183,7 @@ namespace lamella
     /// Returns and stores the solution at load factor @p factor within load
     /// step @p load_step, or beyond the last step. Starts from the stored state
     /// with the nearest load factor; with friction, from the nearest one
-    /// earlier on the load path. States missing after resume() are recomputed.
+    /// earlier on the path. Recomputes states that are missing after resume().
     SolvedStep
     branch(const double factor, const unsigned int load_step);
 
@@ -192,20 +195,21 @@ namespace lamella
     }
 
   private:
-    /// Solves from @p before, at load @p from, to @p to in @p n substeps.
+    /// Solves from the state @p before at load factor @p from to the load
+    /// factor @p to in @p n equal substeps.
     SolvedStep
     solve_substeps(const State       &before,
                    const LoadFactor  &from,
                    const LoadFactor  &to,
                    const unsigned int n) const;
-    /// Solves from @p before, at load factor @p from, to @p to in the number of
-    /// substeps of the scene, fixed or automatic.
+    /// Solves from the state @p before at load factor @p from to load factor @p
+    /// to in the number of substeps of the scene, fixed or automatic.
     SolvedStep
     solve_requested_substeps(const State      &before,
                              const LoadFactor &from,
                              const LoadFactor &to) const;
 
-    /// Stored state from which branches start, with its factor and load step.
+    /// Start of a branch: state, load factor and index of the load step.
     struct StoredState
     {
       double       factor    = 0.;
@@ -213,13 +217,12 @@ namespace lamella
       State        state;
     };
 
-    /// Stores @p state for branch(), if enabled and new at its load factor.
+    /// Stores @p state for branch(), if branches are enabled and it is new.
     void
     store(const double       factor,
           const unsigned int load_step,
           const State       &state);
-    /// Returns the stored state whose load factor is nearest to @p factor; of
-    /// two equally near, the later one.
+    /// Returns the stored state with the load factor nearest to @p factor.
     StoredState
     nearest(const double factor) const;
     /// Returns the nearest stored state before @p factor in step @p load_step.

@@ -9,16 +9,16 @@
 
 namespace lamella
 {
-  /// Estimate of the memory of matrices before assembly and of factors before
-  /// factorization, compared with the free memory of the machine or a limit.
-  /// Throws InputError on all processes if the memory is insufficient. A matrix
-  /// takes 24 bytes per nonzero, distributed evenly over the processes; the
-  /// size of a factor follows from its symbolic analysis. The memory of all
-  /// processes on a machine is summed. Collective.
+  /// Compares the memory of matrices before assembly, and of factors before
+  /// factorization, with the available memory of the machine or a limit. Throws
+  /// InputError on all processes if it is insufficient. A matrix takes 24 bytes
+  /// per nonzero, distributed evenly over the processes. The size of a factor
+  /// follows from its symbolic analysis. All processes of a machine count.
+  /// Collective.
   class MemoryBudget
   {
   public:
-    /// Sets the limit of bytes per machine; 0 for the available memory.
+    /// Sets the limit in bytes per machine; 0 for the available memory.
     explicit MemoryBudget(const double limit = 0.);
 
     /// Returns a message with the DoFs, nonzeros and gigabytes of the matrices
@@ -26,20 +26,20 @@ namespace lamella
     std::string
     check_matrix_memory(const Structure &structure) const;
 
-    /// Returns a message on the factor of @p body, of @p size bytes on this
-    /// process. Throws InputError if memory is insufficient.
+    /// Returns a message on the factor of the stiffness of @p body, whose size
+    /// on this process is @p size. Throws InputError if memory is insufficient.
     std::string
     check_factor_memory(const Body &body, const FactorSize &size) const;
 
   private:
     /// Throws InputError if a machine has less than @p bytes for each of its
-    /// processes. The message begins with @p what and ends with @p remedy.
+    /// processes. The message contains @p what and @p remedy.
     void
     require(const double       bytes,
             const std::string &what,
             const std::string &remedy) const;
 
-    /// Limit in bytes per machine for the whole run; 0 if there is none.
+    /// Limit in bytes per machine for the whole program; 0 if there is none.
     double limit;
   };
 } // namespace lamella

@@ -14,145 +14,148 @@
 
 namespace lamella
 {
-  /// Contact forces and friction variables of a state, stored by the contact
-  /// point's position on the slave body. When surfaces are paired anew, they
-  /// are transferred to the new constraints at the same positions.
+  /// Transfers contact forces and friction variables to new constraints when
+  /// surfaces are paired anew, by contact points on the slave body.
   class MultiplierTransfer
   {
   public:
     MultiplierTransfer() = default;
+    /// Stores the contact forces and friction variables of @p state.
     MultiplierTransfer(const std::vector<ContactInterface> &contacts,
                        const State                         &state);
 
     /// Sets the contact forces and friction variables of @p state for the
-    /// constraints of @p contacts, at stored positions; elsewhere zero.
+    /// constraints of @p contacts; zero without a stored value at the point.
     void
     transfer_to(const std::vector<ContactInterface> &contacts,
                 State                               &state) const;
 
   private:
-    /// Contact number, cell number, and position in the cell.
+    /// Contact index, cell index, and unit coordinates in the cell.
     using Key = std::array<double, 5>;
+    /// Returns the key of the contact point @p point of contact @p c.
     static Key
     key(const unsigned int c, const ContactInterface::Point &point);
 
-    /// Normal force of a constraint, and its entries in FrictionState.
+    /// Normal force and friction variables (FrictionState) of a constraint.
     struct StoredMultiplier
     {
       double               force = 0.;
       dealii::Tensor<1, 3> shear, direction, before;
       double               length = 0., dissipated = 0.;
     };
-    /// Adds the dissipated energy of constraints that are no longer in
-    /// @p contacts to the first constraint of their contact.
+    /// Adds the dissipated energy of points without new constraint to @p of.
     void
     preserve_dissipation(const std::vector<ContactInterface> &contacts,
                          FrictionState                       &of) const;
 
-    /// Values of all constraints with friction, else of those with a force.
+    /// Values of all constraints with friction, or of the active constraints.
     std::map<Key, StoredMultiplier> places;
   };
 
-  /// An end face of the first or second body of contact number `contact`.
+  /// An end face of a body that needs an `edge to surface` contact.
   struct EndInContact
   {
-    unsigned int contact;
-    bool         of_second;
+    unsigned int contact;   ///< Index of the contact.
+    bool         of_second; ///< True: end of its second body; false: first.
   };
 
-  /// Exception: an edge of a body's end face penetrates the other body since
-  /// the contact has no constraints there. The caller can add an `edge to
-  /// surface` contact; smaller load steps do not help.
+  /// Exception: an edge of an end face may penetrate the other body. The caller
+  /// can add an `edge to surface` contact; smaller load steps do not help.
   struct MissingEnds : public std::runtime_error
   {
+    /// Creates the exception for the end faces @p ends.
     MissingEnds(const std::string &message, std::vector<EndInContact> ends)
       : std::runtime_error(message)
       , ends(std::move(ends))
     {}
 
-    std::vector<EndInContact> ends;
+    std::vector<EndInContact> ends; ///< End faces that need a contact.
   };
 
-  /// All contacts of a scene at finite motion: gap constraints are updated to
-  /// the displacements, and surfaces are paired anew when they approach each
-  /// other. With friction, slips are measured from the beginning of the load
-  /// step, and shear forces rotate with the tangents of their constraints.
-  /// Modifies the lists of constraints in the scene (Contact).
+  /// All contacts of a scene with finite rotations. Constraints follow the
+  /// displacements, and surfaces are paired anew if they touch without a
+  /// constraint. Slips are measured from the start of the load step, and shear
+  /// forces rotate with the tangents. Modifies the constraints of Contact.
   class MovingContacts
   {
   public:
+    /// Keeps references to the Contact objects and their constraints.
     MovingContacts(const std::vector<ContactInterface> &interfaces,
                    const Contacts                      &contact_objects);
 
+    /// Returns true if the scene has no contacts.
     bool
     none() const
     {
       return contact_objects.empty();
     }
 
-    /// Returns the contacts with the constraints of the last move().
+    /// Returns all contacts, with the constraints of the last move().
     const std::vector<ContactInterface> &
     interfaces() const
     {
       return all;
     }
+    /// Returns the constraints of all contacts, numbered consecutively.
     const GapConstraints &
     rows() const
     {
       return numbered;
     }
 
-    /// Returns the data of each contact that restore() needs in another run.
+    /// Returns the pairing data of each contact for restore().
     std::vector<ContactHistory>
     memory() const;
+    /// Restores all contacts from @p known, the result of memory(), at
+    /// displacements @p u and load factor @p factor.
     void
     restore(const std::vector<ContactHistory> &known,
             const BlockVector                 &u,
             const LoadFactor                  &factor);
 
-    /// Updates the constraints to @p state at @p factor (Contact::move()). If
-    /// the projection of an active constraint leaves the other surface, the
-    /// constraint is deactivated if an `edge to surface` contact covers that
-    /// end. Else throws MissingEnds (discretization `auto`) or NumericsError.
+    /// Updates the constraints to @p state at load factor @p factor. If an
+    /// active constraint leaves the other surface, it is deactivated if an
+    /// `edge to surface` contact covers that end. Otherwise throws MissingEnds
+    /// (discretization `auto`) or NumericsError.
     void
     move(State &state, const LoadFactor &factor);
 
-    /// Begins a load step: slips are measured from @p state at load factor
-    /// @p factor. Clears reason_of_loss().
+    /// Begins a load step: slips are measured from @p state at load factor @p
+    /// factor. Clears reason_of_loss().
     void
     begin_step(State &state, const LoadFactor &factor);
 
-    /// Returns a sentence, for messages, on why a contact lost its constraints
-    /// since begin_step(); empty if none did.
+    /// Returns the reason, as a sentence for messages, why an active constraint
+    /// was lost since begin_step(); empty if none was lost.
     const std::string &
     reason_of_loss() const
     {
       return lost;
     }
 
-    /// Adds the contact forces B^T lambda of @p state to @p f.
+    /// Adds the nodal contact forces of @p state to the load vector @p f.
     void
     add_forces(const State &state, BlockVector &f) const;
 
-    /// Adds the contact forces B(u)^T lambda to @p f, with the forces lambda of
-    /// @p state and the constraints moved to the displacements @p u at load
-    /// factor @p factor. Stored constraints are unchanged. Returns false if an
-    /// active contact point has no projection.
+    /// Adds the forces of @p state to @p f, with constraints moved to the
+    /// displacements @p u at load factor @p factor; stored constraints do not
+    /// change. Returns false if an active contact point has no projection.
     bool
     add_forces_at(const State       &state,
                   const BlockVector &u,
                   const LoadFactor  &factor,
                   BlockVector       &f) const;
 
-    /// Returns the error of the contact law in @p state at @p factor [length]:
-    /// the largest |g + a lambda| of active constraints (gap g, force lambda,
-    /// compliance a), penetration -g of others, and friction_error().
+    /// Returns the largest error of the contact law in @p state at @p factor
+    /// [length]: |g + a lambda| of active constraints (gap g, force lambda,
+    /// compliance a), penetration -g of inactive ones, and friction_error().
     double
     law_error(const State &state, const LoadFactor &factor) const;
 
-    /// Pairs contacts anew if their surfaces touch without a constraint in
-    /// @p state at load factor @p factor, and transfers the forces. Returns
-    /// true if any was. Throws NumericsError if no points face each other.
+    /// Pairs contacts anew if their surfaces touch without a constraint in @p
+    /// state at load factor @p factor. Returns true if any was paired anew.
+    /// Throws NumericsError if no points of a contact face each other.
     bool
     find_loads(State &state, const LoadFactor &factor);
 
@@ -166,7 +169,7 @@ namespace lamella
                const LoadFactor  &to);
 
   private:
-    /// Updates the constraints to @p state, without rotating the shear forces.
+    /// Updates the constraints to @p state without rotating shear forces.
     void
     move_rows(State &state, const LoadFactor &factor);
     /// Throws NumericsError: contact @p c was lost; @p how describes the cause.
@@ -175,21 +178,21 @@ namespace lamella
     /// Throws MissingEnds or NumericsError: no projection in contact @p c.
     [[noreturn]] void
     release_facing(const unsigned int c);
-    /// Returns true if an `edge to surface` contact covers the ends of the
-    /// bodies of contact @p c.
+    /// Returns true if an `edge to surface` contact covers the body ends of the
+    /// contact of index @p c.
     bool
     ends_have_constraints(const unsigned int c) const;
-    /// Returns true if the bodies of contact @p c have a contact force.
+    /// Returns true if the bodies of contact @p c have any contact force.
     bool
     has_contact_force(const unsigned int c, const State &state) const;
-    /// Pairs contact @p c anew.
+    /// Pairs the surfaces of the contact of index @p c at @p state anew.
     void
     pair(const unsigned int c, const State &state, const LoadFactor &factor);
 
     const std::vector<ContactInterface> &all;
     const Contacts                      &contact_objects;
     GapConstraints                       numbered;
-    /// Contacts with deactivated constraints, and reason_of_loss().
+    /// Contacts with deactivated constraints; text of reason_of_loss().
     std::set<unsigned int> release;
     std::string            lost;
   };

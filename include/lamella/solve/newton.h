@@ -19,66 +19,70 @@ namespace lamella
   /// Tolerances, limits and fallback options of Newton's method.
   struct NewtonParameters
   {
+    /// Maximum number of iterations of a step, and of its contact iterations.
     unsigned int max_iterations = 30;
     /// Equilibrium is reached if the norm of the unbalanced forces, over that
     /// of the internal forces or of the loads, is at most this value.
     double force_tolerance = arithmetic::rounding_of_solutions;
-    /// Alternative criteria for slender bodies of length L and thickness h,
-    /// whose forces have a rounding error of about (L / h)^3 1e-16. If the
-    /// relative residual is below `stagnation_level`, iterations end when each
-    /// of two iterations leaves more than `stall_ratio` of it. If below
-    /// `near_equilibrium`, they end when a correction is below
-    /// `negligible_correction` times the diagonal of the scene.
-    double stagnation_level = arithmetic::same_value, stall_ratio = 0.5,
-           near_equilibrium      = 1e-3,
-           negligible_correction = arithmetic::same_position;
-    /// The step diverges if the residual exceeds `divergence_ratio` times that
-    /// at its beginning. A residual below `nothing` times it counts as zero.
-    double divergence_ratio = 1e12, nothing = arithmetic::rounding_of_sums;
-    /// Gaps satisfy the contact law if their error is at most `law` times the
-    /// largest displacement or `touching` times the diagonal of the scene. If
-    /// the error stagnates, `stagnation_level` times the displacement suffices.
-    double law = arithmetic::negligible, touching = arithmetic::rounding;
-    /// Newton::correct_row_rotation(): difference step over the scene diagonal;
-    /// relative tolerance and maximum number of GMRES iterations.
-    double       difference = arithmetic::same_value, rotation_tolerance = 1e-3;
+    /// Relative residual below which a stagnating iteration has converged.
+    /// Rounding in slender bodies is (length / thickness)^3 1e-16.
+    double stagnation_level = arithmetic::same_value;
+    /// The residual stagnates if two iterations each leave more than this part.
+    double stall_ratio = 0.5;
+    /// Relative residual that suffices if the correction is negligible.
+    double near_equilibrium = 1e-3;
+    /// Negligible displacement correction over the scene diagonal.
+    double negligible_correction = arithmetic::same_position;
+    /// The iteration diverges above this ratio of residual to initial residual.
+    double divergence_ratio = 1e12;
+    /// A residual below this fraction of the initial residual counts as zero.
+    double nothing = arithmetic::rounding_of_sums;
+    /// Tolerance of the contact law over the largest displacement; if the error
+    /// stagnates, `stagnation_level` is the tolerance.
+    double law = arithmetic::negligible;
+    /// Error of a gap over the scene diagonal that satisfies the contact law.
+    double touching = arithmetic::rounding;
+    /// Step of finite differences of contact normals over the scene diagonal.
+    double difference = arithmetic::same_value;
+    /// Relative tolerance of GMRES in Newton::correct_row_rotation().
+    double rotation_tolerance = 1e-3;
+    /// Maximum number of GMRES iterations in Newton::correct_row_rotation().
     unsigned int max_rotation_corrections = 20;
-    /// If removal of the stabilizing springs enlarges a correction by more than
-    /// this factor, the correction with springs is used.
+    /// Largest factor by which removal of the stabilizing springs may enlarge a
+    /// correction; otherwise the correction with springs is used.
     double max_spring_influence = 10.;
-    /// With springs, stagnation counts as convergence only if the correction is
-    /// below this fraction of the diagonal of the scene.
+    /// Largest correction over the scene diagonal at which a stagnating
+    /// residual counts as converged, if bodies have stabilizing springs.
     double converged_change = 1e-7;
     /// A motion that only springs restrain is unstable if its stiffness without
-    /// them is below minus this factor times contact force over scene diagonal.
+    /// springs is below minus this factor times contact force over diagonal.
     double instability_share = 0.2;
     /// Maximum number of times that surfaces are paired anew in a load step.
     unsigned int max_pairings = 3;
-    /// If the last correction is at most this fraction of the displacement
-    /// increment of the step, check_stability() omits a new factorization.
+    /// Newton::check_stability() needs no new factorization if the last
+    /// correction is at most this fraction of the displacement increment.
     double converged_step = 0.01;
     /// Largest rotation in an iteration [rad]; a larger increment is scaled.
     double spin = 1.;
     /// Maximum number of bisections of a load step.
     unsigned int max_bisections = 6;
-    /// Largest prescribed support rotation in a step [rad]; a step with a
-    /// larger rotation is divided.
+    /// Largest support rotation in a step [rad]; larger steps are divided.
     double rotation = 2.;
   };
 
-  /// Equilibrium state at finite rotations, with its contact forces and errors.
+  /// Equilibrium state at finite rotations, with its remaining errors.
   struct Equilibrium
   {
-    /// State; its iterations include those of failed attempts.
+    /// State; its number of iterations includes failed attempts.
     State      state;
-    LoadFactor factor;
+    LoadFactor factor; ///< Load factor of `state`.
     /// Number of bisections of the load step.
     unsigned int cuts = 0;
-    /// Norm of the unbalanced forces over that of internal forces or loads;
-    /// largest error of the contact law [length].
-    double residual = 0., law_error = 0.;
+    /// Unbalanced forces over internal forces or loads (norms).
+    double residual  = 0.;
+    double law_error = 0.; ///< Largest error of the contact law [length].
     /// Largest displacement of the last correction [length] if all forces are
-    /// within rounding, as for a rigid support motion; else 0.
+    /// rounding errors, as in a rigid support motion; otherwise 0.
     double rounding = 0.;
   };
 
@@ -106,10 +110,10 @@ namespace lamella
   class Newton
   {
   public:
-    /// Callback for a line of text.
+    /// Callback that receives a line of text.
     using Progress = std::function<void(const std::string &)>;
 
-    /// Creates a solver without contact.
+    /// Creates a solver without contact; @p requested is the linear solver.
     explicit Newton(const Structure        &structure,
                     const SolverKind        requested  = SolverKind::automatic,
                     const NewtonParameters &parameters = NewtonParameters());
@@ -120,29 +124,29 @@ namespace lamella
            const SolverKind        requested,
            const NewtonParameters &parameters);
 
-    /// Callback for a line of text per iteration; no output by default.
+    /// Callback with a line of text per iteration; empty by default.
     Progress progress;
     /// Callbacks during the factorization of each body.
     TangentOperator::BodyMonitor monitor;
 
-    /// Returns the unloaded state, the start of a load path to @p factor.
+    /// Returns the unloaded state, from which a load path to @p factor starts.
     Equilibrium
     unloaded(const LoadFactor &factor = 1.) const;
 
-    /// Restores the contacts of @p state at load factor @p factor.
+    /// Restores the contact constraints of @p state at load factor @p factor.
     void
     restore(const State &state, const LoadFactor &factor)
     {
       contacts.restore(state.pairings, state.u, factor);
     }
 
-    /// Returns the equilibrium at load factor @p to, starting from @p start,
-    /// the state at which the contact constraints are. If it fails with
-    /// 2^max_bisections substeps, throws NumericsError with the factor reached.
+    /// Returns the equilibrium at load factor @p to, starting from the
+    /// equilibrium @p start, to which the contact constraints must belong.
+    /// Throws NumericsError if none is found in 2^max_bisections substeps.
     Equilibrium
     advance(const Equilibrium &start, const LoadFactor &to);
 
-    /// Returns the contacts in their current state.
+    /// Returns the contacts, whose constraints are those of the last state.
     const MovingContacts &
     moving() const
     {
@@ -150,16 +154,18 @@ namespace lamella
     }
 
   private:
-    /// Start of a step: support motion, unbalanced forces and their norm.
+    /// Start of a step: support motion `moved`, unbalanced forces `r`, and the
+    /// reference `size` of forces.
     struct StepStart
     {
       BlockVector moved, r;
       double      size = 0.;
     };
+    /// Returns the data for a load step from @p at to load factor @p to.
     StepStart
     step_start(const LoadFactor &to, const Equilibrium &at) const;
 
-    /// Returns the largest rotation angle of a support between the factors.
+    /// Returns the largest support rotation between two load factors [rad].
     double
     largest_rotation(const LoadFactor &from, const LoadFactor &to) const;
 
@@ -179,7 +185,7 @@ namespace lamella
          const bool                predicted,
          Equilibrium              &at);
 
-    /// Calls step() with, then without prediction; counts iterations in @p at.
+    /// Performs step() with stress prediction and, if that fails, without.
     bool
     attempt(const LoadFactor &to, Equilibrium &at);
 
@@ -191,10 +197,9 @@ namespace lamella
       bool        uses_constraint_shift = false, is_unstable = false;
     };
 
-    /// Performs one iteration: adds to @p state the correction due to the
-    /// unbalanced forces @p r, the support motion @p moved and the contact
-    /// constraints, and returns it. Predicts stresses with the last
-    /// @p correction.
+    /// Performs one iteration: adds to @p state, and returns, the correction
+    /// due to the unbalanced forces @p r, support motion @p moved and contact.
+    /// Predicts stresses with the last @p correction.
     Correction
     correct(const BlockVector &r,
             const BlockVector &moved,
@@ -288,17 +293,15 @@ namespace lamella
     /// are no lengths (rotations, warping) are scaled by Body::dof_scales().
     double
     length_of(const BlockVector &u) const;
-    /// Scales @p change in each body to a rotation of at most
-    /// NewtonParameters::spin.
+    /// Scales @p change in each body to rotations up to `spin`.
     void
     shorten(BlockVector &change) const;
 
-    /// Returns f(t) + B^T lambda - f_int of @p state, not condensed.
+    /// Returns loads plus contact forces minus internal forces in all DoFs.
     BlockVector
     unbalanced(const State &state, const LoadFactor &factor) const;
 
-    /// Returns the unbalanced forces @p r in the free DoFs
-    /// (TangentOperator::condense()).
+    /// Returns the unbalanced forces @p r, condensed onto the free DoFs.
     static BlockVector
     condensed(const TangentOperator &here, BlockVector r);
 
@@ -318,6 +321,7 @@ namespace lamella
       double now     = std::numeric_limits<double>::max(),
              before  = std::numeric_limits<double>::max(),
              earlier = std::numeric_limits<double>::max();
+      /// Appends the residual @p left of an iteration and drops the oldest one.
       void
       add(const double left);
       /// Returns true if each of the last two iterations left more than the
@@ -326,14 +330,12 @@ namespace lamella
       stagnates(const double share) const;
     };
 
-    /// Returns true if the residuals @p unbalanced and the last correction
-    /// @p change satisfy the convergence criteria.
+    /// Returns true if residuals and the last correction have converged.
     bool
     is_equilibrium(const ResidualHistory &unbalanced,
                    const double           change) const;
 
-    /// Returns true if the forces @p r are rounding errors of the internal
-    /// forces at the displacements @p u.
+    /// Returns true if the forces @p r at displacements @p u are rounding.
     bool
     is_rounding(const TangentOperator &here,
                 const BlockVector     &r,
@@ -344,18 +346,18 @@ namespace lamella
     throw_not_converged(const LoadFactor &reached, const LoadFactor &to) const;
 
     /// Returns true if the displacements @p way are at most
-    /// `negligible_correction` times the scene diagonal.
+    /// NewtonParameters::negligible_correction times the scene diagonal.
     bool
     is_negligible(const BlockVector &way) const;
 
     /// Returns true if the last errors @p missed of the contact law are within
-    /// tolerance for the largest displacement @p size (NewtonParameters::law).
+    /// tolerance for the largest displacement @p size.
     bool
     satisfies_contact_law(const ResidualHistory &missed,
                           const double           size) const;
 
     const Structure &structure;
-    /// Body::dof_scales() of bodies with rotation DoFs, empty for all others.
+    /// Body::dof_scales() of bodies with rotation DoFs, else empty.
     std::vector<std::vector<double>> sizes;
     MovingContacts                   contacts;
     /// Message of the last failed attempt, and why a contact was lost in it.

@@ -13,40 +13,39 @@ namespace lamella
   class Structure;
   struct State;
 
-  /// Estimates of the nonlinear effects that a solution of the linear model
-  /// neglects, from that model alone.
+  /// Effects of large deflections that a linear solution neglects, estimated.
   struct NonlinearityEstimate
   {
     /// Relative stiffening r = 2 U(s_m) / U, the largest of all bodies with a
-    /// considerable part of the energy. U is the strain energy of a body and
-    /// U(s_m) that of the membrane stress due to its own deflection
-    /// (SecondOrder). At prescribed displacements, forces are about 1 + r times
-    /// those of the linear model.
+    /// considerable part of the energy: U is the strain energy of the body, and
+    /// U(s_m) that of the membrane stress due to its deflection (SecondOrder).
+    /// Forces at prescribed displacements are about 1 + r times linear ones.
     double stiffening = 0.;
-    /// Index of the body with the largest r.
+    /// Index of the body with the largest relative stiffening.
     unsigned int stiffened = 0;
 
-    /// Smallest positive lambda of (K + lambda K_G) v = 0, with the geometric
-    /// stiffness K_G of the stresses s_0 (linear) and s_m (SecondOrder) and
-    /// fixed active constraints. The state buckles at lambda times the loads if
-    /// stresses grow in proportion. Error: 5 % above 10, much less below. Empty
-    /// if it is above 100 or above SecondOrder::largest_short_wave_ratio(), if
-    /// there is no compression, or if `stiffening` is above 1.
+    /// Smallest positive lambda of (K + lambda K_G) v = 0 for fixed active
+    /// constraints, with the stiffness K and geometric stiffness K_G of linear
+    /// and membrane stresses (SecondOrder). The state buckles at lambda times
+    /// the loads if stresses grow in proportion. Error: 5 % above 10, much less
+    /// below. Empty if lambda is above 100 or
+    /// SecondOrder::largest_short_wave_ratio(), if there is no compression, or
+    /// if `stiffening` is above 1.
     std::optional<double> buckling_factor;
     /// Index of the body with the largest energy in the buckling mode.
     unsigned int buckled = 0;
     /// Relative growth of the displacements u by the buckling mode, |c| / |u| /
-    /// (lambda - 1). c is the component of u along the mode in the energy norm,
-    /// which grows to c lambda / (lambda - 1). Zero for a straight column. If
-    /// there is no buckling factor: the first-order growth -u.K_G u / u.K u, at
-    /// least zero and at most 1 / lambda for the largest lambda considered.
+    /// (lambda - 1), with the buckling factor lambda. c is the component of u
+    /// along the mode in the energy norm. Zero for a straight column. Without
+    /// buckling factor: the first-order growth -u.K_G u / u.K u (see
+    /// `buckling_factor`), from 0 to 1 / (largest lambda considered).
     double amplification = 0.;
   };
 
   /// Returns the estimates for @p state, whose bodies have the strain energies
-  /// @p energies. @p solver, which has solved the state, solves linear systems
-  /// with the active constraints: one for the membrane stress, and one for each
-  /// of at most 30 Lanczos steps. Modes restrained by springs are excluded.
+  /// @p energies. @p solver, which has computed the state, solves a linear
+  /// system for the membrane stress and at most 30 for the Lanczos method, with
+  /// fixed active constraints. Modes that only springs restrain are excluded.
   NonlinearityEstimate
   beyond_linear(const Structure           &structure,
                 ContactSolver             &solver,
@@ -54,7 +53,7 @@ namespace lamella
                 const std::vector<double> &energies);
 
   /// Returns warnings about the estimates @p found; none if stiffening and
-  /// amplification are below 1 % and loads below a tenth of buckling.
+  /// amplification are below 1 % and loads below a tenth of the buckling load.
   std::vector<std::string>
   warnings_of(const NonlinearityEstimate &found, const Structure &structure);
 

@@ -21,26 +21,30 @@ namespace lamella
     accept  ///< the result is written with a warning
   };
 
+  /// Names of the values of OutOfRange in parameter files.
   template <>
   struct Names<OutOfRange>
   {
+    /// Value and name of each treatment.
     static constexpr NameOf<OutOfRange> all[] = {{OutOfRange::refuse, "refuse"},
                                                  {OutOfRange::accept,
                                                   "accept"}};
   };
 
-  /// Kinematics of a scene (`Rotations`).
+  /// Kinematics of a scene (entry `Rotations`).
   enum class Rotations
   {
     undefined,
-    linear, ///< small rotations: the linear strain of Eq. 5
+    linear, ///< small rotations: linear strain
     large,  ///< finite rotations: Green's strain (TotalLagrangianBeam), Newton
-    automatic ///< linear where its error is negligible, else large
+    automatic ///< linear if its error is negligible, else large
   };
 
+  /// Names of the values of Rotations in parameter files.
   template <>
   struct Names<Rotations>
   {
+    /// Value and name of each kinematics.
     static constexpr NameOf<Rotations> all[] = {{Rotations::linear, "linear"},
                                                 {Rotations::large, "large"},
                                                 {Rotations::automatic, "auto"}};
@@ -51,60 +55,64 @@ namespace lamella
   {
     undefined,
     material, ///< axes that rotate with the material
-    scene
+    scene     ///< axes of the scene, fixed in space
   };
 
+  /// Names of the values of StressAxes in parameter files.
   template <>
   struct Names<StressAxes>
   {
+    /// Value and name of each choice of axes.
     static constexpr NameOf<StressAxes> all[] = {{StressAxes::material,
                                                   "material"},
                                                  {StressAxes::scene, "scene"}};
   };
 
-  /// Number of equal substeps of a load step.
+  /// Number of equal substeps into which each load step is divided.
   struct Substeps
   {
     /// Fixed number, or 0 for automatic substeps: their number is doubled until
     /// forces, displacements and dissipation change by less than `tolerance`.
-    unsigned int number    = 1;
-    double       tolerance = 0.01;
-    /// Substeps of each load step from another run, instead of `number`.
+    unsigned int number = 1;
+    /// Relative change of the solution that ends automatic substeps.
+    double tolerance = 0.01;
+    /// Number of substeps of each load step, as found in another run; used
+    /// instead of `number` if not empty.
     std::vector<unsigned int> each = {};
     /// Largest number of automatic substeps.
     static constexpr unsigned int most = 64;
   };
 
-  /// Solution parameters at the top level of a scene; defaults in declare().
+  /// Solution parameters at the top level of a scene file.
   struct SolveParameters
   {
-    /// Load factor t of each step, for all loads and prescribed displacements.
+    /// Load factor of each step, for all loads and prescribed displacements.
     std::vector<LoadFactor> load_factors;
-    Substeps                substeps;
-    Rotations               rotations   = Rotations::undefined;
-    StressAxes              stress_axes = StressAxes::material;
-    Strategy                strategy    = Strategy::undefined;
-    /// Parameters of ContactSolver; a scene file sets max_iterations only.
+    Substeps                substeps; ///< Substeps of each load step.
+    Rotations  rotations   = Rotations::undefined; ///< Small or finite.
+    StressAxes stress_axes = StressAxes::material; ///< Output axes.
+    Strategy   strategy    = Strategy::undefined;  ///< Contact algorithm.
+    /// Contact iterations; a scene file sets their maximum number only.
     SolverParameters loop;
-    NewtonParameters newton;
-    /// Linear solver for the stiffness of a body in the condensed strategy.
+    NewtonParameters newton; ///< Newton's method for finite rotations.
+    /// Linear solver for the stiffness of a body (condensed contact strategy).
     SolverKind solver = SolverKind::automatic;
     /// Memory limit in bytes per machine; 0 for the available memory.
     double memory_limit = 0.;
     /// Rotation above which a linear solution is rejected [rad].
-    double     rotation_limit = 0.;
-    OutOfRange beyond_linear  = OutOfRange::refuse;
-    /// True if effects of large deflections are estimated and units are
-    /// checked; false for auxiliary models, solved only for error estimates.
+    double rotation_limit = 0.;
+    /// Treatment of results beyond the range of linear kinematics.
+    OutOfRange beyond_linear = OutOfRange::refuse;
+    /// True: effects of large deflections are estimated, and units are checked.
+    /// False for auxiliary models that serve error estimates only.
     bool computes_estimates = true;
 
     /// Declares the entries with their defaults and documentation.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Reads the entries at the top level of a scene. Throws InputError if no
-    /// load factor is given, for numbers out of range, and for a linear solver
-    /// that the strategy `full` does not have.
+    /// Reads the entries at the top level of a scene. Throws InputError without
+    /// load factors, and for invalid numbers or linear solvers.
     static SolveParameters
     parse(const Entries &in);
   };

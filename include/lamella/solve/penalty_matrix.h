@@ -17,17 +17,18 @@
 
 namespace lamella
 {
-  /// A rank-one term w b_of^T b_on of the penalty stiffness. w is `weight`, and
-  /// b_of and b_on are the derivatives of two gaps or slips with respect to the
-  /// DoFs. The penalty on one gap or slip has of = on. With friction, terms
-  /// couple the slip `of` to the gap `on`.
+  /// A rank-one term w b_of^T b_on of the penalty stiffness, with weight w and
+  /// the gradients b_of and b_on of two gaps or slips. The penalty on one gap
+  /// or slip has of = on; with friction, terms couple slip `of` to gap `on`.
   struct PenaltyTerm
   {
-    /// Numbers of the two gaps or slips (GapConstraints::constraint()).
-    unsigned int of, on;
-    /// Weight w [force / length].
+    /// Number of the gap or slip with gradient b_of, see GapConstraints.
+    unsigned int of;
+    unsigned int on; ///< Number of the gap or slip with gradient b_on.
+    /// Weight w, a stiffness [force / length].
     double weight;
 
+    /// Returns true if `of`, `on` and `weight` are equal.
     bool
     operator==(const PenaltyTerm &other) const
     {
@@ -35,26 +36,26 @@ namespace lamella
     }
   };
 
-  /// Matrix of the Newton step of the paper (Eqs. 22 and 23) for a whole scene,
+  /// Matrix of the Newton step (Eqs. 22, 23 of Nagaraj et al. 2020) of a scene,
   ///   K + K^p,   K^p = B_A^T diag(1/d) B_A,
-  /// in the free DoFs, with the stiffness K of a TangentOperator and the rows
-  /// B_A of the active constraints, each with its compliance d [length /
-  /// force]. With friction it is not symmetric (FrictionNewton).
+  /// in the free DoFs, with the stiffness K of a TangentOperator, the gradients
+  /// B_A of the active gaps, and their compliances d [length / force]. With
+  /// friction it is not symmetric (FrictionNewton).
   ///
   /// The sparsity pattern of the Trilinos matrix includes all constraints that
-  /// were ever active. MUMPS factorizes it on all processes whenever the terms
-  /// of K^p change. A hard penalty costs digits: see warnings(). Each process
-  /// owns the matrix rows of a contiguous part of the DoFs. Keeps references to
-  /// structure and constraints. Collective.
+  /// were ever active. MUMPS factorizes it on all processes whenever K^p
+  /// changes. Each process owns the matrix rows of a contiguous range of DoFs.
+  /// Keeps references to structure and constraints. Collective.
   class PenaltyMatrix
   {
   public:
-    /// Assembles K of @p tangent_operator, which needs no solvers.
+    /// Assembles the stiffness of @p tangent_operator, which needs no linear
+    /// solvers, for the contact constraints @p rows.
     PenaltyMatrix(const TangentOperator &tangent_operator,
                   const GapConstraints  &rows);
 
-    /// Factorizes K + K^p with the new @p terms of K^p. Throws NumericsError if
-    /// it is not positive definite or, with friction, singular.
+    /// Factorizes the matrix with the new penalty @p terms. Throws
+    /// NumericsError if it is indefinite or, with friction, singular.
     void
     factorize(const std::vector<PenaltyTerm> &terms);
 
@@ -65,29 +66,29 @@ namespace lamella
       return factor->sign_of_determinant();
     }
 
-    /// Returns (K + K^p)^-1 @p f with the last factorization; zero in
-    /// prescribed DoFs. The forces @p f need not be condensed.
+    /// Returns the solution for the load vector @p f in all DoFs, with the last
+    /// factorization; it is zero in prescribed DoFs.
     BlockVector
     solve(BlockVector f) const;
 
-    /// Returns the contact constraints whose entries the sparsity pattern
-    /// contains. A restarted run needs them for the same elimination order.
+    /// Returns the indices of the contact constraints that the sparsity pattern
+    /// includes. A restart needs them for the same elimination order.
     std::vector<unsigned int>
     known_rows() const;
-    /// Includes the constraints @p known_rows in the next sparsity pattern.
+    /// Includes contact constraints @p known_rows in the next sparsity pattern.
     void
     restore(const std::vector<unsigned int> &known_rows);
 
-    /// Returns a warning if the hardest penalty eps up to now leaves a relative
-    /// error above 1e-4 by the estimate eps N t / k of Nour-Omid and Wriggers
-    /// (1987), the basis of Eq. 24, with N DoFs, the rounding t of doubles and
-    /// the stiffness k behind the constraint.
+    /// Returns a warning if the largest penalty eps causes a relative error
+    /// above 1e-4, by the estimate eps N t / k of Nour-Omid and Wriggers
+    /// (1987): N DoFs, rounding t of doubles, body stiffness k at the
+    /// constraint.
     std::vector<std::string>
     warnings() const;
 
   private:
-    /// Returns the support constraints of all bodies, which eliminate
-    /// prescribed DoFs, with DoFs numbered body after body.
+    /// Returns the support constraints of all bodies, for the elimination of
+    /// prescribed DoFs; DoFs are numbered body after body.
     Constraints
     constraints_of_all() const;
     /// Assembles the stiffness of bodies and springs in the free DoFs.
@@ -103,12 +104,12 @@ namespace lamella
     /// Adds the entries of @p term to `system`.
     void
     add_penalty(const PenaltyTerm &term);
-    /// Returns this process's entries for MUMPS, the upper half if symmetric.
+    /// Returns the matrix entries of this process; upper half if symmetric.
     MatrixEntries
     entries() const;
     /// Updates the largest ratio of a penalty in @p terms to the stiffness of
-    /// the bodies behind its constraint, k = 1 / sum(b_i^2 / K_ii), with the
-    /// entries b_i of the constraint row.
+    /// the bodies at its constraint, k = 1 / sum(b_i^2 / K_ii), with the
+    /// entries b_i of the gradient and the diagonal K_ii of the stiffness.
     void
     update_penalty_ratio(const std::vector<PenaltyTerm> &terms);
 
@@ -117,11 +118,11 @@ namespace lamella
     const Symmetry       symmetry;
     /// Support constraints of all bodies.
     Constraints constraints;
-    /// DoFs of this process, a contiguous part of those of all bodies.
+    /// DoFs of this process, a contiguous range.
     dealii::IndexSet owned;
-    /// K, and K + K^p of the last active set; the matrix rows of this process.
+    /// Stiffness without and with penalties; matrix rows of this process.
     SharedMatrix stiffness, system;
-    /// Diagonal of K, whole on each process.
+    /// Diagonal of the stiffness without penalties, on each process.
     Vector diagonal;
     /// Factor of `system`; null until analyzed.
     std::unique_ptr<RepeatedFactorization> factor;
@@ -131,7 +132,7 @@ namespace lamella
     std::vector<PenaltyTerm> factorized_for;
     bool                     is_factorized = false;
 
-    /// Largest ratio of penalty to stiffness; its penalty [force / length].
+    /// Largest ratio of penalty to body stiffness; penalty [force / length].
     double largest_penalty_ratio = 0., penalty_of_largest_ratio = 0.;
   };
 } // namespace lamella

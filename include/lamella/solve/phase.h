@@ -22,9 +22,11 @@ namespace lamella
     output         ///< fields at probes, lines and cuts; files
   };
 
+  /// Names of the phases in output files.
   template <>
   struct Names<Phase>
   {
+    /// Value and name of each phase, in the order of execution.
     static constexpr NameOf<Phase> all[] = {{Phase::setup, "setup"},
                                             {Phase::assembly, "assembly"},
                                             {Phase::factorization,
@@ -35,7 +37,7 @@ namespace lamella
                                             {Phase::output, "output"}};
   };
 
-  /// Returns the names of all phases, in order, with static lifetime.
+  /// Returns the names of all phases in order, with static lifetime.
   const std::vector<std::string> &
   phase_names();
 } // namespace lamella

@@ -14,44 +14,44 @@
 namespace lamella
 {
   /// Displacements and contact forces of a scene at one load factor, with data
-  /// on the iterations. Empty before the first load step.
+  /// on the iterations. All vectors are empty before the first load step.
   struct State
   {
     /// Displacements of all bodies, one block each, including prescribed DoFs.
     BlockVector u;
     /// Largest displacement of each body in the linear solution without
-    /// contact; empty with stabilizing springs. With finite rotations, a
-    /// hundred times the largest displacement up to now.
+    /// contact; empty with stabilizing springs. For finite rotations, a hundred
+    /// times the largest displacement in all load steps so far.
     std::vector<double> free_sizes;
-    /// Contact force lambda of each gap constraint, positive in compression;
-    /// the bodies are loaded by B^T lambda.
+    /// Contact force of each gap constraint, positive in compression.
     std::vector<double> force;
-    /// Numbers of the active constraints, ascending.
+    /// Indices of the active constraints, ascending.
     std::vector<unsigned int> active;
     /// Friction variables; empty without friction.
     FrictionState friction;
-    /// History of each contact at finite rotations, for the rows of `force`.
+    /// Pairing data of each contact with finite rotations, for a restart.
     std::vector<ContactHistory> pairings;
 
-    /// Offsets of the stabilizing springs; if empty, zero (no force at u = 0).
+    /// Spring lengths without force; if empty, no force at zero displacements.
     SpringOffsets rest;
 
-    /// Rounds of the active-set search, including release_springs().
+    /// Number of active-set iterations, also of release_springs().
     unsigned int iterations = 0;
-    /// Relative maximum norm of each correction, without contact and with
-    /// contact. The first of `free_corrections` (the solution itself is not
-    /// included) measures the digits lost by the assembled matrix.
-    std::vector<double> free_corrections, contact_corrections;
+    /// Relative maximum norms of the corrections by iterative refinement
+    /// without contact. The first one is the error of the assembled matrix.
+    std::vector<double> free_corrections;
+    /// Relative corrections by iterative refinement with contact.
+    std::vector<double> contact_corrections;
 
-    /// Returns the length below which displacements of @p body are rounding,
-    /// relative to the displacements without contact; relevant if loads cancel.
+    /// Returns the length below which displacements of @p body are rounding
+    /// errors, relative to the solution without contact [length].
     double
     rounding(const unsigned int body) const
     {
       return free_sizes.empty() ? 0. : arithmetic::rounding * free_sizes[body];
     }
 
-    /// Returns the largest rounding() of all bodies.
+    /// Returns the largest rounding error of displacements in all bodies.
     double
     rounding() const
     {

@@ -21,34 +21,32 @@
 
 namespace lamella
 {
-  /// Offsets r_0 of the springs with the forces f = -k (r(u) - r_0) [length],
-  /// as [body][spring]; all zero if empty.
+  /// Lengths r_0 at which springs have no force, as [body][spring]; all zero if
+  /// empty. The spring force is -k (r(u) - r_0) with length r, stiffness k.
   using SpringOffsets = std::vector<std::vector<double>>;
 
-  /// Discrete model of a scene without contact, by the principle of virtual
-  /// displacements (Eqs. 8 to 11): bodies with supports, springs and loads.
-  /// Contact couples the bodies through constraints only, so K is block
-  /// diagonal, and a BlockVector has one block per body.
+  /// Discrete model of a scene without contact: bodies with supports, springs
+  /// and loads, by the principle of virtual displacements (Eqs. 8 to 11 of
+  /// Nagaraj et al. 2020). The stiffness K is block diagonal, since contact
+  /// couples the bodies through constraints only. A BlockVector has one block
+  /// per body.
   ///
   /// Displacements are u = G v + u_p(t) at load factor t (RowReduction), with
-  /// the DoFs v that are not constrained by supports and theories, their
-  /// expansion G and the prescribed displacements u_p. Solvers use the
-  /// condensed stiffness
+  /// the unconstrained DoFs v, their expansion G and the prescribed
+  /// displacements u_p. Solvers use the condensed stiffness
   ///   G^T (K + sum_k s_k r_k^T r_k) G,
-  /// with the stabilizing springs of stiffness s_k and row r_k. A
-  /// TangentOperator is the tangent at a state with its solvers. Each process
-  /// has whole vectors; element work is distributed.
+  /// where stabilizing spring k has the stiffness s_k and the elongation r_k u.
+  /// Each process stores complete vectors; element loops are distributed.
   class Structure
   {
   public:
     /// Eliminates the DoFs prescribed by @p supports, creates the springs and
     /// integrates @p loads; assembles no matrix. @p bodies must not be empty.
-    /// @p stabilizations has one entry per body, or none. Temperatures among
-    /// @p loads heat the bodies; if not zero, their weight due to the
-    /// acceleration @p gravity (scene axes, length / s^2) is added as the last
-    /// load. Throws InputError if a region is not in its body, if supports
-    /// contradict each other, or if a body has a free rigid motion (which the
-    /// message names) and no stabilization. Collective.
+    /// @p stabilizations is empty or has one entry per body. Unless the
+    /// acceleration @p gravity is zero (scene axes, length / s^2), the weight
+    /// is the last load. Throws InputError if a region is not in its body,
+    /// supports contradict each other, or a body has an unconstrained
+    /// rigid-body motion and no stabilization. Collective.
     Structure(Bodies                            bodies,
               const std::vector<Support>       &supports,
               const std::vector<Load>          &loads,
@@ -62,16 +60,15 @@ namespace lamella
       return all_bodies;
     }
 
-    /// Returns the elimination of the prescribed DoFs of @p body: expansion G,
-    /// prescribed displacements u_p and reactions.
+    /// Returns the elimination of the DoFs of @p body that supports prescribe.
     const RowReduction &
     reduction(const unsigned int body) const
     {
       return *reductions[body];
     }
 
-    /// Returns the support conditions R u = t d, in the order of their
-    /// reactions in RowReduction::multipliers().
+    /// Returns the support conditions of all bodies, linear equations for the
+    /// displacements, in the order of RowReduction::multipliers().
     const std::vector<PrescribedFunctional> &
     prescribed() const
     {
@@ -94,8 +91,8 @@ namespace lamella
       return all_springs[body];
     }
 
-    /// Returns the resultants of all loads, then of the weight, at load factor
-    /// 1: force and moment about the scene origin, scene axes.
+    /// Returns the resultants of all loads in the order of the scene, then of
+    /// the weight, at load factor 1: force and moment about the scene origin.
     const std::vector<LoadResultant> &
     load_resultants() const
     {
@@ -106,17 +103,17 @@ namespace lamella
     bool
     has_springs() const;
 
-    /// Returns the lengths r_k(u) of all springs. As offsets, these make all
-    /// spring forces zero at @p u.
+    /// Returns the lengths of all springs at the displacements @p u. If used as
+    /// offsets, all spring forces are zero at @p u.
     SpringOffsets
     spring_lengths(const BlockVector &u) const;
 
-    /// Returns the load vector f at load factor @p factor and displacements
-    /// @p u, in all DoFs: f . v is the work of all loads on v.
+    /// Returns the load vector in all DoFs at load factor @p factor and
+    /// displacements @p u, which follower loads depend on.
     BlockVector
     load(const LoadFactor &factor, const BlockVector &u) const;
 
-    /// Returns the load vector of the undeformed bodies.
+    /// Returns the load vector of the undeformed bodies at @p factor.
     BlockVector
     load(const LoadFactor &factor) const;
 
@@ -131,16 +128,17 @@ namespace lamella
     bool
     has_unsymmetric_loads() const;
 
-    /// Adds to @p f the change (df/du) w of the follower loads f at load factor
-    /// @p factor due to an increment @p w of the displacements @p u.
+    /// Adds to @p f the change of the follower loads at load factor @p factor
+    /// due to the increment @p w of the displacements @p u.
     void
     add_derivative_of_loads(const LoadFactor  &factor,
                             const BlockVector &u,
                             const BlockVector &w,
                             BlockVector       &f) const;
 
-    /// Calls @p use with the tangent contributions of the follower loads on
-    /// @p body at load factor @p factor and displacement @p u (FollowerLoad).
+    /// Calls @p use with the tangent stiffness of each follower load
+    /// (FollowerLoad) on @p body at load factor @p factor and displacements @p
+    /// u. If @p with_values is false, the blocks contain the DoFs only.
     void
     for_each_block_of_loads(
       const unsigned int                                 body,
@@ -149,15 +147,15 @@ namespace lamella
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const;
 
-    /// Returns the thermal load vector f_0 (Body::add_thermal_load()). Zero for
-    /// unheated bodies, and for finite rotations, where load() includes it.
+    /// Returns the load vector of the thermal strains; zero without
+    /// temperatures, and for finite rotations, where load() includes it.
     const BlockVector &
     thermal_load() const
     {
       return initial_load;
     }
 
-    /// Returns true if any body is heated.
+    /// Returns true if any body has a temperature load.
     bool
     is_heated() const;
 
@@ -165,8 +163,8 @@ namespace lamella
     bool
     has_finite_rotations() const;
 
-    /// Returns the energy integral epsilon_0 . C epsilon_0 / 2 dV of the
-    /// thermal strains epsilon_0 over all bodies.
+    /// Returns the energy integral of the thermal strains epsilon_0 over all
+    /// bodies, with the stiffness C: epsilon_0 . C epsilon_0 / 2 dV.
     double
     thermal_energy() const
     {
@@ -175,14 +173,14 @@ namespace lamella
                              0.);
     }
 
-    /// Returns the energy of the thermal strains of @p body alone.
+    /// Returns the energy of the thermal strains of @p body.
     double
     thermal_energy(const unsigned int body) const
     {
       return initial_energies[body];
     }
 
-    /// Returns the block sizes of vectors, the numbers of DoFs of the bodies.
+    /// Returns the block sizes of vectors: the number of DoFs of each body.
     const dealii::BlockIndices &
     blocks() const
     {
@@ -201,48 +199,50 @@ namespace lamella
     BlockVector
     zero() const;
 
-    /// Returns u_p(t) at load factor t = @p factor for small rotations, zero in
-    /// free DoFs (see TangentOperator::support_increment()).
+    /// Returns the prescribed displacements at load factor @p factor for small
+    /// rotations, zero in free DoFs.
     BlockVector
     particular(const LoadFactor &factor) const;
 
-    /// Returns true if supports, or the beam theory, keep the functional @p row
-    /// at zero for all displacements.
+    /// Returns true if @p row, a linear functional of the displacements of a
+    /// body, is always zero due to supports or the beam theory.
     bool
     holds(const BodyFunctional &row) const;
 
-    /// Returns the springs of @p body as terms s_k r_k^T r_k of its stiffness.
+    /// Returns the stiffness matrices of the springs of @p body, s_k r_k^T r_k
+    /// with spring stiffness s_k and length gradient r_k.
     std::vector<SpringTerm>
     spring_terms(const unsigned int body) const;
 
     /// Returns the unbalanced forces in all DoFs, without contact forces,
     ///   r = f(t) + f_0 - integral B^T C (B u) dV
     ///       - sum_k s_k (r_k(u) - r_0k) r_k^T,
-    /// with t = @p factor, f_0 = thermal_load() and the spring offsets @p rest
-    /// (r_0k). Strains B u are computed at each quadrature point. Unlike a
-    /// product with the assembled K, they lose no digits in slender bodies:
-    /// solutions are refined against this residual. Collective.
+    /// with the load vector f at t = @p factor, the thermal load f_0, strains B
+    /// u, stiffness C, and for spring k the stiffness s_k, the length r_k and
+    /// its offset r_0k = @p rest. Strains are computed at each quadrature
+    /// point, which loses no digits for slender bodies. Collective.
     BlockVector
     residual(const BlockVector   &u,
              const LoadFactor    &factor,
              const SpringOffsets &rest = {}) const;
 
-    /// Returns integral B^T C (B u) dV + sum_k s_k (r_k(u) - r_0k) r_k^T.
+    /// Returns the internal forces of bodies and springs with offsets @p rest.
     BlockVector
     internal_forces(const BlockVector &u, const SpringOffsets &rest = {}) const;
 
-    /// Returns @p u updated by the increment @p change (Body::retract()).
+    /// Returns the displacements @p u, updated by the increment @p change.
+    /// Finite rotations are composed, not added (Body::retract()).
     BlockVector
     retract(const BlockVector &u, const BlockVector &change) const;
 
-    /// Condenses the forces @p r in place onto the free DoFs (G^T r).
+    /// Condenses the forces @p r in place onto the free DoFs.
     void
     condense(BlockVector &r) const;
 
   private:
-    /// Returns the displacements that supports with load history @p history
-    /// prescribe at load factor 1. Throws InputError with support @p names if
-    /// dependent conditions have different histories.
+    /// Returns the displacements that supports of the load history of index @p
+    /// history prescribe at load factor 1. Throws InputError with support @p
+    /// names if linearly dependent conditions have different histories.
     BlockVector
     prescribed_in(const unsigned int              history,
                   const std::vector<std::string> &names) const;
@@ -261,17 +261,17 @@ namespace lamella
     void
     check_rotations(const std::vector<std::string> &names) const;
 
-    /// Throws InputError for the first free rigid motion without stabilization.
+    /// Throws InputError for an unconstrained body without stabilization.
     void
     check_rigid_motions(const std::vector<Stabilization> &stabilizations) const;
 
     Bodies all_bodies;
-    /// Support conditions of all supports.
+    /// Support conditions of all bodies.
     std::vector<PrescribedFunctional> rows;
-    /// Reduction and springs of each body.
+    /// Elimination of prescribed DoFs, and springs, of each body.
     std::vector<std::unique_ptr<RowReduction>> reductions;
     std::vector<std::vector<Spring>>           all_springs;
-    /// Load and prescribed displacements of each load history at load factor 1.
+    /// Load and prescribed displacements of a load history at load factor 1.
     struct OfHistory
     {
       BlockVector load, particular;

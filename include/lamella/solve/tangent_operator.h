@@ -11,23 +11,23 @@
 
 namespace lamella
 {
-  /// The tangent stiffness of a structure at one state u,
+  /// The tangent stiffness of a structure at one displacement state u,
   ///   K(u) = d f_int / du,
-  /// with the internal forces f_int, springs included: as terms for assembly,
-  /// as a product K w, and optionally with linear solvers for each body. For
-  /// linear bodies, the tangent at u = 0 is valid at all u. Immutable. Keeps a
-  /// reference to the structure. Collective.
+  /// with the internal forces f_int of bodies and springs. It provides terms
+  /// for assembly, the product K w and, optionally, linear solvers for each
+  /// body. For linear bodies, the tangent at u = 0 is valid at all u.
+  /// Immutable. Keeps a reference to the structure. Collective.
   class TangentOperator
   {
   public:
-    /// Optional callbacks for each body: `begins` before its stiffness is
-    /// assembled, `assembled` after that, `factor_sized` with the size of the
-    /// Cholesky factor before its memory is allocated, `ends` at the end. If
-    /// `factor_sized` throws, nothing is allocated.
+    /// Optional callbacks during the setup of the solver of each body. If
+    /// `factor_sized` throws, no factor is allocated.
     struct BodyMonitor
     {
-      std::function<void(const Body &)>                     begins, assembled;
-      std::function<void(const Body &)>                     ends;
+      std::function<void(const Body &)> begins;    ///< Before assembly.
+      std::function<void(const Body &)> assembled; ///< After assembly.
+      std::function<void(const Body &)> ends;      ///< After factorization.
+      /// Called with the size of the factor before its memory is allocated.
       std::function<void(const Body &, const FactorSize &)> factor_sized;
     };
 
@@ -37,14 +37,13 @@ namespace lamella
                     const BlockVector &u,
                     const LoadFactor  &factor = LoadFactor());
 
-    /// Creates the tangent at the displacements @p u with linear solvers of the
-    /// kind @p requested for the stiffness of each body in its free DoFs. From
-    /// the last Newton correction @p correction, if any, bodies with finite
-    /// rotations predict the stress of their geometric stiffness. The solvers,
-    /// not terms() and apply(), include follower loads at load factor @p factor
-    /// and additional @p springs of each body. Throws IllConditioned if a
-    /// stiffness is not positive definite, and InputError as
-    /// Body::solver_kind() does.
+    /// Creates the tangent at the displacements @p u, with linear solvers of
+    /// the kind @p requested for the stiffness of each body in its free DoFs.
+    /// Bodies with finite rotations use @p correction, the last one of Newton's
+    /// method or empty, to predict the stress of their geometric stiffness. The
+    /// solvers include follower loads at load factor @p factor and additional
+    /// @p springs of each body. Throws IllConditioned if a stiffness is not
+    /// positive definite, and InputError if a solver is not available.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
                     const SolverKind   requested,
@@ -53,20 +52,21 @@ namespace lamella
                     const LoadFactor  &factor     = LoadFactor(),
                     const std::vector<std::vector<SpringTerm>> &springs = {});
 
+    /// Returns the structure whose tangent stiffness this is.
     const Structure &
     of() const
     {
       return structure;
     }
 
-    /// Returns the linear constraints that all supports impose on an increment
-    /// of the displacements; at finite rotations they depend on the state.
-    /// reduction() eliminates those of @p body.
+    /// Returns the linear equations by which supports constrain an increment of
+    /// the displacements; for finite rotations they depend on the state.
     const std::vector<PrescribedFunctional> &
     prescribed() const
     {
       return moved_rows.empty() ? structure.prescribed() : moved_rows;
     }
+    /// Returns the elimination of the DoFs of @p body that supports prescribe.
     const RowReduction &
     reduction(const unsigned int body) const
     {
@@ -75,60 +75,58 @@ namespace lamella
                *moved_reductions[body];
     }
 
-    /// Condenses the forces @p r in place onto the free DoFs; entries of DoFs
-    /// that supports eliminate become zero.
+    /// Condenses the forces @p r in place onto the free DoFs.
     void
     condense(BlockVector &r) const;
 
     /// Returns the increment of the prescribed displacements from load factor
-    /// @p from of the state to @p to. Finite rotations are linearized:
-    /// second-order terms would compress an unbent beam.
+    /// @p from, that of the state, to @p to. Finite rotations are linearized.
     BlockVector
     support_increment(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Point of a support, and its distance from its prescribed position,
-    /// divided by the tolerance.
+    /// Distance of a support point from its prescribed position.
     struct SupportError
     {
-      dealii::Point<3> place;
-      double           share = 0.;
+      dealii::Point<3> place;      ///< Position of the point.
+      double           share = 0.; ///< Distance over tolerance.
     };
-    /// Returns the largest support error of the state at load factor @p at.
+    /// Returns the largest distance of a support point from its prescribed
+    /// position at load factor @p at, relative to the tolerance.
     SupportError
     largest_support_error(const LoadFactor &at) const;
 
-    /// Returns the terms of K(u) of @p body, springs included.
+    /// Returns the terms of the stiffness of @p body, springs included.
     StiffnessTerms
     terms(const unsigned int body) const;
 
-    /// Returns K(u) @p w in all DoFs, springs included, computed from strains.
+    /// Returns the product of tangent stiffness and @p w in all DoFs, computed
+    /// from strains, springs included.
     BlockVector
     apply(const BlockVector &w) const;
 
-    /// Returns the solver for the condensed stiffness of @p body.
+    /// Returns the linear solver for the stiffness of @p body in its free DoFs.
     const LinearSolver &
     solver(const unsigned int body) const;
 
-    /// Returns K(u)^-1 @p r, zero in prescribed DoFs; r need not be condensed.
-    /// Requires solvers. If follower loads contribute an unsymmetric part A,
-    /// solves
+    /// Returns the solution x of K x = r, zero in prescribed DoFs, for the
+    /// forces @p r in all DoFs. Requires solvers. If follower loads add an
+    /// unsymmetric matrix A to the symmetric tangent K, solves
     ///   (1 + K^-1 A) x = K^-1 r
-    /// by GMRES, or returns K^-1 r if GMRES does not converge.
+    /// by GMRES; returns K^-1 r if GMRES does not converge.
     BlockVector
     solve(BlockVector r) const;
 
-    /// Returns the largest diagonal entry of the condensed stiffness of
-    /// @p body. If there are no solvers, the first call assembles its matrix.
+    /// Returns the largest diagonal entry of the stiffness of @p body in its
+    /// free DoFs. Without solvers, the first call assembles the matrix.
     double
     largest_stiffness(const unsigned int body) const;
 
-    /// Returns the largest condition number of the bodies' stiffnesses,
-    /// estimated from below; 0 if unknown.
+    /// Returns a lower bound of the largest condition number; 0 if unknown.
     double
     condition_estimate() const;
 
   private:
-    /// Creates prescribed rows and reductions of bodies with finite rotations.
+    /// Creates the support equations of bodies with finite rotations.
     void
     move_supports();
 
@@ -140,10 +138,10 @@ namespace lamella
                 const std::vector<SpringTerm> &springs,
                 const SolverMonitor           &monitor) const;
 
-    /// Returns K^-1 @p r.
+    /// Returns the solution for the forces @p r with the symmetric tangent.
     BlockVector
     solve_symmetric(BlockVector r) const;
-    /// Returns A @p w with the unsymmetric tangent A of follower loads.
+    /// Returns the unsymmetric part of the follower-load tangent times @p w.
     BlockVector
     unsymmetric_part(const BlockVector &w) const;
 
@@ -151,7 +149,8 @@ namespace lamella
     const BlockVector                          state;
     const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
-    /// Finite rotations: support constraints at the state, and their values.
+    /// Support equations at the state for finite rotations, their values and
+    /// the resulting elimination of DoFs; empty for small rotations.
     std::vector<PrescribedFunctional>          moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;
@@ -159,13 +158,13 @@ namespace lamella
     mutable std::vector<double> stiffest;
   };
 
-  /// Returns the tangent at u = 0 with solvers.
+  /// Returns the tangent stiffness at zero displacements, with solvers.
   std::shared_ptr<const TangentOperator>
   linearized(const Structure &structure,
              const SolverKind requested = SolverKind::automatic,
              const TangentOperator::BodyMonitor &monitor = {});
 
-  /// Returns the tangent at u = 0 without solvers, for the `full` strategy.
+  /// Returns the tangent stiffness at zero displacements, without solvers.
   std::shared_ptr<const TangentOperator>
   linearized_without_solvers(const Structure &structure);
 } // namespace lamella

@@ -18,7 +18,7 @@
 
 namespace lamella
 {
-  /// Name of a failure criterion. Formulas and sources: doc/theory/strength.md.
+  /// Failure criteria. Formulas and sources are in doc/theory/strength.md.
   enum class Criterion
   {
     undefined,
@@ -30,15 +30,17 @@ namespace lamella
     hashin, ///< Hashin 1980, in three dimensions
     puck,   ///< fiber and inter-fiber fracture, with its action plane
     von_mises,
-    interlaminar, ///< quadratic, at interfaces between plies
+    interlaminar, ///< quadratic delamination criterion at ply interfaces
     core_shear,
     core_crushing,
-    face_wrinkling ///< of a ply upon a core
+    face_wrinkling ///< local buckling of a face sheet on a core
   };
 
+  /// Names of the failure criteria in parameter files.
   template <>
   struct Names<Criterion>
   {
+    /// Value and name of each failure criterion.
     static constexpr NameOf<Criterion> all[] = {
       {Criterion::maximum_stress, "maximum stress"},
       {Criterion::maximum_strain, "maximum strain"},
@@ -54,21 +56,20 @@ namespace lamella
       {Criterion::face_wrinkling, "face wrinkling"}};
   };
 
-  /// Returns the names of all criteria in the order of the enumeration.
+  /// Returns the names of all failure criteria in the order of Criterion.
   std::vector<std::string>
   criterion_names();
 
-  /// Returns the name of an entry, e.g. `Strengths`, that @p criterion
-  /// requires, but @p material lacks; empty if nothing is missing. Face
-  /// wrinkling requires only the moduli of the core.
+  /// Returns the parameter, e.g. `Strengths`, that @p criterion requires and @p
+  /// material lacks; empty if none. Face wrinkling requires core moduli only.
   std::string
   missing_entry(const Criterion criterion, const Material &material);
 
-  /// Wrinkling stresses of a face sheet under compression along its axes 1 and
-  /// 2, as positive numbers [force/length^2].
+  /// Wrinkling stresses of a face sheet, positive [force / length^2].
   struct WrinklingStresses
   {
-    double along_1 = 0., along_2 = 0.;
+    double along_1 = 0.; ///< Compression along axis 1 of the face sheet.
+    double along_2 = 0.; ///< Compression along axis 2 of the face sheet.
   };
 
   /// Returns the wrinkling stresses of a face sheet on a thick core (Hoff and
@@ -77,66 +78,64 @@ namespace lamella
   /// for compression along the axes d = 1, 2 of the face. E_f is Young's
   /// modulus of the face along d, E_c that of the core along 3. The shear
   /// modulus of the core in the plane of d and 3 is G_c = G13 cos^2 t + G23
-  /// sin^2 t, where t is the angle from the core's axis 1 to d: t =
-  /// @p face_angle - @p core_angle, in degrees as in ply_axes(), plus 90 for d
-  /// = 2.
+  /// sin^2 t. The angle t from axis 1 of the core to d is @p face_angle - @p
+  /// core_angle, in degrees as in ply_axes(), plus 90 for d = 2.
   WrinklingStresses
   wrinkling_stresses(const EngineeringConstants &face,
                      const EngineeringConstants &core,
                      const double                face_angle,
                      const double                core_angle);
 
-  /// Result of a failure criterion for one stress.
+  /// Result of a failure criterion for the stress at one point.
   struct Assessment
   {
-    /// Failure index f, the maximum over all failure modes; 1 at failure.
+    /// Failure index, the maximum over all failure modes; 1 at failure.
     double index = 0.;
-    /// Reserve factor, the smallest R >= 0 with f(R sigma_mech + sigma_res) = 1
-    /// for the mechanical and the residual stress. Empty if R > 1e6; 0 if the
-    /// residual stress alone causes failure.
+    /// Reserve factor: the smallest R >= 0 for which R times the mechanical
+    /// stress plus the residual stress has the failure index 1. Empty if R >
+    /// 1e6; 0 if the residual stress alone causes failure.
     std::optional<double> reserve;
-    /// Failure mode at R, e.g. `tension 1`; without R, that of the largest f.
+    /// Failure mode at the reserve factor, e.g. `tension 1`; without reserve
+    /// factor, the mode with the largest failure index.
     std::string_view mode;
-    /// Fracture angle of Puck's inter-fiber fracture, from axis 2 to the normal
-    /// of the action plane, positive towards axis 3, in degrees from -90 to 90.
+    /// Fracture angle of Puck's inter-fiber fracture [degrees], from axis 2 to
+    /// the normal of the action plane, positive towards axis 3; else empty.
     std::optional<double> angle;
   };
 
-  /// The failure surface f(sigma) = 1 of a failure criterion for one material.
-  /// Stresses are in the material's own axes, {11, 22, 33, 12, 13, 23}.
+  /// The failure surface f(sigma) = 1 of a failure criterion for one material,
+  /// with stresses sigma in material axes, {11, 22, 33, 12, 13, 23}.
   ///
-  /// All criteria but Puck's are piecewise quadratic. The coefficients s_i,
+  /// All criteria except Puck's are piecewise quadratic. The coefficients s_i,
   /// p_ij, l_i depend on the failure mode and on the signs of sigma_11,
   /// sigma_22, sigma_33 and sigma_22 + sigma_33:
   ///   f = sum s_i sigma_i^2 + p_12 sigma_11 sigma_22 + p_13 sigma_11 sigma_33
   ///     + p_23 sigma_22 sigma_33 + sum l_i sigma_i.
-  /// With the stress R sigma_mech + sigma_res, each f is a parabola in R
-  /// between sign changes, and the reserve factor is the smallest root of f = 1
-  /// over all modes. If f jumps from below to above 1 at a sign change
-  /// (Tsai-Hill, Hashin's fiber mode), the reserve factor is R of this sign
-  /// change. Puck's stress exposure for inter-fiber fracture is homogeneous of
-  /// degree 1, so R = 1/f without residual stress; otherwise R is found by
-  /// bisection.
+  /// For the stress R sigma_mech + sigma_res, f is a parabola in R between sign
+  /// changes. The reserve factor is the smallest root R of f = 1 over all
+  /// modes, or R of a sign change where f jumps above 1 (Tsai-Hill, Hashin's
+  /// fiber mode). Puck's stress exposure for inter-fiber fracture is
+  /// homogeneous of degree 1: R = 1/f without residual stress, else bisection.
   class FailureSurface
   {
   public:
-    /// Computes the coefficients. missing_entry() must be empty. @p wrinkling
-    /// is required for face wrinkling only.
+    /// Computes the coefficients; missing_entry() must be empty. @p wrinkling
+    /// is used by face wrinkling only.
     FailureSurface(const Criterion          criterion,
                    const Material          &material,
                    const WrinklingStresses &wrinkling = {});
 
-    /// Evaluates the criterion for the sum of the @p mechanical stress,
-    /// proportional to the loads, and the constant @p residual stress (curing).
+    /// Returns index, reserve factor and failure mode for the @p mechanical
+    /// stress, proportional to the loads, plus constant @p residual stress.
     Assessment
     assess(const Voigt &mechanical, const Voigt &residual = Voigt()) const;
 
-    /// Returns only the failure index of @p stress, faster than assess().
+    /// Returns the failure index of @p stress. This is faster than assess().
     double
     index(const Voigt &stress) const;
 
   private:
-    /// The quadratic function f of one failure mode and one set of signs.
+    /// The quadratic function f of one failure mode for given stress signs.
     struct Form
     {
       std::string_view mode;
@@ -154,28 +153,29 @@ namespace lamella
       }
     };
 
-    /// Bits: sigma_11 < 0, sigma_22 < 0, sigma_33 < 0, sigma_22 + sigma_33 < 0.
+    /// Signs of the stresses as bits, set if sigma_11 < 0, sigma_22 < 0,
+    /// sigma_33 < 0, and sigma_22 + sigma_33 < 0.
     using Signs                    = unsigned int;
     static constexpr Signs n_signs = 16;
     static Signs
     signs_of(const Voigt &stress);
 
-    /// Returns f of all failure modes of @p criterion for @p signs.
+    /// Returns f of all failure modes of @p criterion for stress @p signs.
     std::vector<Form>
     forms_of(const Criterion          criterion,
              const Material          &material,
              const WrinklingStresses &wrinkling,
              const Signs              signs) const;
 
-    /// Returns the smallest R in (@p from, @p to] at which f = 1 for a mode of
-    /// @p signs, and that mode. R is @p from if f > 1 there.
+    /// Returns the smallest factor R in (@p from, @p to] of @p mechanical at
+    /// which f = 1, and the failure mode. R is @p from if f > 1 there.
     std::optional<std::pair<double, const Form *>>
     first_root(const Signs  signs,
                const Voigt &mechanical,
                const Voigt &residual,
                const double from,
                const double to) const;
-    /// Returns the largest f(@p stress) over all modes, and that mode.
+    /// Returns the largest index of @p stress over all modes, and its mode.
     std::pair<double, std::string_view>
     largest_form(const Voigt &stress) const;
     /// Returns the assessment without Puck's inter-fiber fracture.

@@ -10,20 +10,20 @@
 
 namespace lamella
 {
-  /// Results of a trade: cost and values of all variants, and the reference.
+  /// Results of a trade, which compares variants of a scene, for the report.
   struct TradeFindings
   {
-    /// Variants from the cheapest to the finest; successful variants have a
-    /// value for each quantity.
+    /// Variants from the cheapest to the finest. Successful variants have one
+    /// value for each compared quantity.
     std::vector<VariantResult> variants;
     /// Compared quantities, with reference values if the reference is `given`.
     std::vector<NamedQuantity> quantities;
-    /// `finest`, `solid`, `given` or the name of a variant (TradeParameters).
+    /// Reference solution: `finest`, `solid`, `given` or the name of a variant.
     std::string reference;
-    /// Relative errors for which the cheapest variants are named.
+    /// Relative errors; the report names the cheapest variant for each.
     std::vector<double> tolerances;
-    /// Title of the plots, and text that is printed at the end.
-    std::string title, remark = {};
+    std::string         title;       ///< Title of the plots.
+    std::string         remark = {}; ///< Text that is printed after the tables.
   };
 
   /// Writes @p findings to trade.json in @p directory and runs

@@ -15,26 +15,26 @@
 
 namespace lamella
 {
-  /// Error estimate of an output value, in the unit of the value.
+  /// Estimated error of an output value, in the unit of the value.
   struct RunErrorBar
   {
-    /// Error estimate, to be added to the value, and error bound.
-    double estimate = 0., bar = 0.;
+    double estimate = 0.; ///< Error estimate, to be added to the value.
+    double bar      = 0.; ///< Error bound.
     /// True if the error bar is reliable.
     bool trusted = false;
   };
 
-  /// Cost and values of a variant of a scene in a trade (comparison).
+  /// Cost and values of one variant of a scene in a trade (comparison).
   struct VariantResult
   {
-    /// Name and theory of the TradeVariant.
-    std::string name, theory;
+    std::string name;   ///< Name of the variant.
+    std::string theory; ///< Theory of the variant (TradeVariant::theory).
     /// Reason of the failure; empty if the variant succeeded.
     std::string failure;
     /// Wall time of the process [s], without error bars that it does not need.
     double seconds = 0.;
-    /// Wall time [s] by phase, and `total`; of a run to a tolerance that of the
-    /// last refinement pass.
+    /// Wall time [s] of each Phase by name, and `total`. For a solution to a
+    /// tolerance, those of the last refinement pass.
     std::map<std::string, double> phases;
     /// DoFs of all bodies in the last refinement pass; 0 if the variant failed.
     unsigned int dofs = 0;
@@ -42,46 +42,46 @@ namespace lamella
     double memory = 0.;
     /// Values of the compared quantities; empty if the variant failed.
     std::vector<double> values;
-    /// Refinement factors of the meshes; true if other entries are changed.
-    double axis = 1., section = 1.;
-    bool   overridden = false;
-    /// TradeVariant::tolerance.
+    double              axis = 1.; ///< Factor for the number of axis elements.
+    double              section = 1.; ///< Refinement factor of section meshes.
+    bool overridden             = false; ///< True if other entries are changed.
+    /// Relative error to which the scene is solved; empty for a given mesh.
     std::optional<double> tolerance = {};
-    /// Error bar of each quantity; empty if none are computed.
+    /// Error bar of each compared quantity; empty if none is computed.
     std::vector<std::optional<RunErrorBar>> bars = {};
-    /// Largest stiffening and smallest buckling factor of all load steps
-    /// (NonlinearityEstimate).
-    double                stiffening      = 0.;
+    /// Largest relative stiffening in all load steps (NonlinearityEstimate).
+    double stiffening = 0.;
+    /// Smallest buckling factor of all load steps; empty if there is none.
     std::optional<double> buckling_factor = {};
   };
 
-  /// All output values and the cost of a variant, stored in its record, from
-  /// which another trade may evaluate other quantities.
+  /// All output values and the cost of a variant, as stored in its record (a
+  /// JSON file). Another trade may evaluate other quantities from it.
   class VariantValues : public ResultNumbers
   {
   public:
     /// Constructs an object without values, for a failed variant.
     VariantValues() = default;
 
-    /// Copies values and error bars of @p results. Throws InputError if empty.
+    /// Copies values and error bars. Throws InputError if @p results is empty.
     explicit VariantValues(const Results &results);
 
-    /// Reads @p json written by to_json(). Throws nlohmann::json::exception.
+    /// Reads the result of to_json(). Throws nlohmann::json::exception.
     explicit VariantValues(const nlohmann::json &json);
 
-    /// Returns all data as JSON; doubles are restored exactly.
+    /// Returns all data as JSON; numbers are restored exactly.
     nlohmann::json
     to_json() const;
 
-    /// Sets DoFs, time, memory and nonlinear effects in @p result.
+    /// Sets DoFs, times, memory and nonlinear effects in @p result.
     void
     tell(VariantResult &result) const;
 
-    /// Returns the error bar of @p quantity, if it was a goal of the run.
+    /// Returns the error bar of @p quantity; empty if none was computed.
     std::optional<RunErrorBar>
     bar(const NamedQuantity &quantity) const;
 
-    /// Returns whether the run computed error bars.
+    /// Returns true if error bars were computed.
     bool
     has_bars() const
     {

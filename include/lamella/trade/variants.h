@@ -10,14 +10,14 @@
 
 namespace lamella
 {
-  /// Variant of a trade: a scene with changed entries (overrides).
+  /// Variant of a scene: changed entries of the scene file (overrides).
   struct Variant
   {
     /// Name in the scene file, such as `LE-2, axis 2`.
     std::string name;
-    /// Theory, such as `LE-2`; `tolerance 1` for a run to 1 % error.
+    /// Theory, such as `LE-2`; `tolerance 1` for a solution to 1 % error.
     std::string theory;
-    /// Overrides PATH=VALUE, applied after those of the option --set.
+    /// Changed entries PATH=VALUE, applied after those of the option --set.
     std::vector<std::string> overrides;
   };
 
@@ -35,7 +35,7 @@ namespace lamella
   /// TradeVariant::overrides follow. A section is refined for all bodies that
   /// use it. Throws InputError for a factor of a section from a mesh file.
   ///
-  /// For a run to a tolerance, the overrides set `Tolerance` of Goals, and
+  /// For a solution to a tolerance, the overrides set `Tolerance` of Goals, and
   /// `auto` for the theory of the scene and for theory and axis elements of the
   /// bodies of the trade; other bodies are refined, too. For these runs, and if
   /// error bars are requested, the compared quantities become the goals.

@@ -13,28 +13,29 @@
 
 namespace lamella
 {
-  /// A surface-to-surface contact of CalculiX.
+  /// A surface-to-surface contact in CalculiX.
   struct CalculixContact
   {
-    /// Name in the scene.
-    std::string name;
-    /// Element faces; the master faces of an obstacle are those of `layer`.
-    CalculixFaces slave, master;
+    /// Name of the contact in the scene.
+    std::string   name;
+    CalculixFaces slave;  ///< Element faces of the slave surface.
+    CalculixFaces master; ///< Element faces of the master surface.
     /// True if the slave surface is the second side of the scene's contact.
     bool slave_is_second = false;
     /// Penalty stiffness: pressure over penetration [force / length^3].
     double stiffness = 0.;
-    /// Elements of an obstacle, and numbers of its first node and element.
+    /// Elements that represent an obstacle; empty for contact of two bodies.
     std::optional<ObstacleLayer> layer;
-    unsigned int                 first_node = 0, first_element = 0;
+    unsigned int first_node    = 0; ///< Number of the first node of `layer`.
+    unsigned int first_element = 0; ///< Number of its first element.
   };
 
   /**
    * Contacts of a scene as surface-to-surface contacts of CalculiX with
-   * friction. The contact pressure is p = K times penetration, whichever
-   * enforcement the scene uses.
+   * friction. The contact pressure is K times the penetration, even if the
+   * scene uses another enforcement of contact.
    *
-   * K is the penalty eps_N of Eq. 20 [force / length^3]. By default it is 100
+   * K is the penalty stiffness [force / length^3]. By default it is 100
    * E_n / h of the softer side (normal modulus E_n, smallest depth h of
    * hexahedra at the surface). For a slender body, with a smallest extent d
    * below a tenth of its largest extent L, it is reduced by 10 d / L, since
@@ -49,9 +50,10 @@ namespace lamella
   class CalculixContacts
   {
   public:
-    /// @p stiffness, if set, replaces the default K of all contacts. Throws
-    /// InputError for Overclosure = adjust, for surfaces that a body does not
-    /// have, and for surfaces farther from an obstacle than the search radius.
+    /// Creates the contacts of @p scene. @p stiffness, unless empty, replaces
+    /// the default penalty stiffness of all contacts. Throws InputError for
+    /// `Overclosure = adjust`, for surfaces that a body does not have, and for
+    /// surfaces farther from an obstacle than the search radius.
     CalculixContacts(const Scene                 &scene,
                      const CalculixMesh          &mesh,
                      const std::optional<double> &stiffness);
@@ -63,7 +65,8 @@ namespace lamella
       return list;
     }
 
-    /// Returns the surface name of the contact of index @p k: CONTACT1_SLAVE.
+    /// Returns the name of the slave surface (@p slave is true) or master
+    /// surface (false) of the contact of index @p k, such as CONTACT1_SLAVE.
     static std::string
     surface_name(const unsigned int k, const bool slave);
 
@@ -71,7 +74,7 @@ namespace lamella
     void
     write_model(std::ostream &deck) const;
 
-    /// Writes the displacements of obstacles, times @p factor, for a step.
+    /// Writes the displacements of obstacles, times the load factor @p factor.
     void
     write_step(std::ostream &deck, const double factor) const;
 
@@ -80,7 +83,7 @@ namespace lamella
     write_output(std::ostream &deck) const;
 
   private:
-    /// Adds the contact of index @p k in the scene with its default K.
+    /// Adds the contact of index @p k in the scene with its default penalty.
     void
     add(const unsigned int k, const CalculixMesh &mesh);
     /// Sets @p layer as master surface of @p contact and numbers its nodes.

@@ -18,12 +18,12 @@ namespace lamella
   /// Options of the export of a scene as an input deck of CalculiX.
   struct DeckRequest
   {
-    /// Output file; the name must end in .inp.
+    /// Path of the output file; its name must end in .inp.
     std::string output;
-    /// Element type (CalculixElement); C3D20R if empty.
+    /// Element type in CalculiX, such as C3D8I; C3D20R if empty.
     std::string element;
-    /// Contact stiffness, pressure over penetration [force / length^3]; empty
-    /// or `auto` for the default of CalculixContacts.
+    /// Penalty stiffness of contacts, pressure over penetration [force /
+    /// length^3]; if empty or `auto`, the default of CalculixContacts.
     std::string contact_stiffness;
   };
 

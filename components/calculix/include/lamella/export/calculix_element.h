@@ -13,16 +13,15 @@ namespace lamella
   /// A hexahedral element type of CalculiX: 20-node serendipity element with
   /// reduced integration (C3D20R), trilinear element with incompatible modes
   /// (C3D8I) or with reduced integration (C3D8R). Coordinates are in the unit
-  /// cube [0, 1]^3. Nodes are in the order of CalculiX: corners around the
-  /// bottom z = 0, then the top, then midpoints of bottom, top and vertical
-  /// edges.
+  /// cube [0, 1]^3. Nodes are in the order of CalculiX: corners of the bottom z
+  /// = 0, corners of the top, then midpoints of bottom, top and vertical edges.
   class CalculixElement
   {
   public:
-    /// Throws InputError with the nearest name if @p name is unknown.
+    /// Selects the type @p name. Throws InputError if the name is unknown.
     explicit CalculixElement(const std::string &name);
 
-    /// Returns the name in CalculiX, such as C3D20R.
+    /// Returns the name of the element type in CalculiX, such as C3D20R.
     const std::string &
     name() const
     {
@@ -36,30 +35,29 @@ namespace lamella
       return unit_nodes.size() == 20 ? 2 : 1;
     }
 
-    /// Returns the number of nodes, 20 or 8.
+    /// Returns the number of nodes of the element, 20 or 8.
     unsigned int
     n_nodes() const
     {
       return unit_nodes.size();
     }
 
-    /// Returns the position of node @p i, from 0, in the unit cube.
+    /// Returns the position of the node of index @p i in the unit cube.
     const dealii::Point<3> &
     unit_node(const unsigned int i) const
     {
       return unit_nodes[i];
     }
 
-    /// Returns the shape functions N_i at @p unit = x, with r = 2 x - 1 and
-    /// node i at r = r_i. Trilinear shape functions are
-    ///   N_i = prod_d (1 + r_id r_d) / 2,
-    /// For 20 nodes, those of corners are these times sum_d r_id r_d - 2; those
-    /// of midpoints have the factor 1 - r_d^2 in the direction of the edge.
+    /// Returns the shape functions N_i at x = @p unit in the unit cube, with r
+    /// = 2 x - 1 and node i at r = r_i. Trilinear shape functions are
+    ///   N_i = prod_d (1 + r_id r_d) / 2.
+    /// For 20 nodes, corners have this product times (sum_d r_id r_d - 2).
+    /// Midpoints have the factor 1 - r_d^2 in the direction of their edge.
     std::vector<double>
     shape_values(const dealii::Point<3> &unit) const;
 
-    /// Returns the node indices, ascending, of the face @p face in deal.II's
-    /// order of faces (x = 0, x = 1, y = 0, ...).
+    /// Returns the node indices, ascending, of face @p face in deal.II's order.
     std::vector<unsigned int>
     face_nodes(const unsigned int face) const;
 
@@ -69,8 +67,8 @@ namespace lamella
     std::vector<dealii::Point<3>> unit_nodes;
   };
 
-  /// Returns the number in CalculiX (1 to 6 for S1 to S6) of the face that has
-  /// the index @p face (0 to 5) in deal.II.
+  /// Returns the number in CalculiX (1 to 6 for S1 to S6) of the element face
+  /// of index @p face (0 to 5) in deal.II.
   unsigned int
   calculix_face(const unsigned int face);
 } // namespace lamella

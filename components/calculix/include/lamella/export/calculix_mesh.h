@@ -16,14 +16,13 @@ namespace lamella
 {
   class Solid;
 
-  /// Element faces: pairs of element number and deal.II's index of the face.
+  /// Element faces: pairs of an element number and deal.II's index of the face.
   using CalculixFaces = std::vector<std::pair<unsigned int, unsigned int>>;
 
-  /// Mesh of all bodies of a scene with hexahedra of CalculiX, whatever their
-  /// theories. Each section cell times an axis element is a hexahedron within
+  /// Mesh of all bodies of a scene with hexahedra of CalculiX, for any theory.
+  /// A cell of the section mesh times an axis element is a hexahedron within
   /// one ply. Plies are element sets with an orientation. Nodes and elements
-  /// are numbered from 1, body by body; positions are in scene axes. Keeps a
-  /// reference to the scene.
+  /// are numbered from 1, body after body. Keeps a reference to the scene.
   class CalculixMesh
   {
   public:
@@ -39,25 +38,28 @@ namespace lamella
       return solids;
     }
 
+    /// Returns the element type.
     const CalculixElement &
     element() const
     {
       return element_type;
     }
 
-    /// Returns the position of node @p number (from 1) in scene axes.
+    /// Returns the position of the node of number @p number (from 1).
     const dealii::Point<3> &
     node(const unsigned int number) const
     {
       return nodes[number - 1];
     }
 
+    /// Returns the number of nodes of all bodies.
     unsigned int
     n_nodes() const
     {
       return nodes.size();
     }
 
+    /// Returns the number of elements of all bodies.
     unsigned int
     n_elements() const
     {
@@ -72,32 +74,32 @@ namespace lamella
       return firsts[body];
     }
 
-    /// Returns the element number of the hexahedron @p cell of a body.
+    /// Returns the number of the element at mesh cell @p cell of @p body.
     unsigned int
     element_of(const unsigned int body, const unsigned int cell) const
     {
       return firsts[body].second + cell;
     }
 
-    /// Returns the nodes of element @p number in the order of CalculiX.
+    /// Returns the node numbers of element @p number in the order of CalculiX.
     const std::vector<unsigned int> &
     nodes_of(const unsigned int number) const
     {
       return elements[number - 1];
     }
 
-    /// Returns the faces of @p surface of @p body (bottom, start, ...).
+    /// Returns the element faces of @p surface (bottom, start, ...) of @p body.
     CalculixFaces
     faces(const unsigned int body, const std::string &surface) const;
 
-    /// Returns the node of @p body at @p location (tolerance 1e-6 in unit
-    /// coordinates), or 0 if there is none.
+    /// Returns the number of the node of @p body at @p location (tolerance 1e-6
+    /// in unit coordinates), or 0 if there is none.
     unsigned int
     node_at(const unsigned int body, const Location &location) const;
 
-    /// Returns the nodes on @p region of a support. Throws InputError, which
-    /// names the subsection @p path, if a point is not at a node or a line is
-    /// not along element edges.
+    /// Returns the numbers of the nodes on @p region of a support. Throws
+    /// InputError, which names the subsection @p path, if a point is not at a
+    /// node or a line is not along element edges.
     std::set<unsigned int>
     region_nodes(const Region &region, const std::string &path) const;
 
@@ -128,31 +130,31 @@ namespace lamella
     const Scene    &scene;
     CalculixElement element_type;
     Bodies          solids;
-    /// Results of first_of().
+    /// First node and element of each body, then one past the last ones.
     std::vector<std::pair<unsigned int, unsigned int>> firsts;
     /// Positions of nodes and nodes of elements, by number minus 1.
     std::vector<dealii::Point<3>>          nodes;
     std::vector<std::vector<unsigned int>> elements;
-    /// Ply of each element in its section, from 0 at the bottom.
+    /// Index of the ply of each element in its section, from 0 at the bottom.
     std::vector<unsigned int> plies;
   };
 
-  /// Returns @p value as text with 13 digits, at most 20 characters.
+  /// Returns @p value as text with 13 digits, in at most 20 characters.
   std::string
   calculix_number(const double value);
 
-  /// Writes a node (number, coordinates) or an element (number, nodes), with at
-  /// most sixteen entries per line.
+  /// Writes the line of a node (number, coordinates) to @p deck.
   void
   write_node(std::ostream           &deck,
              const unsigned int      number,
              const dealii::Point<3> &position);
+  /// Writes the number and @p nodes of an element, sixteen entries a line.
   void
   write_element(std::ostream                    &deck,
                 const unsigned int               number,
                 const std::vector<unsigned int> &nodes);
 
-  /// Writes the line @p keyword and the numbers in @p set.
+  /// Writes the line @p keyword and then the numbers in @p set to @p deck.
   void
   write_set(std::ostream                 &deck,
             const std::string            &keyword,

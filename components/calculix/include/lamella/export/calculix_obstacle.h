@@ -13,14 +13,14 @@
 namespace lamella
 {
   /// The rigid surface of an obstacle in CalculiX: a layer of 20-node hexahedra
-  /// whose faces S2 are on the surface. Nodes are numbered from 0.
+  /// whose faces S2 are on the surface. Node indices begin at 0.
   struct ObstacleLayer
   {
     /// Positions of nodes in scene axes.
     std::vector<dealii::Point<3>> nodes;
-    /// Twenty nodes of each element, in the order of CalculiX.
+    /// Indices of the twenty nodes of each element, in the order of CalculiX.
     std::vector<std::vector<unsigned int>> elements;
-    /// Displacement of the obstacle (all nodes) at load factor 1.
+    /// Prescribed displacement of all nodes at load factor 1 [length].
     dealii::Tensor<1, 3> displacement;
   };
 
