@@ -186,22 +186,12 @@ namespace lamella
     double energy = 0.;
     /// Largest rotation [rad], |curl u| / 2 if rotations are small.
     double max_rotation = 0.;
-<<<<<<< ours
-    /// For finite rotations: largest principal Green strain, largest root mean
-    /// square of the axial strain over a section, and (total Lagrangian bodies)
-    /// largest rotation between the ends of an element [rad].
-    double max_strain = 0., max_rms_strain = 0., max_element_rotation = 0.;
-    /// Largest relative change of bending moments and torques that the
-    /// neglected change of the section's shape would cause
-    /// (GeometricallyExactBeam).
-=======
     /// Largest principal Green strain; 0 unless rotations are finite.
     double max_strain      = 0.,
-           max_mean_strain = 0., ///< Largest RMS of axial strain in a section.
+           max_rms_strain  = 0., ///< Largest RMS of axial strain in a section.
       max_element_rotation = 0.; ///< Largest rotation along an element [rad].
     /// Largest relative change of bending moments and torques due to the change
     /// of the section's shape, which GeometricallyExactBeam neglects.
->>>>>>> theirs
     double shape_change = 0.;
   };
 

@@ -49,15 +49,10 @@ namespace lamella
     /// True for finite rotations: forces and moments refer to the current
     /// configuration, and energies are not balanced. False if linear.
     bool   is_large   = false;
-<<<<<<< ours
-    double max_strain = 0., max_rms_strain = 0., max_element_rotation = 0.,
-           shape_change = 0.;
-=======
     double max_strain = 0., ///< Largest principal Green strain.
-      max_mean_strain = 0., ///< Largest rms of the axial strain over a section.
+      max_rms_strain  = 0., ///< Largest rms of the axial strain over a section.
       max_element_rotation = 0., ///< Largest rotation within an element [rad].
       shape_change = 0.; ///< Relative error of moments by rigid section shapes.
->>>>>>> theirs
     /// Estimated effects of large deflections; not set by check_state().
     NonlinearityEstimate beyond;
     /// Largest displacement component of all bodies and obstacles.
