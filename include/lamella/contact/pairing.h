@@ -14,39 +14,39 @@
 
 namespace lamella
 {
-  /// A node-to-node pair of surface points (Sec. 3.3 of the paper), by their
-  /// indices on the first and second surface.
+  /// A pair of facing nodes, one of each contact surface, for node-to-node
+  /// contact (Sec. 3.3 of Nagaraj et al. 2020).
   struct PointPair
   {
-    unsigned int first = 0, second = 0;
-    /// Averaged normal n = (n_1 - n_2) / |n_1 - n_2|, and initial gap g_init =
-    /// (X_2 - X_1) . n [length] (Eq. 17 with the averaged normal).
+    unsigned int first = 0, ///< Index of the point on the first surface.
+      second           = 0; ///< Index of the point on the second surface.
+    /// Unit normal n ~ n_1 - n_2, with outward normals n_1, n_2 of both points.
     dealii::Tensor<1, 3> normal;
-    double               initial_gap = 0.;
+    /// Initial gap (X_2 - X_1) . n [length] between the undeformed points X_1
+    /// and X_2; negative if the surfaces overlap.
+    double initial_gap = 0.;
   };
 
-  /// Result of pair_node_to_node().
+  /// Result of node-to-node pairing: pairs and numbers of unpaired points.
   struct Pairing
   {
-    /// Pairs in ascending order of the first index.
-    std::vector<PointPair> pairs;
-    /// Number of points of either surface that face no point of the other.
-    unsigned int unpaired = 0, unpaired_second = 0;
-    /// For messages if no pairs exist: smallest distance of points of the two
-    /// surfaces, and smallest tangential offset of points with opposed normals
-    /// [length]; the largest double if there are none.
-    double nearest_distance = 0., smallest_offset = 0.;
+    std::vector<PointPair> pairs; ///< Pairs, ascending by PointPair::first.
+    unsigned int unpaired = 0,    ///< Number of unpaired points, first surface.
+      unpaired_second     = 0; ///< Number of unpaired points, second surface.
+    /// Smallest distance between points of both surfaces [length], for the
+    /// error message if there are no pairs; the largest double if unknown.
+    double nearest_distance = 0.,
+           smallest_offset  = 0.; ///< Smallest tangential offset [length].
   };
 
   /// Returns node-to-node pairs: points aligned along the average of both
   /// normals and at most @p search_radius apart. Each point is in at most one
   /// pair; nearest pairs are formed first. Swapping the two surfaces only swaps
-  /// the pairs and reverses the normals. Points a and b form a pair, with d =
-  /// X_b - X_a and n as in PointPair, if
+  /// the pairs and reverses the normals. Points a and b with areas A form a
+  /// pair if, with d = X_b - X_a and the averaged normal n,
   ///   |d - (d . n) n| <= tolerance sqrt(min(A_a, A_b)),  |d| <= search_radius,
   /// and if their normals are opposed: to 60 degrees for points in contact,
-  /// less strictly (|n_a - n_b| > 0.2) for points apart along n. The three
-  /// nearest points from an R-tree are tried first, then all.
+  /// less strictly (|n_a - n_b| > 0.2) for points apart along n.
   Pairing
   pair_node_to_node(
     const std::vector<SurfacePoint> &first,
@@ -55,121 +55,116 @@ namespace lamella
     const double search_radius = std::numeric_limits<double>::infinity());
 
   /// A gap as a function of point displacements u_1 (slave) and u_2 (master),
-  /// from which make_interface() creates a GapConstraint,
-  ///   g(u) = sum_k v_k . u_2(X_k) - sum_j w_j . u_1(X_j) + gap.
-  /// X_j and X_k are points of the slave and master surface, and `gap` is the
-  /// initial gap. A node pair has v = w = n; for weighted gaps, the weights w_j
-  /// and v_k each sum to the average normal.
+  ///   g(u) = sum_k v_k . u_2(X_k) - sum_j w_j . u_1(X_j) + gap,
+  /// with points X_j and X_k of the slave and master surface and weight vectors
+  /// w_j and v_k. `gap` is the initial gap. A node pair has v = w = n, the
+  /// normal; the weights of a weighted gap (mortar) sum to it.
   struct WeightedGap
   {
-    /// Slave point of the gap, and the point opposite.
-    dealii::Point<3> position, opposite;
-    /// Location of the slave point in its body.
-    Location node;
-    /// Normal n, outward from the slave side; for a weighted gap its average.
-    /// The contact force on the master side is lambda n.
+    dealii::Point<3> position, ///< Slave point of the gap.
+      opposite;    ///< Point of the master surface opposite the slave point.
+    Location node; ///< Element and unit coordinates of the slave point.
+    /// Unit normal n, outward from the slave side; for a weighted gap its
+    /// average. The contact force on the master side is along n.
     dealii::Tensor<1, 3> normal;
-    /// Tributary area [length^2], and (average) initial gap [length].
-    double area = 0., gap = 0.;
-    /// Point spacing, the root of the full tributary area [length].
-    double spacing = 0.;
-    /// Angle between n_1 and -n_2 at the slave point [rad].
-    double angle = 0.;
-    /// Stiffnesses for the automatic penalty; for an obstacle, the slave's.
-    LocalStiffness slave, master;
-    /// Weights w_j and v_k, with indices in Gaps::slave and Gaps::master.
-    ConstraintGeometry::Weights slave_weights, master_weights;
+    double area    = 0.,  ///< Tributary area of the slave point [length^2].
+      gap          = 0.;  ///< Initial gap [length]; averaged if weighted.
+    double spacing = 0.;  ///< Root of the full area of the slave node [length].
+    double angle   = 0.;  ///< Angle between both normals, one reversed [rad].
+    LocalStiffness slave, ///< Slave stiffness, for the automatic penalty.
+      master;             ///< Master stiffness; for an obstacle the slave's.
+    ConstraintGeometry::Weights
+      slave_weights,  ///< Weight vectors of slave points (Gaps::slave).
+      master_weights; ///< Weight vectors of master points (Gaps::master).
   };
 
-  /// A slave point without a constraint, as it is behind the other surface by
-  /// more than the depth of cells: surfaces face away or bodies overlap.
+  /// A slave point without constraint, since it is deeper behind the master
+  /// surface than the depth of the elements there.
   struct DeepPenetration
   {
-    dealii::Point<3> position, opposite;
-    /// Distance behind the surface, positive [length].
-    double behind = 0.;
+    dealii::Point<3> position, ///< Slave point.
+      opposite; ///< Point of the master surface opposite the slave point.
+    double behind = 0.; ///< Distance behind the surface, positive [length].
   };
 
   /// A material point of the slave side at which a gap is measured, with its
-  /// projection on the master side. A weighted gap is the average
+  /// projection on the master side. The weighted gap (mortar) of node i is the
+  /// average of the gaps g_q at integration points X_q with areas a_q,
   ///   g_i = sum_q a_q phi_i(X_q) g_q / sum_q a_q phi_i(X_q),
-  /// with constant points X_q and areas a_q, and multiplier functions phi_i.
+  /// with the Lagrange multiplier functions phi_i.
   struct GapPoint
   {
-    /// Slave point, by facet numbers of MeshSurface.
-    MeshSurface::FacetPoint slave;
-    /// Opposite point; its facet is invalid_unsigned_int for an obstacle.
+    MeshSurface::FacetPoint slave; ///< Slave point: facet and its coordinates.
+    /// Opposite master point; its facet is invalid_unsigned_int for obstacles.
     MeshSurface::FacetPoint master;
-    /// Area a_q of the point [length^2]; 1 for constraints of a single point.
-    double area = 1.;
-    /// Facet number in the SlaveSurface; unused for single-point constraints.
-    unsigned int part = 0;
+    double       area = 1.; ///< Integration area [length^2]; 1 for a node.
+    unsigned int part = 0;  ///< Index in SlaveSurface::facets(), if weighted.
   };
 
   /// All gaps of one contact, and the points on which they depend.
   struct Gaps
   {
-    std::vector<WeightedGap> gaps;
-    /// Points of the slave and master body to which the weights refer.
-    std::vector<Location> slave, master;
-    /// Number of slave points without master point or deep penetration.
-    unsigned int                 unpaired = 0;
+    std::vector<WeightedGap> gaps;  ///< Gaps, one per contact constraint.
+    std::vector<Location>    slave, ///< Slave points that have weights.
+      master; ///< Master points that have weights; none for an obstacle.
+    unsigned int unpaired = 0; ///< Number of slave points that face nothing.
+    /// Slave points without constraint, too deep behind the master surface.
     std::vector<DeepPenetration> deep_penetrations;
-    /// Slave surface with hat functions; null for nodal functions.
+    /// Slave surface with multiplier functions of weighted gaps, else null.
     std::shared_ptr<const SlaveSurface> surface = {};
-    /// Integration points of the gaps for hat functions.
-    std::vector<GapPoint> points = {};
+    std::vector<GapPoint> points = {}; ///< Integration points of weighted gaps.
   };
 
   /// Slave and master surface of a contact. The master is a mesh, or an
   /// obstacle if master_mesh is null. Keeps pointers to the surfaces.
   struct ContactSurfacePair
   {
-    const MeshSurface   *slave       = nullptr;
-    const MasterSurface *master      = nullptr;
-    const MeshSurface   *master_mesh = nullptr;
-    /// Search radius along the averaged normal [length].
-    double search_radius = 0.;
-    /// True for edge contact: slave points are projected along the normals of
-    /// master_mesh (closest_point_projection()).
-    bool edge_contact = false;
-    /// Permitted penetration of an obstacle [length].
-    double max_obstacle_depth = 0.;
+    const MeshSurface   *slave       = nullptr; ///< Slave surface, never null.
+    const MasterSurface *master      = nullptr; ///< Master surface or obstacle.
+    const MeshSurface   *master_mesh = nullptr; ///< Mesh of master, or null.
+    double search_radius = 0.; ///< Search radius along the normal [length].
+    /// True for edge contact: gaps are measured along normals of the master
+    /// mesh (closest_point_projection()). False: along the averaged normal.
+    bool   edge_contact       = false;
+    double max_obstacle_depth = 0.; ///< Permitted penetration [length].
   };
 
-  /// Returns true if the overlap -gap exceeds the depth of the shallower of the
-  /// two cells behind the surfaces, so that the point gets no constraint.
+  /// Returns true if the overlap (-@p gap) exceeds the smaller of @p depth_1
+  /// and @p depth_2, the depths of the elements behind both surfaces [length].
+  /// Such a point gets no contact constraint.
   bool
   exceeds_cell_depth(const double gap,
                      const double depth_1,
                      const double depth_2);
 
   /// Returns true if the overlap at the master point @p hit exceeds the depth
-  /// of the slave cell @p depth or of the master cell; for an obstacle,
-  /// max(depth, max_obstacle_depth).
+  /// of the slave element @p depth or of the master element. For an obstacle,
+  /// the limit is the larger of @p depth and the permitted penetration
+  /// ContactSurfacePair::max_obstacle_depth.
   bool
   exceeds_cell_depth(const ContactSurfacePair &sides,
                      const SurfaceHit         &hit,
                      const double              depth);
 
-  /// Returns node-to-surface gaps of the slave nodes @p points and the master
-  /// points that they face. Single-pass: master nodes may penetrate the slave
-  /// side, and a uniform pressure is not transmitted exactly
-  /// (doc/theory/contact.md). One point per side, with v = w = n.
+  /// Returns the node-to-surface gaps of the slave nodes @p points: one slave
+  /// node and one master point per gap, along the averaged normal (edge
+  /// contact: the master normal). Master nodes may penetrate the slave side,
+  /// and a uniform pressure is not transmitted exactly (doc/theory/contact.md).
   Gaps
   pair_node_to_surface(const ContactSurfacePair        &sides,
                        const std::vector<SurfacePoint> &points);
 
-  /// Returns the number of grid nodes of @p a that do not face @p b within
-  /// @p search_radius [length].
+  /// Returns the number of surface nodes of @p a that face no point of @p b
+  /// within @p search_radius [length].
   unsigned int
   count_unpaired_nodes(const MeshSurface   &a,
                        const MasterSurface &b,
                        const double         search_radius);
 
-  /// Returns the number of grid cells (degree_s x degree_t per facet) of @p a
-  /// that face @p b, for SlaveSide::automatic. A facet that faces @p b in part
-  /// counts by area: facets are cut as plane quadrilaterals (cut()).
+  /// Returns the number of cells between surface nodes of @p a that face @p b
+  /// within @p search_radius [length]; a facet has degree_s x degree_t cells.
+  /// Partly facing facets count by their facing area, as plane quadrilaterals.
+  /// SlaveSide::automatic compares these numbers of both surfaces.
   double
   count_facing_cells(const MeshSurface &a,
                      const MeshSurface &b,

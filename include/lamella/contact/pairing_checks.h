@@ -8,17 +8,18 @@
 
 namespace lamella
 {
-  /// Throws InputError for a contact without any pair within @p search_radius.
-  /// The message gives the smallest distance, or tangential offset, of nodes.
+  /// Throws InputError for a contact without facing points within @p
+  /// search_radius [length]. The message gives the smallest distance or offset.
   [[noreturn]] void
   throw_no_pairs(const ContactPair &contact,
                  const Bodies      &bodies,
                  const double       search_radius);
 
-  /// Throws InputError if a point of Gaps::deep_penetrations lies inside the
-  /// other body, or if @p gaps has no other points. Such points outside the
-  /// other body are accepted: they face away from it (the upper half of a
-  /// roller). The second side is the slave if @p on_second.
+  /// Throws InputError if a slave point deep behind the master surface
+  /// (Gaps::deep_penetrations) lies inside the other body, or if @p gaps has no
+  /// other points. Deep points outside the other body are accepted: they face
+  /// away from it (the upper half of a roller). The slave is the second surface
+  /// if @p on_second is true, else the first.
   void
   check_no_penetration(const ContactPair &contact,
                        const Bodies      &bodies,

@@ -12,23 +12,24 @@
 
 namespace lamella
 {
-  /// Obstacles in the order of the scene, none null; contacts share ownership.
+  /// Rigid obstacles in the order of the input file; contacts share ownership.
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
 
-  /// Entries of a `subsection Contact NAME`: surfaces, discretization, search
-  /// distance, overclosure, enforcement, node tolerance, and friction.
+  /// Parameters of a contact, `subsection Contact NAME`: surfaces,
+  /// discretization, search distance, overclosure, enforcement, tolerance, and
+  /// friction.
   struct ContactParameters
   {
     /// Declares the entries with their defaults, patterns and documentation.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Reads the contact @p name between two of @p bodies, or a body and one of
-    /// @p obstacles; make_interface() checks that the surfaces exist. `Penalty
-    /// = auto` becomes 1e6 times the local stiffness. Throws InputError for an
-    /// unknown body or obstacle, an obstacle as First, two surfaces of one
-    /// body, an obstacle with `node to node` or as the slave, a Tolerance of
-    /// 0.5 or more, and a Friction below 0 or above 10.
+    /// Reads the contact @p name between two of @p bodies, or between a body
+    /// and one of @p obstacles. make_interface() checks later that the surfaces
+    /// exist. `Penalty = auto` becomes 1e6 times the local stiffness. Throws
+    /// InputError for an unknown body or obstacle, an obstacle as First, two
+    /// surfaces of one body, an obstacle with `node to node` or as the slave, a
+    /// Tolerance of 0.5 or more, and a Friction below 0 or above 10.
     static ContactPair
     parse(const Entries                  &in,
           const std::string              &name,
@@ -36,17 +37,17 @@ namespace lamella
           const Obstacles                &obstacles);
   };
 
-  /// Entries of a `subsection Obstacle NAME`: Shape, Through, Normal, Axis,
-  /// Radius and the displacement u [length].
+  /// Parameters of a rigid obstacle, `subsection Obstacle NAME`: Shape,
+  /// Through, Normal, Axis, Radius and the displacement u [length].
   struct ObstacleParameters
   {
     /// Declares the entries with their defaults, patterns and documentation.
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Reads the obstacle @p name, with a unit direction; never null. Throws
-    /// InputError if the shape is missing, for a zero direction, for a cylinder
-    /// without a positive radius and for a plane with a radius.
+    /// Reads the obstacle @p name and normalizes its direction. Never returns
+    /// null. Throws InputError for a missing shape, a zero direction, a
+    /// cylinder without a positive radius and a plane with a radius.
     static std::shared_ptr<Obstacle>
     parse(const Entries &in, const std::string &name);
   };

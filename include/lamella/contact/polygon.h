@@ -11,26 +11,26 @@
 
 namespace lamella
 {
-  /// Corners of a convex polygon, counterclockwise, in a plane [length] or in
-  /// the unit square of a facet. May be empty.
+  /// Corners of a convex polygon, counterclockwise, with coordinates in a plane
+  /// [length] or in the unit square of a surface facet. It may be empty.
   using Polygon = std::vector<dealii::Point<2>>;
 
-  /// Returns the area, 0 for fewer than three corners, negative if clockwise.
+  /// Returns the area: 0 below three corners, negative if clockwise.
   double
   area(const Polygon &polygon);
 
-  /// Returns the centroid; the area must not vanish.
+  /// Returns the centroid of @p polygon, whose area must not vanish.
   dealii::Point<2>
   centroid(const Polygon &polygon);
 
-  /// Returns the part of @p polygon inside @p window, both convex and
-  /// counterclockwise (Sutherland-Hodgman clipping); may be empty.
+  /// Returns the intersection of @p polygon and @p window, both convex and
+  /// counterclockwise (Sutherland-Hodgman clipping). It may be empty.
   Polygon
   clipped(const Polygon &polygon, const Polygon &window);
 
-  /// Returns the part of the convex @p polygon on which @p height >= 0,
-  /// interpolated linearly along its sides. With -height it returns the
-  /// complement, bitwise with the same edge.
+  /// Returns the subset of the convex @p polygon on which @p height,
+  /// interpolated linearly along the sides, is not negative. Called with
+  /// -height, the function returns the complement, with bitwise the same edge.
   Polygon
   part_above(const Polygon                                         &polygon,
              const std::function<double(const dealii::Point<2> &)> &height);

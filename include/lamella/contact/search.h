@@ -13,14 +13,16 @@
 
 namespace lamella
 {
-  /// Nearest-neighbor search in a fixed set of points with Boost's packed
-  /// R-tree. Numbers are indices in the list.
+  /// Nearest-neighbor search in a fixed list of points with Boost's packed
+  /// R-tree. Results are indices in that list.
   class PointSearch
   {
   public:
+    /// Builds the tree of @p points [length]; their indices are the results.
     explicit PointSearch(const std::vector<dealii::Point<3>> &points);
 
-    /// Returns the numbers of the @p n nearest points (or all), nearest first.
+    /// Returns the indices of the @p n points nearest to @p x, nearest first;
+    /// all points if there are fewer than @p n.
     std::vector<unsigned int>
     nearest(const dealii::Point<3> &x, const unsigned int n) const;
 
@@ -29,20 +31,21 @@ namespace lamella
     dealii::RTree<Numbered> tree;
   };
 
-  /// Search in a fixed set of axis-parallel boxes with Boost's packed R-tree,
-  /// the coarse phase of contact search. Numbers are indices in the list.
+  /// Search in a fixed list of axis-parallel boxes with Boost's packed R-tree,
+  /// the coarse phase of contact search. Results are indices in that list.
   class BoxSearch
   {
   public:
-    /// Creates an empty set, for which nearest() must not be called.
+    /// Creates an empty list, for which nearest() must not be called.
     BoxSearch() = default;
+    /// Builds the tree of @p boxes [length]; their indices are the results.
     explicit BoxSearch(const std::vector<dealii::BoundingBox<3>> &boxes);
 
-    /// Returns the numbers of all boxes that meet @p box, ascending.
+    /// Returns the ascending indices of all boxes that intersect @p box.
     std::vector<unsigned int>
     meeting(const dealii::BoundingBox<3> &box) const;
 
-    /// Returns the number of a box nearest to @p x, or that contains x.
+    /// Returns the index of the box that contains @p x, or else of the nearest.
     unsigned int
     nearest(const dealii::Point<3> &x) const;
 

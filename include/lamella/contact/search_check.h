@@ -10,31 +10,30 @@
 
 namespace lamella
 {
-  /// A constraint that a second search for the same contact finds, and the
-  /// first did not find or found for a smaller area.
+  /// A contact constraint found by a second contact search with a larger search
+  /// radius. The first search found none, or one for a smaller area.
   struct AdditionalConstraint
   {
-    /// Number of the constraint in the second search.
-    unsigned int found = 0;
-    /// Number of the first search's constraint at the same node, if any.
+    unsigned int found = 0; ///< Index of the constraint in the second search.
+    /// Index of the first search's constraint at the same slave node, if any.
     std::optional<unsigned int> own;
   };
 
-  /// Returns those constraints of @p found whose nodes (place_of()) have no
-  /// constraint in @p own, or one with less than the fraction @p share of the
-  /// area, on the same side.
+  /// Returns the constraints of @p found, a search with a larger radius, at
+  /// slave nodes without a constraint in @p own, or with one that has less than
+  /// the fraction @p share of the area. Both searches have the same slave side.
   std::vector<AdditionalConstraint>
   additional_constraints(const ContactInterface &own,
                          const ContactInterface &found,
                          const double            share);
 
-  /// Checks that the search distance given in a scene was large enough. Points
-  /// farther apart have no constraint and would pass through the other body
-  /// undetected. For each state, the contact is paired again with a search
-  /// radius increased by the motion of the bodies; additional constraints must
-  /// not be in contact. One object per contact is used for all load steps; it
-  /// searches again only if displacements exceed those checked so far. No
-  /// effect for an automatic search distance.
+  /// Checks that the search distance given in the input file was large enough.
+  /// Points farther apart have no constraint and would pass through the other
+  /// body undetected. For each equilibrium state, the contact is paired again
+  /// with a search radius increased by the motion of the bodies; the additional
+  /// constraints must not be in contact. One object per contact checks all load
+  /// steps; it searches again only if displacements exceed those checked so
+  /// far. Automatic search distances are not checked.
   class SearchCheck
   {
   public:
@@ -42,12 +41,13 @@ namespace lamella
     SearchCheck(const ContactPair &contact, const Bodies &bodies);
 
     /// Throws NumericsError if a point without a constraint in @p interface, or
-    /// with one for a part of its area, is in contact at the displacements @p u
-    /// and load factor @p factor: if the gap of the additional constraint is
-    /// below zero by more than 1e-9 of the displacements, or if its existing
-    /// constraint is in @p active (ascending numbers within the contact). The
-    /// message gives the required search distance. The search radius grows with
-    /// @p u and the motion of the obstacle, up to automatic_search_distance().
+    /// with a constraint for a part of its area, is in contact at the
+    /// displacements @p u and the load factor @p factor. A point is in contact
+    /// if the gap of its additional constraint is below zero by more than 1e-9
+    /// of the displacements, or if its existing constraint is one of @p active
+    /// (ascending indices within the contact). The message gives the required
+    /// search distance. The search radius grows with @p u and the motion of the
+    /// obstacle, up to automatic_search_distance().
     void
     check(const ContactInterface          &interface,
           const BlockVector               &u,

@@ -11,46 +11,46 @@
 
 namespace lamella
 {
-  /// Chord plane of a quadrilateral part of a surface, in which mortar segments
-  /// are cut: through its first corner, parallel to both diagonals, with axes
-  /// along its first side and normal to that side.
+  /// Plane in which mortar segments of a quadrilateral surface patch are cut.
+  /// It contains the first corner and is parallel to both diagonals, with axes
+  /// along the first side and normal to that side.
   struct ChordPlane
   {
-    /// Creates the plane of @p corners at (0, 0), (1, 0), (0, 1), (1, 1) of a
-    /// facet or a part of it. The normal points to the side of @p outward.
+    /// Creates the plane of a facet, or of a part of it, from its @p corners at
+    /// the facet coordinates (0, 0), (1, 0), (0, 1), (1, 1). The normal points
+    /// to the side of the vector @p outward.
     ChordPlane(const std::array<dealii::Point<3>, 4> &corners,
                const dealii::Tensor<1, 3>            &outward);
 
-    /// Returns the coordinates along e1 and e2 [length] of @p x, projected
-    /// along @p direction, which must not lie in the plane.
+    /// Returns the in-plane coordinates along e1 and e2 [length] of the point
+    /// @p x projected along @p direction, which must cross the plane.
     dealii::Point<2>
     project(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &direction) const;
 
-    /// First corner, and an orthonormal right-handed frame with outward normal.
-    dealii::Point<3>     origin;
-    dealii::Tensor<1, 3> e1, e2, normal;
-    /// Polygon of the corners projected along the normal; area [length^2].
-    Polygon outline;
-    double  area = 0.;
+    dealii::Point<3>     origin; ///< First corner, origin of coordinates.
+    dealii::Tensor<1, 3> e1,     ///< Unit vector along the first side.
+      e2,                        ///< Unit vector normal x e1.
+      normal;                    ///< Unit normal of the plane, outward.
+    Polygon outline;   ///< Corners projected along the normal [length].
+    double  area = 0.; ///< Area of the outline [length^2].
   };
 
   /// A mortar segment, on which integrands are smooth: the intersection of a
-  /// part of a surface and a facet of the other surface, in the chord plane.
+  /// patch of one surface and a facet of the other surface, in the chord plane.
   struct Segment
   {
-    /// Facet of the other surface; polygon and area in the chord plane.
-    unsigned int facet = 0;
-    Polygon      polygon;
-    double       area = 0.;
+    unsigned int facet = 0; ///< Index of the facet of the other surface.
+    Polygon      polygon;   ///< Corners in the chord plane [length].
+    double       area = 0.; ///< Area of the polygon [length^2].
   };
 
-  /// Returns the mortar segments of the part of a surface with chord plane
-  /// @p plane and the facets of @p other within @p search_radius, projected
-  /// along @p direction (the averaged normal at the center of the part), in
-  /// ascending order of facets. Omits segments below 1e-11 of the area, and
-  /// facets seen from behind or from the side (cosine to @p direction below
-  /// 0.1). Segments of facets behind each other overlap.
+  /// Returns the mortar segments of the surface patch with chord plane @p plane
+  /// and the facets of @p other within @p search_radius [length]. Both are
+  /// projected along @p direction, the averaged normal at the center of the
+  /// patch. Segments are in ascending order of facets. Segments below 1e-11 of
+  /// the area are omitted, as are facets seen from behind or from the side
+  /// (cosine to @p direction below 0.1). Segments may overlap.
   std::vector<Segment>
   cut(const ChordPlane           &plane,
       const dealii::Tensor<1, 3> &direction,

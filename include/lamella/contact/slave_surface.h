@@ -14,113 +14,116 @@
 
 namespace lamella
 {
-  /// Strip of a contact between two values of a scene coordinate.
+  /// Strip of a contact surface between two values of one scene coordinate.
   struct ContactStrip
   {
-    /// Axis: 0, 1, 2 for x, y, z.
-    unsigned int axis = 0;
-    /// Undeformed coordinates [length], from < to.
-    double from = 0., to = 0.;
+    unsigned int axis = 0;  ///< Scene coordinate: 0, 1, 2 for x, y, z.
+    double       from = 0., ///< Lower undeformed coordinate [length].
+      to              = 0.; ///< Upper undeformed coordinate [length].
   };
 
-  /// The slave (nonmortar) surface of a contact, restricted to the support of
-  /// the contact constraints, with their functions phi_i:
-  /// - `trace`: nodal contact. phi_i is the nodal function L_a(s) L_b(t) of the
-  ///   grid of the expansion degree; its integral is the tributary area of the
-  ///   node.
+  /// The slave (nonmortar) surface of a contact with the shape functions phi_i
+  /// of its constraints:
+  /// - `trace`: nodal contact. phi_i is the Lagrange function of the
+  ///   Gauss-Lobatto grid of the expansion degree; its integral is the
+  ///   tributary area of the node.
   /// - `hats`: weighted gaps. phi_i is the multiplier function, bilinear on the
-  ///   cells between neighboring nodes, restricted to the part that faces the
-  ///   other side.
-  /// Facets share a node if it has the same number in SurfaceTopology. The
-  /// geometry is undeformed and does not refer to a body.
+  ///   cells between neighboring nodes, on the area that faces the master side.
+  ///
+  /// Facets share a node if it has the same number in SurfaceTopology.
   class SlaveSurface
   {
   public:
+    /// Kind of the shape functions of the constraints.
     enum class Functions
     {
-      trace,
-      hats
+      trace, ///< Lagrange functions of the nodes, for nodal contact.
+      hats   ///< Bilinear multiplier functions, for weighted gaps.
     };
 
+    /// A facet of the slave surface with its nodes and constraints.
     struct Facet
     {
-      FacetMap map;
-      /// Degrees of the grid of Gauss-Lobatto nodes in s and t.
-      unsigned int degree_s = 1, degree_t = 1;
-      /// Node numbers of SurfaceTopology; the first coordinate runs fastest.
+      FacetMap     map;          ///< Undeformed geometry X(s, t).
+      unsigned int degree_s = 1, ///< Degree of the Gauss-Lobatto grid in s.
+        degree_t            = 1; ///< Degree of the Gauss-Lobatto grid in t.
+      /// Node numbers of SurfaceTopology; the coordinate s runs fastest.
       std::vector<unsigned int> nodes;
-      /// For each node, the numbers of the constraints to which its function
-      /// contributes, with factors: 1 for its own constraint; 1/2 for each of
-      /// the end nodes of a hanging node; none if it faces nothing.
+      /// Indices of the constraints to which each node's function contributes,
+      /// with factors: 1 for the node's constraint; 1/2 for both end nodes of a
+      /// hanging node; none if the node has no constraint.
       std::vector<std::vector<std::pair<unsigned int, double>>> rows;
-      /// Parts of the unit square in which the functions are not zero; for hats
-      /// each within a grid cell.
+      /// Polygons (s, t) where functions are nonzero; for hats within a cell.
       std::vector<Polygon> parts;
     };
 
-    /// Creates the surface with @p n_rows constraints, used by @p facets.
+    /// Creates the surface of @p facets with @p n_rows constraints.
     SlaveSurface(const Functions    functions,
                  const unsigned int n_rows,
                  std::vector<Facet> facets);
 
-    /// Integral of a constraint's function phi_i [length^2], and of x phi_i.
+    /// Integrals of a constraint's shape function phi_i over a surface.
     struct Integrals
     {
-      double               area = 0.;
-      dealii::Tensor<1, 3> moment;
+      double               area = 0.; ///< Integral of phi_i [length^2].
+      dealii::Tensor<1, 3> moment;    ///< Integral of x phi_i [length^3].
     };
 
-    /// Returns the integrals of each constraint over the whole surface.
+    /// Returns the integrals of each shape function over the whole surface.
     const std::vector<Integrals> &
     integrals() const
     {
       return whole;
     }
 
-    /// Returns the integrals over the part of the surface in @p strip, exact to
-    /// rounding on plane parallelograms. On curved facets, the boundary of the
-    /// strip is approximated by straight lines in (s, t) on a 4 x 4 grid.
+    /// Returns the integrals of each shape function over @p strip. They are
+    /// exact to rounding on plane parallelograms. On curved facets, the strip
+    /// boundary is approximated by straight lines in (s, t) on a 4 x 4 grid.
     std::vector<Integrals>
     integrals(const ContactStrip &strip) const;
 
-    /// A point (s, t) on the facet of the given number.
+    /// A surface point, given by its facet coordinates.
     struct Place
     {
-      unsigned int     facet = 0;
-      dealii::Point<2> st;
+      unsigned int     facet = 0; ///< Index of the facet in facets().
+      dealii::Point<2> st;        ///< Coordinates (s, t) in the unit square.
     };
 
-    /// Returns the nearest intersection with the line through @p x along the
-    /// unit vector @p d, up to @p search_radius [length] in both directions.
+    /// Returns the surface point nearest to @p x on the line through @p x along
+    /// the unit vector @p d, up to @p search_radius [length] in both
+    /// directions; empty if there is none.
     std::optional<Place>
     on_line(const dealii::Point<3>     &x,
             const dealii::Tensor<1, 3> &d,
             const double                search_radius) const;
 
-    /// Returns the facet's nodal functions at @p place (partition of unity).
+    /// Returns the values at @p place of the nodal functions of its facet, in
+    /// the order of Facet::nodes. They sum to one.
     std::vector<double>
     functions_at(const Place &place) const;
 
-    /// Returns chains of neighboring nodes with constraints, along grid lines
-    /// on which the coordinate @p across is constant (to 1e-6 of the surface
-    /// extent), by ascending coordinate @p axis. Each entry lists the
-    /// constraints of a node, two at a sharp edge. Oblique grids: a node is a
-    /// chain.
+    /// Returns the nodes with constraints, grouped by grid lines of constant
+    /// coordinate @p across (to 1e-6 of the surface extent). Nodes of a line
+    /// are in ascending order of the coordinate @p axis. Each node is a list of
+    /// the indices of its constraints, two at a sharp edge.
     std::vector<std::vector<std::vector<unsigned int>>>
     lines(const unsigned int axis, const unsigned int across) const;
 
+    /// Returns the kind of the shape functions of the constraints.
     Functions
     functions() const
     {
       return kind;
     }
 
+    /// Returns the number of constraints.
     unsigned int
     n_rows() const
     {
       return rows;
     }
 
+    /// Returns the facets of the surface.
     const std::vector<Facet> &
     facets() const
     {
@@ -133,7 +136,7 @@ namespace lamella
     add_integrals(const Facet            &facet,
                   const Polygon          &part,
                   std::vector<Integrals> &sums) const;
-    /// Evaluates the functions of @p facet at @p st.
+    /// Sets @p values to the nodal functions of @p facet at (s, t) = @p st.
     void
     evaluate(const Facet            &facet,
              const dealii::Point<2> &st,
@@ -146,32 +149,33 @@ namespace lamella
     BoxSearch              boxes;
   };
 
-  /// A node with a contact constraint, and its surface normal (either sign).
+  /// A surface node with a contact constraint.
   struct SlaveNode
   {
-    Location             location;
-    dealii::Tensor<1, 3> normal;
+    Location             location; ///< Element and unit coordinates.
+    dealii::Tensor<1, 3> normal;   ///< Unit normal, inward or outward.
   };
 
   /// Returns the slave surface of nodal contact on @p surface of @p body, with
-  /// constraint k at node @p nodes[k] of the facet grids.
+  /// constraint k at the facet grid node @p nodes[k].
   ///
-  /// If @p whole, as for node pairs, constraints have support on facets all of
-  /// whose nodes have a constraint. Constraints without such a facet, and all
-  /// constraints otherwise, have support on every facet of their node. If
-  /// several constraints are at one node, a facet uses the one with the closest
-  /// normal, within 60 degrees of its own. If the body has a lower expansion
-  /// degree, functions of nodes in between are added to those of nodes with
-  /// constraints.
+  /// If @p whole is true (node pairs), constraints have support on facets all
+  /// of whose nodes have a constraint. Constraints without such a facet have
+  /// support on every facet of their node; if @p whole is false, all
+  /// constraints do. If several constraints are at one node, a facet uses the
+  /// one with the closest normal, within 60 degrees of its own. If the body has
+  /// a lower expansion degree, functions of nodes without constraints are added
+  /// to those of nodes with.
   SlaveSurface
   make_nodal_slave_surface(const Body                   &body,
                            const std::string            &surface,
                            const std::vector<SlaveNode> &nodes,
                            const bool                    whole);
 
-  /// Returns the intersection (s, t) of the line x + t d, with unit vector
-  /// @p d, and a facet with the map @p map, up to 1e-7 outside the unit square.
-  /// Newton's method, from the center. Empty without intersection.
+  /// Returns the facet coordinates (s, t) of the intersection of the line x + t
+  /// d, with unit vector @p d, and a facet with the map @p map, up to 1e-7
+  /// outside the unit square. Newton's method, from the center. Empty if there
+  /// is none.
   std::optional<dealii::Point<2>>
   line_intersection(const FacetMap             &map,
                     const dealii::Point<3>     &x,

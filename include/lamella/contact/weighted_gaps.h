@@ -7,35 +7,35 @@
 
 namespace lamella
 {
-  /// Returns the weighted gaps of surface-to-surface contact, averaged with hat
-  /// functions as in mortar methods. The slave nodes (Gauss-Lobatto grids of
-  /// the expansion degree) form a grid of quadrilateral cells, and phi_i is the
-  /// bilinear hat function of node i: of sum 1. Weighted gap i is
+  /// Returns the weighted gaps of surface-to-surface contact (mortar method
+  /// with hat functions), in the order of the slave nodes. The slave nodes
+  /// (Gauss-Lobatto grids of the expansion degree) form a grid of quadrilateral
+  /// cells; phi_i is the bilinear hat function of node i, with sum 1. Weighted
+  /// gap i is
   ///   g_i = 1/A_i int phi_i n . (u_2(X_2) - u_1(X_1)) dA,
   ///   A_i = int phi_i dA,
-  /// over the part of the surface that faces the other side, with the point X_2
-  /// opposite X_1 and the averaged normal n there (find_master_point()). The
-  /// contact forces lambda_i represent the continuous pressure
+  /// with the displacements u_1 and u_2 of both bodies, over the area that
+  /// faces the master side, with the point X_2 opposite X_1 and the averaged
+  /// normal n there (find_master_point()). The contact forces lambda_i
+  /// represent the continuous pressure
   ///   p = sum_i (lambda_i / A_i) phi_i,
   /// positive everywhere if all forces are.
   ///
   /// Integrands have kinks between master facets. Each cell is therefore cut
-  /// into segments with the facets opposite (cut()). The weights are mortar
-  /// integrals
+  /// into segments with the opposite facets (cut()). The weights of nodal
+  /// displacements are mortar integrals
   ///   w_j = 1/A_i int phi_i psi_j n dA,   v_k = 1/A_i int phi_i chi_k n dA
   /// with the trace functions psi_j of the slave and chi_k of the master side.
   /// Both sum to the same average normal: action equals reaction.
   ///
-  /// - A segment faces the other side if its centroid does. If several facets
+  /// - A segment faces the master side if its centroid does. If several facets
   ///   are opposite, the nearest counts.
-  /// - Points behind the other side by more than the depth of the cells are
-  ///   omitted and returned in Gaps::deep_penetrations.
-  /// - A node is unpaired if its hat function faces the other side on less than
-  ///   1e-12 of its integral.
-  /// - The hat function of a hanging node is added in halves to its end nodes.
+  /// - Points behind the master side by more than the element depth are omitted
+  ///   and returned in Gaps::deep_penetrations.
+  /// - A node is unpaired if its hat function faces the master side on less
+  ///   than 1e-12 of its integral.
+  /// - Half of a hanging node's hat function is added to each of its end nodes.
   /// - Against an obstacle, cells are not cut, and there are no master weights.
-  ///
-  /// Gaps are in the order of the slave grid nodes.
   Gaps
   weighted_gaps(const ContactSurfacePair &sides);
 } // namespace lamella

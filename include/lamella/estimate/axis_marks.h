@@ -12,32 +12,34 @@
 namespace lamella
 {
   /// Returns @p scene with the axis elements @p marked of its beams bisected.
-  /// Axes must have elements. Bodies with paired nodes need all or none marked.
+  /// The axes must already be divided into elements. If a contact pairs the
+  /// nodes of two bodies, all or none of their elements must be marked.
   Scene
   bisected(Scene scene, const std::vector<ElementError> &marked);
 
   /// Returns the axis elements to be bisected to reduce the errors of @p goals.
   /// For each goal, elements with the largest |error| per DoF are selected
   /// until the selected errors are at least the fraction @p share of the sum of
-  /// |error|, and the sum over all others is at most the fraction @p left of
-  /// the tolerance. Empty without LocalErrors or if a contact pairs nodes.
+  /// |error|, and the others sum to at most the fraction @p left of the
+  /// tolerance. Empty without element errors (LocalErrors) or if a contact
+  /// pairs nodes.
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,
                   const double                   left,
                   const double                   share);
 
-  /// Returns @p scene with those axis elements merged that contribute little to
-  /// the errors of @p goals. A merged pair of neighbors with lengths h_1, h_2,
+  /// Returns @p scene with axis elements merged that contribute little to the
+  /// errors of @p goals. A merged pair of neighbors with lengths h_1, h_2,
   /// errors e_1, e_2 and degree p along the axis is expected to have the error
   /// of a smooth solution,
   ///   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
   /// where e is multiplied by 2^(-2 p) if only errors of pairs are known
   /// (LocalErrors::of_pairs). Pairs, also of merged elements, are merged in
-  /// ascending order of their error, as long as its sum is below the fraction
-  /// @p left of each tolerance. Element ends at @p kept (one list per body) are
-  /// unchanged. Nothing is merged if a contact pairs nodes, if a goal has no
-  /// LocalErrors, or a large error outside elements (contact, remainder).
+  /// ascending order of their error. Their sum is at most the fraction @p left
+  /// of each tolerance. Element ends at the axial coordinates @p kept [length],
+  /// one list per body, are unchanged. Nothing is merged if a contact pairs
+  /// nodes, or if a goal has no element errors or a large LocalErrors::contact.
   Scene
   merged(Scene                                   scene,
          const std::vector<std::vector<double>> &kept,

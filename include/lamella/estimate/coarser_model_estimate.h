@@ -18,42 +18,46 @@
 
 namespace lamella
 {
-  /// Parameters of CoarserModelEstimate.
+  /// Parameters of error bars from coarser models.
   struct CoarserModelRules
   {
-    /// Smallest degree of LE with bars; LE-1 does not bound the error of LE-2.
+    /// Smallest section degree N of LE-N (Lagrange expansion) with error bars;
+    /// the change from LE-1 to LE-2 does not bound the error of LE-2.
     unsigned int min_degree = 3;
-    /// The last change counts as at least this fraction of the previous one.
+    /// Lower limit of the error, as a fraction of the change of the goal
+    /// between the two next coarser models (in degree).
     double min_share_of_previous = 1. / 8.;
-    /// The error is at least this fraction of sum |contribution of node|.
+    /// Lower limit of the error, as a fraction of the sum of the absolute
+    /// contributions of nodes to the change from the coarser model.
     double min_share_of_sizes = 1. / 4.;
   };
 
-  /// Error bars of the goals of a run from coarser models.
+  /// Error bars of the goals (output quantities) of a run from coarser models.
   ///
-  /// Goals with a derivative, in scenes without contacts: Surpluses approximate
-  /// the change from a coarser model, for two levels of the section and of the
-  /// axis (coarser_model_bar(), CoarserModelRules).
+  /// If a goal J has a derivative and the scene has no contacts, Surpluses
+  /// approximate its changes from two coarser sections and two coarser axes,
+  /// and coarser_model_bar() returns the bar.
   ///
-  /// All other goals: the goal is J_0 in the run, J_1 on half of the elements
+  /// All other goals: J_0 is the goal in the run, J_1 on half of the elements
   /// with one degree less, and J_2 on a quarter with two degrees less. The last
   /// change is
   ///   d = max(|s_section| + |s_axis|, |J_0 - J_1|)
-  /// with the surpluses s (zero for goals without), and the change before is e,
-  /// the same for the two previous levels. The bar is coarser_model_bar() of d
-  /// and e, the error at least |J_1 - J_2| / 8. Each model has its own contact
-  /// constraints and active set, so errors of the run's active set are
-  /// included. ContactShares adds penalties and load steps.
+  /// with the surpluses s of section and axis (zero for goals without). The
+  /// previous change e is the same for the two coarser models. The bar is
+  /// coarser_model_bar() of d and e, the error at least |J_1 - J_2| / 8. Each
+  /// model has its own contact constraints and active set, so active-set errors
+  /// are included. ContactShares adds penalties and load steps.
   class CoarserModelEstimate
   {
   public:
-    /// Returns why this method is not possible for @p run; empty if it is.
+    /// Returns the reason why @p run cannot have such error bars, a sentence
+    /// for the user; empty if it can.
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Solves coarser models if goals require them. The last step of @p run
-    /// must have been solved. Prints a line per model to @p out; @p cache
-    /// stores the models. Throws what Simulation throws. Collective.
+    /// Solves coarser models if goals require them. The last load step of @p
+    /// run must have been solved. Prints a line per model to @p out; @p cache
+    /// stores the models. Throws as Simulation does. Collective.
     CoarserModelEstimate(const Simulation &run,
                          std::ostream     &out,
                          ModelCache       &cache);
@@ -63,20 +67,20 @@ namespace lamella
     goals() const;
 
   private:
-    /// Returns true if goal number @p number requires coarser models.
+    /// Returns true if the goal with index @p number requires coarser models.
     bool
     needs_coarser_models(const unsigned int number) const;
     void
     solve_coarser_models(std::ostream &out, ModelCache &cache);
-    /// Returns the error bar of @p goal from its surpluses @p own.
+    /// Returns the error bar of @p goal from its surpluses @p own alone.
     ErrorBar
     by_surpluses(const NamedQuantity &goal, const SurplusParts &own) const;
-    /// Returns the bar of @p goal from coarser models and surpluses @p own.
+    /// Returns the error bar of @p goal from coarser models and surpluses.
     ErrorBar
     by_models(const NamedQuantity               &goal,
               const std::optional<SurplusParts> &own) const;
     using Shares = std::vector<std::pair<std::string, double>>;
-    /// Returns the contributions of sources to @p bar, signed as changes.
+    /// Returns names and signed contributions of error sources to @p bar.
     Shares
     shares_of(const NamedQuantity               &goal,
               const ErrorBar                    &bar,
@@ -89,11 +93,11 @@ namespace lamella
     RunGoals          of_run;
     GoalDual          dual;
     ContactShares     of_contact;
-    /// Derivative of each goal that has one.
+    /// Derivative of each goal; empty if it has none.
     std::vector<std::optional<GoalDual::Pair>> derivatives;
-    /// Surpluses of the run; null if it has none.
+    /// Hierarchical surpluses of the run; null if it has none.
     std::unique_ptr<const Surpluses> surpluses;
-    /// Results on half and on a quarter of the elements.
+    /// Results on half and a quarter of the elements; empty if not solved.
     std::optional<ResultNumbers> half, quarter;
   };
 } // namespace lamella

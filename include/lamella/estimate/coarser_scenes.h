@@ -12,23 +12,24 @@
 namespace lamella
 {
   /// Returns @p axis with about half as many elements. Neighbors are merged in
-  /// pairs within each segment of the axis; of an odd number, three are merged
-  /// at the longest element. On graded axes, where each segment is one element,
-  /// segments end at the points toward which elements get shorter. All element
-  /// ends are element ends of @p axis.
+  /// pairs within each segment of the axis; if their number is odd, three
+  /// elements are merged at the longest. On graded axes, where each segment is
+  /// one element, pairs are formed between the points toward which elements get
+  /// shorter. All element ends of the result are element ends of @p axis.
   AxisMesh
   halved(const AxisMesh &axis);
 
-  /// Returns the elements of @p axis after halving it @p times. Its degree is
-  /// reduced by one (not below 1) each time an element is not merged.
+  /// Returns the elements of @p axis after halved() was applied @p times. Each
+  /// time, the degree of elements not merged is reduced by one (not below 1).
   std::vector<AxisSpan>
   coarser_spans(AxisMesh axis, const unsigned int times);
 
-  /// Returns @p scene with the axes of its beams, which must exist, halved().
+  /// Returns @p scene with about half as many elements on the axis of each beam
+  /// (halved()). The axes must already be divided into elements.
   Scene
   with_halved_axes(Scene scene);
 
-  /// Returns @p scene with LE-(N-1) for LE-N, N >= 2, in all bodies.
+  /// Returns @p scene with LE-N replaced by LE-(N-1) in all bodies, N >= 2.
   Scene
   with_lower_degree(Scene scene);
 } // namespace lamella

@@ -16,21 +16,22 @@
 
 namespace lamella
 {
-  /// A solved model for error estimation: its scene, results and body sizes.
+  /// A solved comparison model for error estimation.
   struct Model
   {
-    Scene                 scene;
-    ResultNumbers         numbers;
-    std::vector<BodySize> sizes;
+    Scene                 scene;   ///< Scene from which the model was built.
+    ResultNumbers         numbers; ///< Results of the last load step.
+    std::vector<BodySize> sizes;   ///< Numbers of DoFs etc. of each body.
   };
 
-  /// Solved models of one scene by key_of(), so that no model is solved twice.
+  /// Cache of solved models, found by their scene; none is solved twice.
   class ModelCache
   {
   public:
-    /// Returns the stored model of @p scene, or null.
+    /// Returns the stored model of @p scene; null if there is none.
     const Model *
     find(const Scene &scene) const;
+    /// Stores a copy of @p model.
     void
     keep(const Model &model);
 
@@ -38,19 +39,20 @@ namespace lamella
     std::map<std::string, Model> models;
   };
 
-  /// Solves coarser and finer models of a run's scene for comparison with it.
+  /// Solves coarser and finer models of a run's scene to compare results.
   class ComparisonModels
   {
   public:
-    /// Keeps references to all arguments. Prints a line per model to @p out.
+    /// Keeps references to all arguments, which must outlive this object.
+    /// solved() prints a line per model to @p out.
     ComparisonModels(const Simulation &run,
                      std::ostream     &out,
                      ModelCache       &cache);
 
     /// Returns the solved model of @p scene, from the cache if it was solved
-    /// before. Otherwise solves it and prints the line @p what. If @p look is
-    /// given, the model is always solved, and @p look called with the
-    /// simulation. Throws what Simulation throws. Collective.
+    /// before. Otherwise it is solved and described by @p what in the output.
+    /// If the callback @p look is given, the model is always solved, and @p
+    /// look is called with its simulation. Throws as Simulation. Collective.
     Model
     solved(const Scene                                   &scene,
            const std::string                             &what,

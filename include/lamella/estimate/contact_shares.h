@@ -17,47 +17,50 @@ namespace lamella
   /// steps are multiplied in its error bar (doc/theory/friction.md).
   struct ContactShareRules
   {
-    /// Factor for the change by exact contact, possibly from a coarser model.
-    double of_penalties = 2.;
-    /// Factor for the change by twice as many substeps: the remaining error is
-    /// 1 (first order) to 3.4 times it (order 1/2, growing contact).
+    double of_penalties = 2.; ///< Factor for the change by exact contact.
+    /// Factor for the change by twice as many substeps: the error is 1 (first
+    /// order) to 3.4 times (order 1/2, growing contact) this change.
     double of_path = 4.;
-    /// Factor for the change by more substeps in the error estimate.
+    /// Factor for the change by twice as many substeps in the error estimate.
     double left_of_path = 2.;
   };
 
-  /// Changes of the goals of a run due to penalties and load steps.
+  /// Contributions of contact penalties and load steps to the errors of the
+  /// goals (quantities of interest) of a run.
   ///
-  /// Penalties: the last state (displacements u, contact forces lambda) is
-  /// solved again with exact contact, on the factorized stiffness of the run
-  /// and with its own active set. A goal J changes by
+  /// Penalties: the last equilibrium state (displacements u, contact forces
+  /// lambda) is solved again with exact contact, on the factorized stiffness of
+  /// the run and with its own active set. A goal J changes by
   ///   J'_u . (u_exact - u) + J'_lambda . (lambda_exact - lambda).
-  /// For a goal without a derivative, and with friction, it is the change by
-  /// exact contact in a coarser model (compare()). Zero without penalties.
+  /// If the goal has no derivative, or with friction, a coarser model gives the
+  /// change (compare()). Zero without penalties.
   ///
-  /// Load steps, with friction: the change by twice as many substeps in a
+  /// Load steps, with friction only: the change by twice as many substeps in a
   /// coarser model. The friction law is integrated by backward Euler, of first
   /// order at most. Throws NumericsError if exact contact fails. Collective.
   class ContactShares
   {
   public:
+    /// Solves the last state of @p run with exact contact, if there are
+    /// penalties and no friction. Keeps a reference to @p run.
     explicit ContactShares(const Simulation &run);
 
-    /// Solves the coarser scene @p poorer, with the results @p numbers, with
-    /// exact contact and with twice as many substeps, if @p goals need it.
+    /// Solves the coarser model @p poorer, which has the results @p numbers,
+    /// with exact contact and with twice as many substeps, if @p goals need it.
     void
     compare(const std::vector<NamedQuantity> &goals,
             ComparisonModels                 &others,
             const Scene                      &poorer,
             const ResultNumbers              &numbers);
 
-    /// Adds the changes of @p goal, one of compare(), times ContactShareRules
-    /// to @p result: signed to the estimate, by size to bar and shares.
+    /// Adds the error contributions of @p goal, one of the goals of compare(),
+    /// to @p result: the changes times ContactShareRules, with sign to the
+    /// error estimate, in absolute value to the bar.
     void
     add_to(const NamedQuantity &goal, GoalResult &result) const;
 
   private:
-    /// Returns the change of @p goal from the run to exact contact.
+    /// Returns the change of @p goal if exact contact replaces penalties.
     double
     of_penalties(const NamedQuantity &goal) const;
 
@@ -66,7 +69,7 @@ namespace lamella
     /// Changes of the last state to exact contact; empty with friction.
     BlockVector         u;
     std::vector<double> force;
-    /// Dual solution with all constraints that are active in either state.
+    /// Derivatives of goals with all constraints active in either state.
     std::unique_ptr<const GoalDual> dual;
     /// Results of the coarser model: as given, exact contact, more substeps.
     std::optional<ResultNumbers> poor, exact, shorter;

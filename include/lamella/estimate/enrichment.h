@@ -14,20 +14,21 @@
 
 namespace lamella
 {
-  /// Sources of the error of a result.
+  /// Sources of the error of a computed result.
   enum class Source
   {
-    axis,    ///< the elements along the axes
-    fields,  ///< the displacement fields: theory, wave numbers
-    section, ///< degree and cells of the sections; of solids all their cells
-    contact, ///< penetration under a penalty
-    path     ///< the load steps on which friction depends
+    axis,    ///< elements along the beam axes
+    fields,  ///< beam theory: set of section functions
+    section, ///< section mesh and its degree; for solids the whole mesh
+    contact, ///< penetration due to a penalty
+    path     ///< size of load steps, on which friction depends
   };
 
-  /// Names of the sources, in the order in which they are refined.
+  /// Names of the error sources in output files.
   template <>
   struct Names<Source>
   {
+    /// Value and name of each error source, in the order of refinement.
     static constexpr NameOf<Source> all[] = {{Source::axis, "axis"},
                                              {Source::fields, "fields"},
                                              {Source::section, "section"},
@@ -35,17 +36,20 @@ namespace lamella
                                              {Source::path, "path"}};
   };
 
-  /// Returns the sizes of the bodies of @p model.
+  /// Returns the numbers of DoFs, nodes etc. of each body of @p model.
   std::vector<BodySize>
   sizes_of(const BuiltScene &model);
 
-  /// Returns true if SV-N may have fewer fields than LE-N for @p body.
+  /// Returns true if SV-N (section functions for N wave numbers) may have fewer
+  /// section functions than the Lagrange expansion of @p body of size @p size.
   bool
   may_have_responses(const BodyDescription &body,
                      const BodySize        &size,
                      const PlanRules       &rules = {});
 
-  /// Returns @p scene with one source of error reduced in all bodies:
+  /// Returns @p scene with one error source, @p source, refined in all bodies.
+  /// LE-N is the Lagrange expansion of degree N, SV-N the theory with section
+  /// functions computed for N wave numbers:
   /// - axis: elements along beams are bisected;
   /// - fields: EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6. All of
   ///   these become LE-2 if LE-2 has at most PlanRules::cheap_dofs DoFs or
@@ -54,28 +58,27 @@ namespace lamella
   /// - section: the degree of LE-N and the section order of SV-N increase by
   ///   one. At 8 (PlanRules::highest_degree, corner_degree) a layer of cells is
   ///   added at the corners of the section, or without corners each cell is
-  ///   divided in four. (At ply ends, degrees converge at twice the rate of
-  ///   equal cells, Szabo and Babuska 1991.) solid-1 becomes solid-2; then
-  ///   hexahedra are divided in eight;
+  ///   divided in four. solid-1 becomes solid-2; then cells are divided in
+  ///   eight;
   /// - contact: penalties are replaced by exact contact;
   /// - path: substeps are doubled (for_estimates() sets their number).
   ///
-  /// LE-N becomes SV-10 with the same section functions if the body, of the
-  /// size in @p sizes, would exceed PlanRules::max_layerwise_dofs and
-  /// may_have_responses() holds. The axes of @p scene must already be divided
-  /// into elements (grade_axes()).
+  /// LE-N becomes SV-10 with the same section mesh if the body, of the size in
+  /// @p sizes, would exceed PlanRules::max_layerwise_dofs and
+  /// may_have_responses(). Axes must be divided into elements (grade_axes()).
   Scene
   enriched(const Scene                 &scene,
            const Source                 source,
            const std::vector<BodySize> &sizes,
            const PlanRules             &rules = {});
 
-  /// Returns true if enriched() would change @p scene.
+  /// Returns true if @p scene has the error source that enriched() refines.
   bool
   has_source(const Scene &scene, const Source source);
 
-  /// Returns the scene for comparison models of the solved @p run: probes, and
-  /// the last load step (with friction all, with the run's substeps).
+  /// Returns the scene of the solved @p run for comparison models, without
+  /// output except probes. It has only the last load step; with friction (with
+  /// the run's substeps) or large rotations it has all load steps.
   Scene
   for_estimates(const Simulation &run);
 } // namespace lamella

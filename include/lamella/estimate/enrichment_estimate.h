@@ -13,53 +13,55 @@
 
 namespace lamella
 {
-  /// Parameters of EnrichmentEstimate.
+  /// Parameters of error bars from models that differ in one error source each.
   struct EnrichmentRules
   {
-    ///     Number of wave numbers that the coarser model of SV-N has less than
-    ///     the run.
+    /// Number of wave numbers that the coarser model of SV-N omits.
     unsigned int fewer_waves = 3;
-    /// Smallest section order for which a run to a tolerance is compared with a
-    /// lower order. Smaller orders are compared with a higher one.
+    /// Smallest section order that a run to a tolerance compares with a lower
+    /// order; smaller orders are compared with a higher order.
     unsigned int min_order = 3;
-    /// Factors by which the change of a goal is multiplied in its error bar:
-    /// for models with coarser fields or sections; for halved axes, whose error
-    /// decreases at least by half; for finer models.
-    double of_fields = 2., of_axis = 1., enriched_factor = 2.;
-    /// There is no bar if sum |change| exceeds this fraction of the scale.
+    /// Factor in the bar of the change by fewer wave numbers or section order.
+    double of_fields = 2.,
+           of_axis = 1., ///< Factor in the bar of the change by a halved axis.
+      enriched_factor = 2.; ///< Factor of the change by any finer model.
+    /// Largest sum of |change| with a bar, as a fraction of the goal's scale.
     double max_change_share = 0.1;
   };
 
-  /// Error bars of the goals of a run with bodies of SV-N. The run is compared
-  /// with three models, each of which differs from it in one source of error.
-  /// Runs to a tolerance use the finer models in parentheses:
+  /// Error bars of the goals of a run with bodies of SV-N (section functions
+  /// computed for N wave numbers). The run is compared with three models, each
+  /// of which differs from it in one error source. Runs to a tolerance use the
+  /// finer models in parentheses:
   /// - axis: half of the elements (twice as many);
   /// - fields: three wave numbers less (four more);
   /// - section: one order or degree less (one more if the order is below
   ///   EnrichmentRules::min_order).
   ///
   /// All models have the same boundary-layer modes. A bar is the sum of
-  /// |change| times the factors in EnrichmentRules. Finer models give much
-  /// shorter bars if fields converge fast; coarser models cost half as much.
-  /// The estimated error is the sum of the changes by finer models only.
-  /// ContactShares adds penalties and load steps.
+  /// |change| times the factors in EnrichmentRules. Finer models give shorter
+  /// bars; coarser ones cost half. The estimated error is the sum of the
+  /// changes by finer models only. ContactShares adds penalties and load steps.
   class EnrichmentEstimate
   {
   public:
-    /// Returns why this method is not possible for @p run; empty if it is.
+    /// Returns the reason why @p run cannot have such error bars, a sentence
+    /// for the user; empty if it can.
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Solves the comparison models; arguments as of CoarserModelEstimate().
+    /// Solves the comparison models of @p run, whose last load step must be
+    /// solved. Prints a line per model to @p out; @p cache stores the models.
     EnrichmentEstimate(const Simulation &run,
                        std::ostream     &out,
                        ModelCache       &cache);
 
+    /// Returns the goals of the input file with their error bars.
     std::vector<GoalResult>
     goals() const;
 
   private:
-    /// Results of a comparison model with its factor in the bar.
+    /// Results of a comparison model, with the factor of its change in the bar.
     struct Other
     {
       Source        source;
@@ -74,7 +76,8 @@ namespace lamella
     compare_with_enriched(ComparisonModels &models, const Scene &scene);
     void
     compare_sections(ComparisonModels &models, const Scene &scene);
-    /// Returns the change of @p goal by @p other: finer minus coarser model.
+    /// Returns the change of @p goal from the coarser to the finer of two
+    /// models: the run and @p other.
     double
     change_by(const Other &other, const NamedQuantity &goal) const;
     ErrorBar
@@ -87,7 +90,7 @@ namespace lamella
     RunGoals           of_run;
     ContactShares      of_contact;
     std::vector<Other> others;
-    /// Local errors of each goal, from the model with more elements.
+    /// Error of each goal per axis element; empty if unknown.
     std::vector<std::optional<LocalErrors>> local;
   };
 } // namespace lamella

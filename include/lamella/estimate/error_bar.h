@@ -8,52 +8,50 @@
 
 namespace lamella
 {
-  /// Parameters of error bars. With these, 411 of the 414 bars in
+  /// Parameters of error bars. With the default values, 411 of the 414 bars in
   /// doc/theory/error-bars.md are correct; most are several times too long.
   struct BarRules
   {
-    /// Largest ratio of successive changes for which a bar is trusted.
+    /// Largest ratio of successive changes of a value with a trusted bar.
     double max_remaining_share = 2. / 3.;
-    /// A bar is trusted if values differ by less, as a fraction of the scale.
+    /// A bar is also trusted if the values of all models differ by less than
+    /// this fraction of the scale (GoalResult::scale).
     double small = 1e-2;
     /// Differences below this fraction of the scale are rounding errors.
     double digits = 1e-8;
     /// Ratio of successive changes above which a value is reported to diverge.
-    double growth = 0.9;
-    /// Factors in the bar of |change| and of the sum of |changes| by source.
-    double of_change = 2., of_shares = 0.5;
-    /// Fraction of the previous bar that a refined source keeps at least.
+    double growth    = 0.9;
+    double of_change = 2.,  ///< Factor of |change| in the bar.
+      of_shares      = 0.5; ///< Factor of the sum of |change| by each source.
+    /// Smallest bar of a refined error source, as a fraction of its last bar.
     double of_pass = 1. / 8.;
   };
 
-  /// Values of a quantity from a run, a finer model and a still finer model.
+  /// Values of a quantity in a run, a finer model and a still finer model.
   struct Refinements
   {
-    double run = 0., richer = 0., richest = 0.;
-    /// Sum of |change| over the sources of error (GoalResult::shares).
-    double shares = 0.;
-    /// Reference size of errors: |value|, or the largest value of its kind.
-    double scale = 0.;
-    /// Rounding error of the value.
-    double rounding = 0.;
+    double run      = 0., ///< Value in the run.
+      richer        = 0., ///< Value in the finer model.
+      richest       = 0.; ///< Value in the finest model.
+    double shares   = 0.; ///< Sum of |change| over the error sources.
+    double scale    = 0.; ///< Scale: |value|, or largest value of its kind.
+    double rounding = 0.; ///< Rounding error of the value in the run.
   };
 
-  /// Returns the text with which reasons for a diverging value end.
+  /// Returns the causes and the remedy of a diverging value, for messages.
   std::string
   describe_growth();
 
   /// Estimated error of a value of a run.
   struct ErrorBar
   {
-    /// Signed error estimate eta = richest - run, to be added to the value.
+    /// Signed error estimate, to be added to the value: finest model minus run.
     double estimate = 0.;
-    /// Bound of |error|: length of the error bar to either side.
-    double bar = 0.;
-    /// True if successive refinements agree, so that the bar is reliable.
-    bool trusted = false;
-    /// Reason if not trusted: a sentence without a full stop.
+    double bar      = 0.;    ///< Bound of |error|, to either side of the value.
+    bool   trusted  = false; ///< True if successive refinements agree.
+    /// Reason if the bar is not trusted, a sentence without a full stop.
     std::string why = {};
-    /// Contribution of each error source to the bar, if there are several.
+    /// Contribution of each error source to the bar; may be empty.
     std::vector<double> parts = {};
   };
 
@@ -69,23 +67,24 @@ namespace lamella
   ErrorBar
   error_bar(const Refinements &values, const BarRules &rules = {});
 
-  /// Changes of a quantity by one error source over the last two levels below a
-  /// run, signed: from the next coarser model, and the change before.
+  /// Signed changes of a quantity from two coarser models to the run, by one
+  /// error source (mesh, theory, ...).
   struct Levels
   {
-    double last = 0., before = 0.;
-    /// Smallest error of this source, from contributions that may cancel.
+    double last = 0., ///< Change from the coarser model to the run.
+      before    = 0.; ///< Change from the coarsest to the coarser model.
+    /// Lower limit of the error, in case `last` is accidentally small.
     double least = 0.;
   };
 
   /// Returns the error bar of a value from coarser models. For each error
-  /// source let d = |last|, e = |before| and q = d / e. If the error continues
-  /// to decrease by q, the error is at most max(d, 2 d q / (1 - q), least),
-  /// where d and `least` are lower bounds if q or d is small by accident. If q
-  /// > 2/3, the contribution is at least twice the larger of d and e, and the
-  /// bar is not trusted if the contribution exceeds 0.01 @p scale. The bar is
-  /// the sum over @p sources, at least @p rounding and 1e-8 of the scale. The
-  /// estimate is the sum of last q / (1 - q), an extrapolation.
+  /// source let d = |last|, e = |before| (Levels) and q = d / e. If the error
+  /// continues to decrease by q, it is at most max(d, 2 d q / (1 - q), least),
+  /// where d and Levels::least are lower bounds if q or d is small by accident.
+  /// If q > 2/3, the contribution is at least twice the larger of d and e, and
+  /// the bar is not trusted if d or e exceeds 0.01 @p scale. The bar is the sum
+  /// over @p sources, at least @p rounding and 1e-8 of the scale. The estimate
+  /// is the sum of last q / (1 - q), an extrapolation.
   ErrorBar
   coarser_model_bar(const std::vector<Levels> &sources,
                     const double               scale,

@@ -24,25 +24,26 @@
 
 namespace lamella
 {
-  /// Thresholds of Estimation.
+  /// Thresholds of the changes of a goal from which an error source (mesh,
+  /// theory, ...) is refined once more in the finest model.
   struct EstimationRules
   {
-    /// The most accurate model refines a source of error if its change of a
-    /// goal is at least this fraction of the tolerance or, without tolerances,
-    /// of the sum of all changes.
-    double min_tolerance_share = 0.1, min_total_share = 0.02;
+    /// Smallest significant change of a goal, as a fraction of its tolerance.
+    double min_tolerance_share = 0.1;
+    /// The same without tolerances, as a fraction of the sum of all changes.
+    double min_total_share = 0.02;
   };
 
   /// Error bars of the goals of a run from finer models of the same scene:
   ///   M_0          the run
-  ///   M_1 .. M_k   each with one source of error reduced relative to a
+  ///   M_1 .. M_k   each with one error source refined relative to a
   ///                previous model M_j: axis, fields, section, contact
-  ///   M_r       axis, fields and section refined once more.
-  /// The change by a source is J(M_i) - J(M_j). With J_1 = J(M_0) + sum of the
-  /// changes, the bar is error_bar() of J(M_0), J_1 and J_1 + J(M_r) - J(M_j).
-  /// M_j is the previous model, so that the changes sum to J(M_k) - J(M_0).
-  /// With tolerances, M_j is the last model that changed a goal by at least a
-  /// tenth of its tolerance; M_r refines only such sources, or the largest.
+  ///   M_r          axis, fields and section refined once more.
+  /// The change of a goal J by an error source is J(M_i) - J(M_j). With J_1 =
+  /// J(M_0) + sum of the changes, the bar is error_bar() of J(M_0), J_1 and J_1
+  /// + J(M_r) - J(M_j). M_j is the previous model, so that the changes sum to
+  /// J(M_k) - J(M_0). With tolerances, M_j is the last model that changed a
+  /// goal by at least a tenth of its tolerance; M_r refines such sources.
   ///
   /// Each model has its own contact constraints and active set, so errors of
   /// the active set are included and quantities may be nonlinear. Localization
@@ -50,55 +51,55 @@ namespace lamella
   class Estimation
   {
   public:
-    /// Keeps references to @p run, whose last step must have been solved, to
-    /// @p cache, and to @p out, to which a line per model is printed.
+    /// Keeps references to @p run, whose last load step must have been solved,
+    /// to @p cache, and to @p out, to which a line per model is printed.
     Estimation(const Simulation &run, std::ostream &out, ModelCache &cache);
 
-    /// Returns the goals with their bars, or with the reason if a finer model
-    /// cannot be solved. Empty if bars are `auto` and too expensive.
+    /// Solves the finer models and returns the goals with their error bars, or
+    /// with the reason if a model cannot be solved. Empty if the input file
+    /// requests `auto` bars and they are too expensive.
     std::vector<GoalResult>
     goals();
 
-    /// Returns why goals() is empty; empty if it is not.
+    /// Returns why goals() is empty, for the user; empty if it is not.
     std::string
     unavailable_reason() const;
 
   private:
-    /// Returns the run as model M_0.
+    /// Returns the scene, results and sizes of the run, the coarsest model.
     Model
     first_model() const;
-    /// A refinement by one source, with the numbers of the models in `models`.
     struct Step
     {
-      Source       source;
-      unsigned int from = 0, to = 0;
+      Source       source;   ///< Refined error source.
+      unsigned int from = 0, ///< Index of the coarser model in `models`.
+        to              = 0; ///< Index of the finer model in `models`.
     };
 
-    /// Solves the models M_1 .. M_k and M_r.
+    /// Solves the finer models: one per error source, and the finest model.
     void
     solve_hierarchy();
-    /// Solves M_r: a model refined in significant_sources().
+    /// Solves the finest model, refined again in significant_sources().
     void
     solve_richest_model();
     void
     add_step(const Source source);
-    /// Returns the sources that M_r refines: those of weight 1 or more, or the
-    /// one of largest weight; never contact.
+    /// Returns the error sources that the finest model refines: those with
+    /// weight_of() >= 1, or else the largest; never contact.
     std::vector<Source>
     significant_sources() const;
-    /// Returns the largest change of a goal by @p step over its threshold: a
-    /// tenth of the tolerance, or a fiftieth of the sum of all changes.
+    /// Returns the largest change of a goal by @p step over its threshold.
     double
     weight_of(const Step &step) const;
-    /// Returns the change of the goal @p quantity by @p step.
+    /// Returns the signed change of the goal @p quantity by @p step.
     double
     share_of(const Step &step, const NamedQuantity &quantity) const;
-    /// Returns the values of the first refinement of @p quantity.
+    /// Returns the values of @p quantity before and after all steps.
     Refinements
     first_refinement(const NamedQuantity &quantity) const;
     ErrorBar
     error_bar_of(const NamedQuantity &quantity) const;
-    /// Returns the result of goal number @p number, @p quantity.
+    /// Returns @p quantity, the goal with index @p number, with its error bar.
     GoalResult
     goal(const NamedQuantity &quantity, const unsigned int number) const;
 
@@ -109,12 +110,12 @@ namespace lamella
     ComparisonModels      others;
     /// Goals of the run; set by goals().
     std::unique_ptr<const RunGoals> of_run;
-    /// Models in order, the run first, and M_r last if it was solved.
+    /// Solved models: the run, one per refinement step, and last the finest.
     std::vector<Model> models;
     std::vector<Step>  steps;
-    /// Numbers of the models from which the next model, and M_r, are refined.
+    /// Models from which the next and the finest model are refined.
     unsigned int base = 0, before_richest = 0;
-    /// Local errors of each goal; empty if unknown.
+    /// Error of each goal per axis element; empty if unknown.
     std::vector<std::optional<LocalErrors>> local;
     /// Reason why there is no finer model; empty if there is one.
     std::string failure;

@@ -15,13 +15,13 @@ namespace lamella
   /// Goals of a run with their error bars, or the reason why there are none.
   struct GoalBars
   {
-    std::vector<GoalResult> goals;
-    std::string             missing_reason;
+    std::vector<GoalResult> goals; ///< Empty if there are no error bars.
+    std::string             missing_reason; ///< Sentence; empty if bars exist.
   };
 
-  /// Returns the goals of @p run, whose last step must have been solved, with
-  /// the error bars that the scene requests (ErrorBars): by the first of
-  /// CoarserModelEstimate, EnrichmentEstimate and HalvedAxisEstimate that is
+  /// Returns the goals of @p run, whose last load step must have been solved,
+  /// with the error bars that the input file requests (ErrorBars): by the first
+  /// of CoarserModelEstimate, EnrichmentEstimate and HalvedAxisEstimate that is
   /// available; otherwise, and for `richer`, by Estimation. Bars of the first
   /// three classes are at least twice support_refinement_changes(). Goals with
   /// tolerances have bars at any cost. Prints a line per model to @p out; @p

@@ -12,59 +12,62 @@
 
 namespace lamella
 {
-  /// Dual (adjoint) solutions of goals with the factorization of a solved
-  /// model. With the stiffness K, the matrix B and the compliances a of the
-  /// constraints that are active at the last step, the dual solution z, nu
-  /// satisfies
+  /// Dual (adjoint) solutions of goals J, computed with the factorization of a
+  /// solved model. K is the stiffness, B the matrix and a the compliances of
+  /// the constraints that are active at the last load step. The dual
+  /// displacements z and contact forces nu satisfy
   ///   K z - B^T nu = J'_u,   B z + a nu = -J'_lambda,
-  /// so that a load f and gaps s change the goal J by f . z - nu . s.
+  /// so that a load f and gaps s change J by f . z - nu . s. J'_u and J'_lambda
+  /// are the derivatives by displacements and contact forces.
   class GoalDual
   {
   public:
-    /// A vector of displacements with a vector of active constraints' forces.
+    /// A dual solution, or a derivative of a goal, per DoF and constraint.
     struct Pair
     {
-      BlockVector u;
-      Vector      force;
+      BlockVector u;     ///< Component for each DoF.
+      Vector      force; ///< Component for each active constraint.
     };
 
-    /// Returns a displacement field that is 1 in a direction (0, 1, 2) at a
-    /// support, both given by number, to extract the force of this support.
+    /// Function that returns, for the index of a support and a direction (0, 1,
+    /// 2), a displacement field that is 1 there, to extract the support force.
     using Influence =
       std::function<BlockVector(const unsigned int, const unsigned int)>;
 
-    /// Keeps a reference to the solved @p model; @p influence defaults to
+    /// Keeps a reference to the solved @p model. @p influence defaults to
     /// influence_of_support(). All functions are collective.
     explicit GoalDual(const Simulation &model, Influence influence = {});
-    /// Provides derivatives by the forces of constraints @p rows; no solve().
+    /// Provides derivatives by the forces of the constraints with indices @p
+    /// rows, active or not. solve() must not be called.
     GoalDual(const Simulation &model, std::vector<unsigned int> rows);
 
-    /// Returns the derivatives J'_u by displacements and J'_lambda by forces of
-    /// active constraints. Empty for moments, jumps, with friction, and for
-    /// pressure, width and strips of contacts. For recovered stresses, returns
-    /// the derivative of element stresses.
+    /// Returns the derivatives of @p goal by DoFs and contact forces. Empty for
+    /// moments, jumps, with friction, and for pressure, width and strips of
+    /// contacts. Recovered stresses are replaced by element stresses.
     std::optional<Pair>
     derivative(const NamedQuantity &goal) const;
 
-    /// Returns the displacement w to be subtracted from z in the change of a
-    /// support force J between two spaces; none for other goals. J has the
-    /// derivative K w with a different w in each space. (With interpolant L and
-    /// change e of u, zero at supports, J changes by a(e, (1 - L)(z - w)).)
+    /// Returns the displacement w to be subtracted from the dual solution z to
+    /// compute the change of a support force J between two spaces; empty for
+    /// other goals. J has the derivative K w, with the stiffness K and a
+    /// different w in each space. (With interpolant L and change e of u, zero
+    /// at supports, J changes by a(e, (1 - L)(z - w)).)
     std::optional<BlockVector>
     lifting(const NamedQuantity &goal) const;
 
-    /// Returns z and nu, with one step of iterative refinement.
+    /// Returns the dual solution of @p derivative, refined iteratively once.
     Pair
     solve(const Pair &derivative) const;
 
-    /// Returns the active constraints of the last step, or the given ones.
+    /// Returns the indices of the constraints to which Pair::force refers.
     const std::vector<unsigned int> &
     active_rows() const
     {
       return active;
     }
 
-    /// Returns the displacement that is 1 in @p direction at @p support.
+    /// Returns a displacement field that is 1 in @p direction (0, 1, 2) at the
+    /// support with index @p support and 0 at other supports.
     static BlockVector
     influence_of_support(const Structure   &structure,
                          const unsigned int support,
@@ -73,10 +76,10 @@ namespace lamella
   private:
     Pair
     zero() const;
-    /// Returns the number of the support whose force is @p goal.
+    /// Returns the index of the support whose force is @p goal.
     unsigned int
     support_of(const NamedQuantity &goal) const;
-    /// Returns the derivative of a column of a probe.
+    /// Returns the derivative of a displacement, strain or stress at a probe.
     std::optional<Pair>
     at_probe(const NamedQuantity &goal) const;
     /// Returns the derivative of a component of a support force, w . (f_int - t

@@ -15,32 +15,38 @@
 
 namespace lamella
 {
-  /// Parameters of HalvedAxisEstimate.
+  /// Parameters of error bars from models with halved axes.
   struct HalvedAxisRules
   {
-    /// A bar is trusted if a finer section changes the goal by at most
-    /// `max_remaining_share` of the previous change, or `small` of the scale.
-    double max_remaining_share = 0.8, small = 1e-2;
-    /// The bar is at least this fraction of the change by the previous degree.
+    /// Largest change by a finer section, as a fraction of the change by the
+    /// previous increase of the degree, for which a bar is trusted.
+    double max_remaining_share = 0.8;
+    /// A bar is also trusted if this change is below this fraction of the
+    /// scale.
+    double small = 1e-2;
+    /// Smallest bar, as a fraction of the change by the previous degree.
     double min_share_of_previous = 1. / 8.;
-    /// Limits of multiplications for `auto` bars: a fraction of those of the
-    /// run, and a number (about a second) that is always allowed.
-    double max_share_of_run = 0.5, free_operations = 5e9;
+    /// Largest cost of `auto` bars, as a fraction of the run's multiplications.
+    double max_share_of_run = 0.5,
+           free_operations = 5e9; ///< Number of multiplications always allowed.
   };
 
-  /// Comparison models of HalvedAxisEstimate: number of halvings of the axis,
-  /// and degree of LE that replaces other theories (0: none).
+  /// Choice of the comparison models of HalvedAxisEstimate.
   struct HalvedAxisPlan
   {
-    unsigned int times = 1, degree = 2;
+    /// Number of times that the number of axis elements is halved.
+    unsigned int times = 1;
+    /// Degree of LE that replaces other theories; 0 if sections are unchanged.
+    unsigned int degree = 2;
   };
 
   /// Error bars of runs for which there are no coarser models of the same
-  /// theory: LE-1 and LE-2, EBBT, TBT, TE-N and SV. The comparison models have
-  /// half of the elements (or a quarter: HalvedAxisPlan) and
+  /// theory: LE-1 and LE-2 (Lagrange expansions), EBBT, TBT, TE-N and SV. The
+  /// comparison models have half or a quarter of the axis elements
+  /// (HalvedAxisPlan) and
   /// - H_p: the run's theories and degrees;
-  /// - H_r: LE with one degree more, other theories replaced by LE of the
-  ///   degree of HalvedAxisPlan;
+  /// - H_r: LE with one degree more; LE of the degree of HalvedAxisPlan
+  ///   replaces other theories;
   /// - H_l: one degree less than H_p if all bodies are LE, else than H_r.
   ///
   /// With s = J(H_r) - J(H_p) for the goal J, the bar is
@@ -48,30 +54,34 @@ namespace lamella
   /// and at least |J(H_p) - J(H_l)| / 8 if all bodies are LE, else |J(H_r) -
   /// J(H_l)|. The error estimate is s (combination technique). If there is no
   /// finer section (degree 0), as for large rotations, the bar is 2 |J(run) -
-  /// J(H_p)|, the axis error. ContactShares adds penalties and load steps.
+  /// J(H_p)|. ContactShares adds penalties and load steps.
   class HalvedAxisEstimate
   {
   public:
-    /// Returns why this method is not possible for @p run; empty if it is.
+    /// Returns the reason why @p run cannot have such error bars, a sentence
+    /// for the user; empty if it can.
     static std::string
     unavailable_reason(const Simulation &run);
 
-    /// Returns the best models, if any, that take at most @p most
-    /// multiplications. LE-1 replaces EBBT, TBT and TE-1 only.
+    /// Returns the most accurate comparison models of at most @p most
+    /// multiplications, if any. LE-1 replaces only EBBT, TBT and TE-1.
     static std::optional<HalvedAxisPlan>
     plan(const Simulation &run, const double most);
 
-    /// Solves the models of @p plan; arguments as of CoarserModelEstimate().
+    /// Solves the comparison models @p plan of @p run, whose last load step
+    /// must be solved. Prints a line per model to @p out. @p cache stores the
+    /// models.
     HalvedAxisEstimate(const Simulation     &run,
                        const HalvedAxisPlan &plan,
                        std::ostream         &out,
                        ModelCache           &cache);
 
+    /// Returns the goals of the input file with their error bars.
     std::vector<GoalResult>
     goals() const;
 
   private:
-    /// Returns the approximate number of multiplications of @p plan.
+    /// Returns the estimated number of multiplications of @p plan.
     static double
     operations(const Scene                 &scene,
                const std::vector<BodySize> &sizes,
@@ -88,9 +98,8 @@ namespace lamella
     HalvedAxisRules   rules;
     RunGoals          of_run;
     ContactShares     of_contact;
-    /// True if all bodies are LE.
-    bool layerwise = false;
-    /// Results of H_p, H_r and H_l.
+    bool layerwise = false; ///< True if all bodies have Lagrange expansions.
+    /// Results with the run's section, a finer section and a coarser section.
     ResultNumbers                half, richer;
     std::optional<ResultNumbers> lower;
   };

@@ -13,56 +13,59 @@
 
 namespace lamella
 {
-  /// Returns @p errors with the error of each element divided equally among the
-  /// elements of @p finer that it contains.
+  /// Returns @p errors with the error of each axis element divided equally
+  /// among the elements of the model @p finer that it contains.
   LocalErrors
   distribute_to_finer(const LocalErrors &errors, const Simulation &finer);
 
-  /// Error of a goal by elements, from dual-weighted residuals. u_H are the
-  /// displacements of the coarser model, interpolated to the nodes of the finer
-  /// one. The finer model has displacements u_h, stiffness K, loads t f,
-  /// contact forces lambda, and active constraints with matrix B, gaps g and
-  /// compliances a. The dual solution z, nu of the goal J (GoalDual) satisfies
+  /// Error of a goal J per axis element, from dual-weighted residuals (Becker
+  /// and Rannacher, Acta Numerica 10 (2001), sec. 3; deal.II's step-14). u_H
+  /// are the displacements of the coarser model, interpolated to the nodes of
+  /// the finer one. The finer model has displacements u_h, stiffness K,
+  /// internal forces f_int, loads t f, contact forces lambda, and active
+  /// constraints with matrix B, gaps g and compliances a. Its dual solution z,
+  /// nu (GoalDual) satisfies
   ///   K z - B^T nu = J'_u,   B z + a nu = -J'_lambda.
   /// The difference of the goal between both models is, to rounding,
   ///   J(u_h) - J(u_H) = r . z - nu . s,
   ///   r = t f + B^T l - f_int(u_H),   s = -(g(u_H) + a l),
-  /// for any contact forces l; used are lambda, scaled to the resultants of the
+  /// for any contact forces l, here lambda scaled to the resultants of the
   /// coarser model. Except for contact, r is orthogonal to the interpolant I z
   /// in the coarser model. The error of an element is therefore the sum of r_k
-  /// (z - I z)_k over its nodes k, one half of it for nodes of two elements.
+  /// (z - I z)_k over its nodes k, with one half for nodes of two elements.
   ///
-  /// Both models have the same bodies: beams of the same section with different
-  /// axes, and identical solids. (Becker and Rannacher, Acta Numerica 10
-  /// (2001), sec. 3; deal.II's step-14.)
+  /// Both models must have the same bodies: beams with the same section
+  /// functions and different axes, and identical solids.
   class Localization
   {
   public:
-    /// Returns true if the bodies of both models match.
+    /// Returns true if both models have the same numbers of section functions
+    /// in each beam and of DoFs in each solid.
     static bool
     is_possible(const Simulation &coarse, const Simulation &fine);
 
-    /// Computes the residual on the finer model. Collective, as is errors().
+    /// Computes the residual of the coarser solution on the finer model. Keeps
+    /// references to both models. Collective, as is errors().
     Localization(const Simulation &coarse, const Simulation &fine);
 
-    /// Returns the errors of @p goal, whose values in both models differ by @p
-    /// change; empty if the goal has no GoalDual::derivative(). Costs one
-    /// solution with the finer stiffness.
+    /// Returns the error of @p goal per element; @p change is the difference of
+    /// its value between both models. Empty if the goal has no derivative
+    /// (GoalDual::derivative()). Costs one solution with the finer stiffness.
     std::optional<LocalErrors>
     errors(const NamedQuantity &goal, const double change) const;
 
   private:
-    /// Returns the contributions of elements to the error, r . (z - I z).
+    /// Returns the errors of elements for the dual displacements @p z.
     LocalErrors
     of_elements(const BlockVector &z) const;
 
-    /// Returns coarser displacements on the nodes of the finer model.
+    /// Returns coarser displacements @p u at the nodes of the finer model.
     BlockVector
     interpolate_to_fine(const BlockVector &u) const;
     BlockVector
     interpolate_to_coarse(const BlockVector &u) const;
 
-    /// Adds errors of elements of @p body from the summands @p share of r . z.
+    /// Adds errors of elements of @p body from products @p share per DoF.
     void
     add_elements(const unsigned int body,
                  const Vector      &share,
@@ -72,12 +75,11 @@ namespace lamella
     LoadFactor        factor;
     GoalDual          dual;
     BlockVector       residual;
-    /// Residual s of the active constraints.
-    Vector mismatch;
+    Vector mismatch; ///< Residual of each active constraint [length].
   };
 
-  /// Returns the local errors of @p goals of @p run by comparison with
-  /// @p finer; empty if Localization is not possible.
+  /// Returns the error per axis element of each goal of @p run by comparison
+  /// with @p finer; empty if Localization is not possible.
   std::vector<std::optional<LocalErrors>>
   errors_of(const RunGoals   &goals,
             const Simulation &run,

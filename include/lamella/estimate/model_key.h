@@ -13,8 +13,8 @@ namespace lamella
   /// entries as read (Scene::resolved), and with all digits each member that
   /// may have changed since: theory, axis segments, axis, refinement and
   /// stabilization of bodies, divisions of sections, and contact laws. Models
-  /// with equal keys have equal results at the last load factor. A new member
-  /// of these structures does not compile until it is included.
+  /// with equal strings have equal results at the last load factor. A new
+  /// member of these structures does not compile until it is included.
   std::string
   key_of(const Scene &scene);
 } // namespace lamella

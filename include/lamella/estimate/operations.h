@@ -8,20 +8,22 @@
 
 namespace lamella
 {
-  /// Returns the number of multiplications of @p run for factorizations: at
-  /// least z^2 / n for a factor with n columns and z nonzeros. 0 if there are
-  /// no factorizations (`cg`, strategy `full`).
+  /// Returns the number of multiplications of @p run for factorizations, at
+  /// least z^2 / n for a Cholesky factor with n columns and z nonzeros. Returns
+  /// 0 if there are no factorizations (`cg`, strategy `full`).
   double
   operations(const Simulation &run);
 
-  /// Returns the estimated number of multiplications for the finer models of
-  /// Estimation, in which SV-10 replaces LE-N, in the run's factorizations:
-  /// - of_block m^3 (CostRules) per axis node with m fields
-  ///   (PlanRules::fields_of_responses), for `axes` times the nodes of the run;
+  /// Returns the estimated number of multiplications for the factorizations of
+  /// the finer models of Estimation, in which SV-10 (section functions for 10
+  /// wave numbers) replaces Lagrange expansions LE-N:
+  /// - CostRules::of_block m^3 per axis node with m section functions
+  ///   (PlanRules::fields_of_responses), for CostRules::axes times the run's
+  ///   nodes;
   /// - products and eigenvectors of 2 functions per wave number and load;
   /// - end segments for boundary-layer modes (nodes_of_pieces()).
   ///
-  /// Infinite unless SV-10 can replace LE-N in all bodies.
+  /// Returns infinity unless SV-10 can replace LE-N in all bodies.
   double
   operations_of_bars(const Simulation &run,
                      const PlanRules  &rules = {},

@@ -13,68 +13,69 @@
 
 namespace lamella
 {
-  /// Parameters of a run to a tolerance.
+  /// Parameters of a run to a tolerance by successively refined models.
   struct PassRules
   {
-    /// Sources of error are refined, largest first, until the error by the
-    /// remaining sources is below this fraction of the goal's tolerance.
+    /// Error sources (mesh, theory, ...) are refined, the largest first, until
+    /// the remaining error is below this fraction of the goal's tolerance.
     double max_unrefined_share = 0.5;
-    /// A goal is not refined any further after `patience` passes without a bar
-    /// in which it changes by more than its tolerance, or after `slow_passes`
-    /// passes in which its bar did not decrease to `min_progress` of itself.
-    unsigned int patience = 2, slow_passes = 3;
-    double       min_progress = 0.5;
-    /// Largest ratio of section errors from one degree to the next for which
-    /// the degree is raised again; above it, a corner limits convergence.
-    double max_degree_ratio = 0.5;
-    /// Largest number of refinement passes.
-    unsigned int max_passes = 8;
-    /// Bisection leaves at most the first fraction of a tolerance to other
-    /// elements; merging adds at most the second. Bisected elements have at
-    /// least the third fraction of the total error.
-    double max_remaining_share = 0.25, max_merged_share = 0.05,
-           min_bisected_share = 0.65;
-    /// Largest relative difference between the total loads of two passes.
-    double loads_agree = 1e-7;
+    /// Passes without a bar after which a goal that still changes by more than
+    /// its tolerance is not refined any further.
+    unsigned int patience = 2;
+    /// Number of passes with slow progress after which a goal is dropped.
+    unsigned int slow_passes = 3;
+    /// Progress is slow if a bar exceeds this fraction of its earlier maximum.
+    double min_progress = 0.5;
+    /// Largest ratio of section errors of successive degrees for which the
+    /// degree is raised again; above it, a corner limits convergence.
+    double       max_degree_ratio = 0.5;
+    unsigned int max_passes       = 8; ///< Largest number of refinement passes.
+    /// Largest error of elements that are not bisected, fraction of tolerance.
+    double max_remaining_share = 0.25,
+           max_merged_share    = 0.05, ///< Largest merging error / tolerance.
+      min_bisected_share       = 0.65; ///< Smallest fraction of error bisected.
+    double loads_agree = 1e-7; ///< Relative tolerance of the resultant loads.
   };
 
-  /// A refinement pass: one model with its theories, cost and error bars.
+  /// A refinement pass of a run to a tolerance: one solved model.
   struct Pass
   {
-    unsigned int            dofs    = 0;
-    double                  seconds = 0.;
-    std::string             theories;
-    std::vector<GoalResult> goals;
+    unsigned int dofs    = 0;  ///< Number of DoFs of the model.
+    double       seconds = 0.; ///< Wall time since the start of the run [s].
+    std::string  theories;     ///< Theories of all bodies, for output.
+    std::vector<GoalResult> goals; ///< Goals with their error bars.
   };
 
-  /// Refinement of a pass relative to the previous pass.
+  /// Refinement of the model of a pass relative to the previous pass.
   struct PassRefinement
   {
-    std::vector<Source> sources;
-    /// Bisected elements if the axis is refined; if empty, all elements.
+    std::vector<Source> sources; ///< Refined error sources (mesh, theory, ...).
+    /// Bisected axis elements if the axis is refined; if empty, all elements.
     std::optional<std::vector<ElementError>> marked = {};
   };
 
-  /// Results of a goal in two previous passes, and the last two refinements.
+  /// Results of a goal in the two passes before the last, with refinements.
   struct PassHistory
   {
-    const GoalResult     &first, &before;
-    const PassRefinement &then, &now;
+    const GoalResult &first,    ///< Result two passes before the last pass.
+      &before;                  ///< Result in the pass before the last pass.
+    const PassRefinement &then, ///< Refinement of the pass before the last.
+      &now;                     ///< Refinement of the last pass.
   };
 
-  /// Shortens the error bar of @p goal by its changes d_1 and d in the last two
-  /// passes, if both refined the same sources R and all bars are trusted. Let b
-  /// be the sum of the absolute bar contributions of R before the last pass,
-  /// and q the larger of d / b and d / d_1. If q <= 2/3, the contribution of R
-  /// is reduced to
+  /// Shortens the error bar of @p goal by comparison with previous refinement
+  /// passes, if the last two passes refined the same error sources R and all
+  /// bars are trusted. Let d_1 and d be the last two changes of the value, b
+  /// the sum of the absolute bar contributions of R before the last pass, and q
+  /// the larger of d / b and d / d_1. If q <= 2/3, the contribution of R is
+  /// reduced to
   ///   max(d, 2 d q / (1 - q), b / 8) + errors of elements not bisected.
   void
   shorten(GoalResult        &goal,
           const PassHistory &course,
           const BarRules    &rules = {});
 
-  /// Raises the contribution of @p source to @p goal's bar to @p least, if
-  /// smaller.
+  /// Raises the bar of @p goal by the error source @p source to @p least.
   void
   raise_share(GoalResult &goal, const Source source, const double least);
 
@@ -82,31 +83,36 @@ namespace lamella
   /// refinement. After the last pass a goal is
   /// - met: within its tolerance, and changed since the previous pass by no
   ///   more than the bar of that pass;
-  /// - dropped: not refined any further (PassRules), as its value may have no
-  ///   limit, for example at a point load;
+  /// - dropped: not refined any further (PassRules), since its value may have
+  ///   no limit, for example at a point load;
   /// - open: neither met nor dropped. The next pass refines for open goals that
   ///   have a bar, or for all open goals if none has a bar.
   class Passes
   {
   public:
+    /// Creates a run without passes.
     explicit Passes(const PassRules &rules = {});
 
-    /// Adds a pass; @p refined is its refinement, empty for the first pass.
+    /// Adds @p pass and its refinement @p refined, empty for the first pass.
+    /// Shortens its error bars (shorten()) and drops divergent goals.
     void
     add(const Pass &pass, const PassRefinement &refined = {});
 
+    /// Returns all passes in order.
     const std::vector<Pass> &
     all() const
     {
       return made;
     }
 
+    /// Returns the last pass; there must be one.
     const Pass &
     last() const
     {
       return made.back();
     }
 
+    /// Returns true if the last pass meets the tolerances of all goals.
     bool
     all_goals_met() const;
 
@@ -122,32 +128,33 @@ namespace lamella
     std::vector<std::string>
     dropped_goals() const;
 
-    /// Returns the sources of error to refine for open_goals(): the largest
-    /// source of each goal, and others down to the fraction
-    /// PassRules::max_unrefined_share of its tolerance.
+    /// Returns the error sources (mesh, theory, ...) to refine for
+    /// open_goals(): the largest source of each goal, and others until the rest
+    /// is below the fraction PassRules::max_unrefined_share of its tolerance.
     std::vector<Source>
     wanted() const;
 
-    /// Returns true if higher degrees do not converge: for one of open_goals()
-    /// the ratio of section errors exceeds PassRules::max_degree_ratio.
+    /// Returns true if raising section degrees does not converge: the ratio of
+    /// section errors of an open goal exceeds PassRules::max_degree_ratio.
     bool
     degrees_stall() const;
 
-    /// Returns true if an additional error @p lost of each goal is at most
-    /// PassRules::max_unrefined_share of the largest error of active_goals().
+    /// Returns true if an additional error of each goal, @p lost, is at most
+    /// the fraction PassRules::max_unrefined_share of its tolerance.
     bool
     is_loss_acceptable(const std::vector<double> &lost) const;
 
-    /// Returns the largest change of a goal over its tolerance; 0 at first.
+    /// Returns the largest ratio of the change of a goal since the previous
+    /// pass to its tolerance; 0 after the first pass.
     double
     largest_change() const;
 
-    /// Returns why no further pass should follow; empty if one should.
+    /// Returns why no pass should follow, for the user; empty if one should.
     std::string
     reason_to_stop() const;
 
   private:
-    /// Returns the change of goal number @p number since the previous pass.
+    /// Returns the |change| of the goal @p number since the previous pass.
     double
     change(const unsigned int number) const;
     bool
@@ -155,10 +162,9 @@ namespace lamella
     bool
     must_be_dropped(const unsigned int number) const;
 
-    PassRules         rules;
-    std::vector<Pass> made;
-    /// Refinement of each pass.
-    std::vector<PassRefinement> refinements;
+    PassRules                   rules;
+    std::vector<Pass>           made;
+    std::vector<PassRefinement> refinements; ///< Refinement of each pass.
     /// Pass (from 1) in which each goal was dropped; 0 if it was not.
     std::vector<unsigned int> dropped_in_pass;
   };

@@ -12,11 +12,11 @@
 
 namespace lamella
 {
-  /// The goals of a solved run with their values, scales and rounding errors.
+  /// Goals (output quantities) of a run: values, scales and rounding errors.
   class RunGoals
   {
   public:
-    /// Returns why no goal of @p run needs an error bar; empty if some do.
+    /// Returns why no goal of @p run needs an error bar; empty if one does.
     static std::string
     unavailable_reason(const Simulation &run);
 
@@ -24,44 +24,46 @@ namespace lamella
     static bool
     has_no_active_contact(const Simulation &run);
 
+    /// Evaluates the goals at the last load step. Keeps a reference to @p run.
     explicit RunGoals(const Simulation &run, const GoalRules &rules = {});
 
-    /// Returns the goals of the scene, including those of whole probes.
+    /// Returns the goals of the input file, including all columns of probes.
     const std::vector<NamedQuantity> &
     quantities() const
     {
       return all;
     }
 
+    /// Returns the numerical results of the last load step.
     const ResultNumbers &
     numbers() const
     {
       return values;
     }
 
-    /// Returns why @p quantity, a strain or stress at a probe or a measure of
-    /// these, is singular there; empty if it is not, and for boxes.
+    /// Returns why @p quantity, a strain or stress at a probe, is singular
+    /// there. Empty if it is not singular, or averaged over a box.
     std::string
     singularity_reason(const NamedQuantity &quantity) const;
 
-    /// Returns |value| of @p quantity, or if that is near zero the largest
-    /// value of its kind in its material
+    /// Returns the scale of relative errors of @p quantity: |value|, or if that
+    /// is near zero the largest value of its kind in its material
     /// (ResultNumbers::largest_in_material()).
     double
     scale_of(const NamedQuantity &quantity) const;
 
-    /// Returns the rounding error of @p quantity: the relative last correction
+    /// Returns the rounding error of @p quantity: the last relative correction
     /// of displacements times the largest value of its kind.
     double
     rounding_of(const NamedQuantity &quantity) const;
 
-    /// Returns the result of goal number @p number with @p bar. A singular goal
-    /// is not compared with its tolerance. A zero goal without active contact
-    /// does not meet its tolerance.
+    /// Returns the result of goal @p number with the error bar @p bar. A
+    /// singular goal is not compared with its tolerance. A zero goal without
+    /// active contact does not meet its tolerance.
     GoalResult
     with_error_bar(const unsigned int number, const ErrorBar &bar) const;
 
-    /// Returns goal number @p number without a bar (with reason if singular).
+    /// Returns goal @p number without error bar; if singular, with reason.
     GoalResult
     without_error_bar(const unsigned int number) const;
 

@@ -10,27 +10,25 @@
 
 namespace lamella
 {
-  /// Parameters of support_refinement_changes().
+  /// Parameters of the local mesh refinement at supports.
   struct SupportRefinementRules
   {
-    /// Elements at a support are bisected if longer than this multiple of the
-    /// larger section side: too long to resolve the disturbance at the support.
-    double longest = 0.5;
-    /// Number of bisections of such an element at the support.
-    unsigned int times = 2;
+    /// Largest length of an axis element at a support, as a multiple of the
+    /// larger section side. Longer ones miss the local disturbance.
+    double       longest = 0.5;
+    unsigned int times   = 2; ///< Number of bisections of longer elements.
   };
 
-  /// Returns the changes of the goals of @p run by short elements at supports:
-  /// at points and lines that supports constrain within a beam, and at
-  /// constrained ends of heated beams. Two models of LE-1 are compared, on the
-  /// axes of @p run and on these axes bisected at the supports; LE-1 has three
-  /// quarters of the local effect of higher degrees.
+  /// Returns the signed changes of the goals of @p run if elements at supports
+  /// are short: at points and lines that supports constrain within a beam, and
+  /// at constrained ends of heated beams. Two models of LE-1 (bilinear Lagrange
+  /// expansion) are compared, on the axes of @p run and on these axes bisected
+  /// at the supports; LE-1 has 3/4 of the local effect of higher degrees.
   ///
-  /// The result is J(bisected) - J(LE-1) for each goal, signed. It is empty if
-  /// there are no such supports, if their elements are short, with
-  /// node-dependent theories, or if a contact pairs nodes. Prints a line per
-  /// model to @p out; @p cache stores the models. Throws as Simulation does.
-  /// Collective.
+  /// The result is the value in the bisected model minus the other, per goal.
+  /// It is empty if there are no such supports, if their elements are short,
+  /// with node-dependent theories, or if a contact pairs nodes. Prints to @p
+  /// out; @p cache stores the models. Throws as Simulation does. Collective.
   std::vector<double>
   support_refinement_changes(const Simulation             &run,
                              std::ostream                 &out,

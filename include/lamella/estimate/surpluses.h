@@ -13,24 +13,25 @@
 
 namespace lamella
 {
-  /// Signed changes of a goal from coarser models to the run by one source.
+  /// Signed changes of a goal between successively coarser models and the run,
+  /// due to one error source: the section mesh or the axis mesh.
   struct Surplus
   {
-    /// Changes from the two next coarser levels: one and two degrees less of
-    /// the section, or half and a quarter of the elements (coarser_spans()).
-    double last = 0., before = 0.;
-    /// Sum of |contributions| of nodes and active constraints to `last`.
-    double by_nodes = 0.;
+    /// Change to the run from one degree less or half of the elements.
+    double last     = 0.,
+           before   = 0.; ///< Change from the second to the next coarser model.
+    double by_nodes = 0.; ///< Sum of |contributions| of nodes to `last`.
   };
 
-  /// Surpluses of a goal by source; Surplus::last of the axis by elements.
+  /// Changes of a goal by the two error sources of a beam.
   struct SurplusParts
   {
-    Surplus     section, axis;
-    LocalErrors along_axis;
+    Surplus section,        ///< Changes by the degree of the section mesh.
+      axis;                 ///< Changes by the number of axis elements.
+    LocalErrors along_axis; ///< Contributions of elements to `axis.last`.
   };
 
-  /// Hierarchical surpluses of a run: changes of its goals J from coarser
+  /// Hierarchical surpluses: changes of the goals J of a run from coarser
   /// models, without solution of these models. Let u_p be the solution with
   /// degree p, a(., .) the bilinear form of the stiffness K, z_p the dual
   /// solution of a goal (GoalDual), and L the interpolation into a coarser
@@ -40,32 +41,32 @@ namespace lamella
   /// first by orthogonality, then since the surplus (1 - L) u approximates the
   /// change of u. For z = u the result is an upper bound; otherwise the
   /// strengthened Cauchy inequality with constant gamma bounds the error by the
-  /// factor 1 / (1 - gamma^2) (Bank and Smith, SIAM J. Numer. Anal. 30 (1993)
-  /// 921-935).
+  /// factor 1 / (1 - gamma^2) (Bank and Smith, SIAM J. Numer. Anal. 30, 1993).
   ///
   /// In active constraints with matrix B, (1 - L) u has the jump B (1 - L) u,
   /// which the change of u does not have. The forces phi = -(C + a)^-1 B (1 -
-  /// L) u, with the compliance C of the constraints and a of the contact law,
+  /// L) u, with the compliances C of the constraints and a of the contact law,
   /// remove the jump and add -phi . B (1 - L) z to the surplus. The error of
-  /// the active set is not included. Costs one refined solution per goal, and
-  /// four solutions and products with K in total. Collective.
+  /// the active set is not included. Costs one solution per goal, and four
+  /// solutions and products with K in total. Collective.
   class Surpluses
   {
   public:
-    /// Returns why @p run has no surpluses; empty if every body is a beam of
-    /// LE-N, N >= 2 and N >= @p min_degree, with all fields at all nodes.
+    /// Returns why @p run has no surpluses. Empty if every body is a beam of
+    /// LE-N, N >= 2 and N >= @p min_degree, with all functions at all nodes.
     static std::string
     unavailable_reason(const Simulation &run, const unsigned int min_degree);
 
+    /// Computes the surpluses of the displacements of @p run, and their forces.
     explicit Surpluses(const Simulation &run);
 
-    /// Returns the surpluses of the goal with the dual solution @p z.
+    /// Returns the surpluses of the goal whose dual displacements are @p z.
     SurplusParts
     of(const BlockVector &z) const;
 
   private:
-    /// Parts of a displacement vector that the next coarser level cannot
-    /// represent, and parts of the remainder that the level before cannot.
+    /// Components of displacements that the next coarser section or axis cannot
+    /// represent, and those of the rest that the second cannot.
     struct Parts
     {
       BlockVector section, section_before, axis, axis_before;
@@ -73,7 +74,7 @@ namespace lamella
     Parts
     parts_of(const BlockVector &v) const;
 
-    /// Forces of a part v of the displacements: K v, and phi of constraints.
+    /// Forces of a displacement component v: K v, and those of constraints.
     struct PartForces
     {
       BlockVector bodies;
@@ -81,16 +82,16 @@ namespace lamella
     };
     PartForces
     forces_of_part(const BlockVector &v) const;
-    /// Returns the work of @p part_forces along @p z.
+    /// Returns the work of @p part_forces along the dual component @p z.
     double
     work(const PartForces &part_forces, const BlockVector &z) const;
     /// Returns the sum of |contributions| of nodes and constraints to work().
     double
     sizes(const PartForces &part_forces, const BlockVector &z) const;
-    /// Returns work() by elements; elements merged in a coarser level share it.
+    /// Returns work() per element; elements merged in a coarser model share it.
     LocalErrors
     by_elements(const PartForces &part_forces, const BlockVector &z) const;
-    /// Adds contributions of spans of @p body from @p products by DoFs.
+    /// Adds the errors of elements of @p body from the @p products per DoF.
     void
     add_spans(const unsigned int body,
               const Vector      &products,
@@ -100,10 +101,10 @@ namespace lamella
     jumps(const BlockVector &v) const;
 
     const Simulation &run;
-    /// Surpluses of beams; their spans at half and a quarter of the elements.
+    /// Surpluses of beams; elements of axes halved once and twice.
     std::vector<std::unique_ptr<const BeamSurplus>> of_beams;
     std::vector<std::vector<AxisSpan>>              halves, quarters;
-    /// Forces of the parts of the displacements.
+    /// Forces of the components of the displacements.
     std::unique_ptr<const PartForces> section, section_before, axis,
       axis_before;
   };

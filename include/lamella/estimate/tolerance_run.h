@@ -20,29 +20,27 @@ namespace lamella
   ///   (error_bars_of());
   /// - writes its results, so that an interrupted run leaves the results of its
   ///   last complete pass;
-  /// - ends the run if all goals are met. Otherwise it refines each source of
-  ///   error that is significant for open goals (Passes), along the axis in
+  /// - ends the run if all goals are met. Otherwise it refines each error
+  ///   source that is significant for open goals (Passes), along the axis in
   ///   selected elements (marked_elements()).
   ///
   /// The first model is the scene as given. A scene without theory begins with
   /// SV, or with contacts SV-6 or LE-3; without elements it has graded axes.
-  ///
   /// The run also ends if the next model would exceed a budget, cannot be
   /// solved, or would not improve any goal. The results are then those of the
   /// last pass with its bars, and a note gives the reason.
   class ToleranceRun
   {
   public:
-    /// Keeps a reference to @p out, which must outlive this object.
+    /// Creates a run of the scene @p said. Keeps a reference to @p out.
     ToleranceRun(const Scene &said, std::ostream &out);
 
-    /// Performs refinement passes, writes results into @p directory, returns
-    /// true if all goals are met. Throws as run_scene() for the first model.
+    /// Performs refinement passes, writes results into the folder @p directory.
+    /// Returns true if all goals are met. Throws as run_scene().
     bool
     run(const std::string &directory);
 
-    /// Returns the results of the last pass with its goals, after run(). They
-    /// are valid as long as this object exists.
+    /// Returns the results of the last pass with its goals, after run().
     const Results &
     results() const
     {
@@ -50,7 +48,7 @@ namespace lamella
     }
 
   private:
-    /// Stores the element ends of the first scene @p first in `kept`.
+    /// Stores the element ends of the scene @p first in `kept`.
     void
     store_element_ends(const Scene &first);
     /// Returns the simulation of `scene`, with messages to @p progress.
@@ -59,12 +57,11 @@ namespace lamella
     /// Solves `scene` and computes the error bars of its goals.
     void
     make_pass();
-    /// Throws NumericsError if a pass after the first has no error bar at all
-    /// since no comparison model could be solved.
+    /// Throws NumericsError if a pass after the first has no error bar, since
+    /// no comparison model could be solved.
     void
     check_any_bar(const std::vector<GoalResult> &goals) const;
-    /// Throws NumericsError unless the sums of the loads of @p next agree with
-    /// those of the last pass to 1e-7 of their size.
+    /// Throws NumericsError if @p next has other resultant loads than before.
     void
     check_loads(const Simulation &next) const;
     /// Refines `scene` for the open goals: selected elements are bisected
@@ -72,17 +69,16 @@ namespace lamella
     /// LE only if the error is acceptable (surrogate_error()).
     void
     refine();
-    /// Returns @p next refined in the selected sources.
+    /// Returns @p next with the error sources of the next pass refined.
     Scene
     refined_in_sources(Scene next, const PlanRules &plan_rules) const;
     /// Returns true if the time budget is exceeded.
     bool
     is_time_exceeded() const;
-    /// Writes the results of the last pass and the table of all passes into the
-    /// folder @p directory. An interrupted run reports this folder.
+    /// Writes the last results and the table of all passes into @p directory.
     void
     write_pass(const std::string &directory);
-    /// Returns why no further pass follows; empty if one follows.
+    /// Returns the reason why no further pass follows; empty if one follows.
     std::string
     reason_to_stop() const;
     void
@@ -102,15 +98,14 @@ namespace lamella
     std::ostream                    &out;
     std::unique_ptr<Simulation>      simulation;
     ModelCache                       cache;
-    /// Field parameters of all models, which share boundary-layer modes.
+    /// Parameters of section functions; all models share boundary-layer modes.
     FieldRules rules;
     PassRules  pass_rules;
     /// Error of each goal if SV-N replaces LE; empty if it does not.
     std::vector<double> surrogate_errors;
-    /// Refinement of the next pass.
-    PassRefinement refined;
-    Passes         passes;
-    dealii::Timer  wall;
+    PassRefinement      refined; ///< Refinement of the next pass.
+    Passes              passes;
+    dealii::Timer       wall;
   };
 } // namespace lamella
 

@@ -12,23 +12,24 @@
 
 namespace lamella
 {
-  /// The Cholesky factor L of A = P^T L L^T P, stored by dense blocks with the
-  /// sparsity of a BlockPattern; the numerical part of factorize_blocks(). The
-  /// lower triangle of A is assembled into the storage of L and factorized in
-  /// place by a right-looking algorithm.
+  /// The Cholesky factor L of A = P^T L L^T P with a permutation P, stored by
+  /// dense blocks with the sparsity of a BlockPattern. The lower triangle of A
+  /// is assembled into the storage of L and factorized in place by a
+  /// right-looking algorithm (factorize_blocks()).
   class BlockFactor
   {
   public:
     /// Stores the @p pattern without allocating the entries of L.
     explicit BlockFactor(BlockPattern pattern);
 
+    /// Returns the sparsity pattern and elimination order of L.
     const BlockPattern &
     where() const
     {
       return pattern;
     }
 
-    /// Allocates the entries and sets them to zero. May throw std::bad_alloc.
+    /// Allocates zero entries of L. May throw std::bad_alloc.
     void
     allocate();
     /// Returns a pointer p to the entries of A in the column of DoF @p column
@@ -36,23 +37,24 @@ namespace lamella
     /// they are above the diagonal. The column and the block must couple.
     double *
     column_begin(const DofIndex column, const unsigned int block);
+    /// Returns the diagonal entry of A in the row of DoF @p dof.
     double &
     diagonal(const DofIndex dof);
 
     /// Replaces A by L. Throws NotPositiveDefinite; @p what is the name of A.
     void
     factorize(const std::string &what);
-    /// Returns the squared ratio of the smallest to the largest pivot.
+    /// Returns the squared ratio of the smallest to the largest pivot of L.
     double
     reciprocal_condition() const
     {
       return reciprocal;
     }
 
-    /// Compute x = L^-1 x (forward) or x = L^-T x (backward) for @p count
-    /// consecutive vectors at @p x, permuted to the elimination order.
+    /// Computes x = L^-1 x for @p count vectors at @p x in elimination order.
     void
     forward(double *const x, const dealii::types::blas_int count) const;
+    /// Computes x = L^-T x; the arguments are those of forward().
     void
     backward(double *const x, const dealii::types::blas_int count) const;
 

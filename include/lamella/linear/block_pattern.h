@@ -13,58 +13,63 @@
 namespace lamella
 {
   /// Sparsity and elimination order of the Cholesky factor L of a matrix of
-  /// dense blocks; the symbolic part of factorize_blocks(). Each block is a
-  /// supernode of L. Blocks are numbered in the order of elimination.
+  /// dense blocks (factorize_blocks()). Each block is a supernode of L. Blocks
+  /// are numbered in the order of elimination.
   struct BlockPattern
   {
-    /// A block of L below the diagonal: number of the block row, and its first
-    /// row within the storage of the block column.
+    /// A nonzero block of L below the diagonal, within a block column.
     struct Part
     {
-      unsigned int            block;
-      dealii::types::blas_int row;
+      unsigned int            block; ///< Index of the block row.
+      dealii::types::blas_int row;   ///< First row in the block column.
     };
 
     /// Computes the elimination order and the pattern of L for the stiffness
-    /// matrix of @p terms. Constraints and springs couple further blocks.
+    /// matrix of @p terms, whose DoFs are grouped into @p blocks. @p
+    /// constraints and springs couple further blocks.
     BlockPattern(const StiffnessTerms &terms,
                  const DenseBlocks    &blocks,
                  const Constraints    &constraints);
 
+    /// Returns the number of blocks.
     unsigned int
     n_blocks() const
     {
       return parts.size();
     }
+    /// Returns the number of stored entries of L.
     std::int64_t
     n_entries() const
     {
       return first_entry.back();
     }
-    /// Return the number of columns of L in block @p s and the number of rows
-    /// stored for each of these columns.
+    /// Returns the number of columns of L in block @p s.
     dealii::types::blas_int
     width(const unsigned int s) const
     {
       return column[s + 1] - column[s];
     }
+    /// Returns the number of rows of L stored for each column of block @p s.
     dealii::types::blas_int
     height(const unsigned int s) const
     {
       return first_row[s + 1] - first_row[s];
     }
 
-    /// Block of each DoF, and first DoF of each block.
-    std::vector<unsigned int> block_of;
-    std::vector<DofIndex>     first_dof;
+    std::vector<unsigned int> block_of;  ///< Block of each DoF.
+    std::vector<DofIndex>     first_dof; ///< First DoF of each block.
     /// Nonzero blocks below the diagonal in each block column, ascending.
     std::vector<std::vector<Part>> parts;
-    /// The members of SupernodalFactor with these names point to these arrays.
-    std::vector<std::int64_t> column, first_row, first_entry, row, permutation;
+    std::vector<std::int64_t>
+      column,      ///< SupernodalFactor::column: first column of each block.
+      first_row,   ///< SupernodalFactor::first_row, offsets in `row`.
+      first_entry, ///< SupernodalFactor::first_entry, offsets of entries.
+      row,         ///< SupernodalFactor::row, row indices of each block.
+      permutation; ///< SupernodalFactor::permutation, DoF of each row of L.
 
   private:
     /// Returns the sets of blocks coupled by elements, springs or constraints,
-    /// with the block numbers of @p blocks.
+    /// with the block indices of @p blocks.
     std::vector<std::vector<unsigned int>>
     cliques_of(const StiffnessTerms &terms,
                const DenseBlocks    &blocks,

@@ -9,9 +9,9 @@
 
 namespace lamella
 {
-  /// Returns the product A X of a sparse and a dense matrix. Several columns of
-  /// X are processed together, to read each entry of A once. Each column of the
-  /// result is bitwise equal to a matrix-vector product.
+  /// Returns the product of the sparse matrix @p A and the dense matrix @p X.
+  /// Several columns of X are processed together, to read each entry of A once.
+  /// Each column of the result is bitwise equal to a matrix-vector product.
   dealii::LAPACKFullMatrix<double>
   times_columns(const Matrix &A, const dealii::LAPACKFullMatrix<double> &X);
 } // namespace lamella

@@ -9,18 +9,18 @@
 
 namespace lamella
 {
-  /// Returns a conjugate gradient solver, preconditioned by the smoothed
-  /// aggregation multigrid of Trilinos ML, for stiffness matrices of nodal
-  /// displacements. Memory and work are proportional to the number of DoFs.
-  /// Coarse levels preserve @p near_null_space, zero in constrained DoFs.
+  /// Returns a conjugate gradient solver for stiffness matrices of nodal
+  /// displacements, preconditioned by the smoothed aggregation multigrid of
+  /// Trilinos ML. Memory and work are proportional to the number of DoFs.
+  /// Coarse levels preserve the vectors @p near_null_space (such as rigid-body
+  /// motions), which must be zero in constrained DoFs; six vectors must be the
+  /// rigid-body motions of nodes with three DoFs each.
   ///
-  /// The iteration ends if |b - A x| <= 1e-11 |b|. Throws NumericsError, with
-  /// @p what as name of A, if this takes more than 2000 iterations. The
-  /// smoother is Chebyshev's; the coarsest level of at most 300 unknowns is
-  /// solved directly. If @p near_null_space has six vectors, these must be the
-  /// rigid-body motions of nodes with three DoFs each. Shares the ownership of
-  /// @p matrix. There is no condition estimate. This function and all functions
-  /// of the solver must be called by all processes.
+  /// The iteration for A x = b ends if |b - A x| <= 1e-11 |b|. Throws
+  /// NumericsError, with @p what as name of A, if this takes more than 2000
+  /// iterations. The smoother is Chebyshev's; the coarsest level of at most 300
+  /// unknowns is solved directly. Shares the ownership of @p matrix. There is
+  /// no condition estimate. Collective, as are all functions of the solver.
   std::unique_ptr<LinearSolver>
   make_conjugate_gradients(std::shared_ptr<const SharedMatrix> matrix,
                            const std::vector<Vector>          &near_null_space,

@@ -8,7 +8,7 @@
 namespace lamella
 {
   /// The Cholesky factor L of a dense symmetric positive definite n x n matrix
-  /// A = L L^T, by LAPACK. Takes n^3/3 operations, a solution 2 n^2.
+  /// A = L L^T, by LAPACK. Takes n^3/3 operations, and 2 n^2 for a solution.
   class DenseCholesky
   {
   public:
@@ -24,7 +24,7 @@ namespace lamella
     solve(std::vector<double> &x) const;
 
   private:
-    /// Columns of L in the lower triangle; unchanged entries of A above.
+    /// Columns of L in the lower triangle, unchanged entries of A above.
     std::vector<double> factor;
     int                 n;
   };

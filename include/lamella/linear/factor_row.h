@@ -11,20 +11,18 @@
 
 namespace lamella
 {
-  /// A row of the five axis matrices A_pq or of the five section matrices,
+  /// The same row of the five axis matrices or of the five section matrices,
   /// whose Kronecker products are the stiffness of a beam. Each column has five
-  /// entries: of the matrices (p, q) = (0, 0), (0, 1), (1, 0), (1, 1), the
-  /// orders of derivatives, and of the matrix of transverse shear. Columns
-  /// ascend.
+  /// entries, one per matrix: derivatives of orders (p, q) = (0, 0), (0, 1),
+  /// (1, 0), (1, 1) of test and trial function, and transverse shear.
   struct FactorRow
   {
-    std::vector<unsigned int>          columns;
-    std::vector<std::array<double, 5>> entries;
+    std::vector<unsigned int>          columns; ///< Nonzero columns, ascending.
+    std::vector<std::array<double, 5>> entries; ///< Five entries per column.
   };
 
-  /// Returns row @p r of five matrices with the same sparsity pattern, m = 0 to
-  /// 4. @p matrix_number(m) returns matrix m. Columns j for which @p wanted(j)
-  /// is false are omitted.
+  /// Returns row @p r of five matrices of the same pattern. @p matrix_number(m)
+  /// returns matrix m. Columns j are omitted if @p wanted(j) is false.
   template <typename Factor, typename Wanted>
   FactorRow
   factor_row(const Factor      &matrix_number,

@@ -14,7 +14,7 @@ namespace lamella
   class NotPositiveDefinite : public NumericsError
   {
   public:
-    /// Stores the @p message for the user and the number @p dof of the DoF.
+    /// Stores the @p message for the user and the DoF @p dof of the pivot.
     NotPositiveDefinite(const std::string &message, const DofIndex dof)
       : NumericsError(message)
       , dof(dof)
@@ -31,8 +31,8 @@ namespace lamella
   ///
   /// The nonzero entries are copied. @p monitor is called between symbolic
   /// analysis and factorization. Throws NotPositiveDefinite, with @p what as
-  /// name of the matrix, if a pivot is not positive, and NumericsError if the
-  /// factor does not fit in memory.
+  /// name of the matrix, if a pivot is not positive, NumericsError if memory is
+  /// insufficient.
   std::unique_ptr<LinearSolver>
   factorize(const Matrix        &matrix,
             const std::string   &what,
@@ -42,16 +42,16 @@ namespace lamella
   /// numbered from 1. Entries of the same row and column are summed.
   struct MatrixEntries
   {
-    /// Entry k is values[k] at (rows[k], columns[k]).
-    std::vector<int>    rows, columns;
-    std::vector<double> values;
+    std::vector<int> rows,      ///< Row of each entry, from 1.
+      columns;                  ///< Column of each entry, from 1.
+    std::vector<double> values; ///< Value of each entry.
   };
 
   /// Entries of the upper triangle of a symmetric matrix.
   struct UpperTriangle : MatrixEntries
   {
-    /// Adds an entry. Zeros and entries below the diagonal are ignored. @p row
-    /// and @p column are numbered from 0.
+    /// Adds @p value at @p row and @p column, numbered from 0. Zeros and
+    /// entries below the diagonal are ignored.
     void
     add(const DofIndex row, const DofIndex column, const double value)
     {
@@ -73,17 +73,17 @@ namespace lamella
 
     /// Factorizes the matrix with the entries @p values, in the order of the
     /// pattern that this process passed to analyze_shared(). Throws
-    /// NumericsError if the matrix is singular or memory is insufficient. Must
-    /// be called by all processes.
+    /// NumericsError if the matrix is singular or memory insufficient.
+    /// Collective.
     virtual void
     factorize(std::vector<double> values) = 0;
 
     /// Computes x = A^-1 x with the last factorization. @p x is the whole
-    /// vector and equal on all processes. Must be called by all processes.
+    /// vector and equal on all processes. Collective.
     virtual void
     solve(Vector &x) const = 0;
 
-    /// Returns the sign of the determinant of the last factorized matrix.
+    /// Returns the sign of the last factorized matrix's determinant: 1 or -1.
     virtual int
     sign_of_determinant() const = 0;
   };
@@ -96,9 +96,9 @@ namespace lamella
   };
 
   /// Analyzes a matrix of @p n rows with MUMPS and returns the object that
-  /// factorizes it. Each process passes a subset of the sparsity @p pattern.
-  /// @p what is the name of the matrix in messages. Throws NumericsError if the
-  /// analysis fails. Must be called by all processes.
+  /// factorizes it. Each process passes a subset of the sparsity @p pattern. @p
+  /// what is the name of the matrix in messages. Throws NumericsError if the
+  /// analysis fails. Collective.
   std::unique_ptr<RepeatedFactorization>
   analyze_shared(const DofIndex     n,
                  MatrixEntries      pattern,
@@ -106,8 +106,8 @@ namespace lamella
                  const std::string &what);
 
   /// Factorizes a matrix of @p n rows with MUMPS (multifrontal L D L^T without
-  /// pivoting). Each process passes a subset of the entries. This function and
-  /// all functions of the result must be called by all processes.
+  /// pivoting). Each process passes a subset of the entries. Collective, as are
+  /// all functions of the result.
   ///
   /// MUMPS is called directly, since the interfaces of deal.II and Trilinos
   /// treat every matrix as unsymmetric and solve for one right-hand side at a

@@ -13,12 +13,11 @@ namespace lamella
   /// Solves (P + i Q) (x + i y) = f for each real right-hand side f with
   /// CHOLMOD's complex Cholesky factorization. P + i Q must be Hermitian and
   /// positive definite: P = @p real is symmetric, Q = @p imaginary
-  /// antisymmetric. Both have the same sparsity pattern; only the upper
-  /// triangles are read.
+  /// antisymmetric. Only their upper triangles, of the same pattern, are read.
   ///
-  /// Returns x and y of the first right-hand side, then x and y of the second,
-  /// and so on. Throws NumericsError, with @p what as name of the matrix, if a
-  /// pivot is not positive. Serial.
+  /// Returns x and y of the first right-hand side, then of the second, and so
+  /// on. Throws NumericsError, with @p what as name of the matrix, if a pivot
+  /// is not positive. Serial.
   std::vector<Vector>
   solve_hermitian(const Matrix              &real,
                   const Matrix              &imaginary,

@@ -29,9 +29,11 @@ namespace lamella
                ///< chosen by `automatic` only, for bodies with such blocks
   };
 
+  /// Names of the linear solvers in parameter files.
   template <>
   struct Names<SolverKind>
   {
+    /// Value and name of each linear solver that a user may choose.
     static constexpr NameOf<SolverKind> all[] = {
       {SolverKind::automatic, "auto"},
       {SolverKind::cholmod, "cholmod"},
@@ -44,8 +46,7 @@ namespace lamella
   {
     /// Number of nonzeros of the factor on all processes, 8 bytes each.
     double non_zeros = 0.;
-    /// Memory on this process in bytes, including workspace.
-    double bytes = 0.;
+    double bytes     = 0.; ///< Memory on this process, with workspace [bytes].
   };
 
   /// Callback before the memory of a factor is allocated. It is called on all
@@ -64,22 +65,21 @@ namespace lamella
   /// first `assembled` (for SolverKind::blocks last), then `factor_sized`.
   struct SolverMonitor
   {
-    /// Called on all processes after the assembly of the matrix.
-    std::function<void()> assembled;
+    std::function<void()> assembled; ///< Called collectively after assembly.
     /// Called between symbolic analysis and factorization; not for `cg`.
     FactorMonitor factor_sized;
   };
 
-  /// Kind, memory and number of iterations of a linear solver so far.
+  /// Kind, memory and cumulative number of iterations of a linear solver.
   struct SolverStatistics
   {
     /// Kind of solver; never SolverKind::automatic if returned by a solver.
     SolverKind kind = SolverKind::automatic;
     /// Number of nonzeros of the factor; 0 for conjugate gradients.
-    double non_zeros = 0.;
-    /// Number of solved right-hand sides, of iterations in total, and largest
-    /// number of iterations for one right-hand side (0 for direct solvers).
-    unsigned int solutions = 0, iterations = 0, max_iterations_per_solve = 0;
+    double       non_zeros = 0.;
+    unsigned int solutions = 0, ///< Number of solved right-hand sides.
+      iterations           = 0, ///< Iterations in total; 0 for direct solvers.
+      max_iterations_per_solve = 0; ///< Most iterations for one solution.
   };
 
   /// Returns a text for the user: "MUMPS on 2 processes, factor of 2.3e6
@@ -87,13 +87,13 @@ namespace lamella
   std::string
   to_text(const SolverStatistics &statistics);
 
-  /// Constraint rows b_k, the rows of B, with the solutions A^-1 b_k or
+  /// Constraints with matrix B (rows b_k), and their solutions A^-1 b_k or
   /// equivalent data, for the compliance B A^-1 B^T. The solver must outlive
   /// this object. If the matrix is distributed, all processes must call each
   /// function with the same arguments; the results are equal.
   ///
   /// The compliance is the Schur complement of contact: with the contact forces
-  /// lambda and the initial gaps g_0,
+  /// lambda, the initial gaps g_0 and the loads f,
   ///   A v = f + B^T lambda, B v + g_0 = 0
   /// is statically condensed to
   ///   (B A^-1 B^T) lambda = -(g_0 + B A^-1 f).
@@ -105,23 +105,23 @@ namespace lamella
   public:
     virtual ~SolvedRows() = default;
 
-    /// Appends @p rows b_k and solves A x = b_k for all of them together.
-    /// Throws NumericsError if an iteration does not converge.
+    /// Appends the constraints @p rows and solves A x = b for all rows b
+    /// together. Throws NumericsError if an iteration does not converge.
     virtual void
     append(const std::vector<LinearFunctional> &rows) = 0;
 
-    /// Returns the number m of appended rows.
+    /// Returns the number of appended constraints.
     virtual unsigned int
     size() const = 0;
 
-    /// Returns the entries b_i A^-1 b_j of the compliance for rows i >=
-    /// @p first and all rows j, at [j * (m - first) + i - first].
+    /// Returns the compliances b_i A^-1 b_j of constraints i >= @p first and
+    /// all constraints j, at [j * (m - first) + i - first] with m = size().
     virtual std::vector<double>
     products(const unsigned int first) const = 0;
 
     /// Returns the displacements A^-1 B^T @p lambda of the body due to the
-    /// forces @p lambda, one per row. The caller must compute constrained DoFs
-    /// by AffineConstraints::distribute().
+    /// forces @p lambda, one per constraint with matrix B. The caller must
+    /// compute constrained DoFs by AffineConstraints::distribute().
     virtual Vector
     displacement(const std::vector<double> &lambda) const = 0;
   };
@@ -145,7 +145,7 @@ namespace lamella
     virtual void
     solve(Vector &x) const = 0;
 
-    /// Solves for several right-hand sides, with some solvers simultaneously.
+    /// Solves for all right-hand sides @p x, with some solvers simultaneously.
     /// This default implementation calls solve() for each of them.
     virtual void
     solve_all(std::vector<Vector> &x) const
@@ -154,7 +154,8 @@ namespace lamella
         solve(one);
     }
 
-    /// Returns an empty SolvedRows, which keeps a reference to this solver.
+    /// Returns an object for compliances of constraints, initially without
+    /// constraints. It keeps a reference to this solver.
     virtual std::unique_ptr<SolvedRows>
     solved_rows() const = 0;
 
@@ -162,12 +163,11 @@ namespace lamella
     virtual double
     largest_diagonal() const = 0;
 
-    /// Returns a lower bound of the condition number of A, or 0 if unknown
-    /// (MUMPS, conjugate gradients).
+    /// Returns a lower bound of the condition number of A; 0 if unknown.
     virtual double
     condition_estimate() const = 0;
 
-    /// Returns the kind of solver and its cumulative effort.
+    /// Returns the kind of solver, its memory and its cumulative iterations.
     virtual SolverStatistics
     statistics() const = 0;
   };

@@ -16,9 +16,9 @@
 namespace lamella
 {
   /// Calls @p use(row, columns, values) for each row of @p matrix that this
-  /// process owns, with the row number, a vector of column numbers and a
-  /// pointer to the entries in these columns, valid during the call. Numbers
-  /// are global; columns are not sorted. The matrix must be compressed.
+  /// process owns, with the row index, a vector of column indices and a pointer
+  /// to the entries in these columns, valid during the call. Indices are
+  /// global; columns are not sorted. The matrix must be compressed.
   template <typename Use>
   void
   for_each_own_row(const SharedMatrix &matrix, const Use &use)

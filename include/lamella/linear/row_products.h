@@ -7,27 +7,26 @@
 
 namespace lamella
 {
-  /// SolvedRows of solvers without a factor L of A (MUMPS, conjugate
-  /// gradients). Stores only the compliance B A^-1 B^T of constraint rows B, so
-  /// displacement() solves again. m rows take m solutions and 4 m^2 bytes.
+  /// Compliance B A^-1 B^T of constraints for solvers without a factor of the
+  /// matrix A (MUMPS, conjugate gradients). displacement() solves again. m
+  /// constraints take m solutions and 4 m^2 bytes.
   class RowProducts : public SolvedRows
   {
   public:
-    /// Function that returns b_j A^-1 b_i for all @p rows j and the rows i >=
-    /// @p first, at [(i - first) * n_rows + j].
+    /// Function that returns the compliance b_j A^-1 b_i for all @p rows b_j
+    /// and the rows b_i with i >= @p first, at [(i - first) * n_rows + j].
     using Solve = std::function<
       std::vector<double>(const std::vector<LinearFunctional> &rows,
                           const unsigned int                   first)>;
 
-    /// Keeps a reference to @p solver, of @p n_dofs unknowns, which must
-    /// outlive this object.
+    /// Keeps a reference to @p solver, which has @p n_dofs unknowns.
     RowProducts(const LinearSolver &solver, const DofIndex n_dofs, Solve solve);
 
-    /// Appends @p rows and computes their products by one call of Solve.
+    /// Appends the constraints @p rows and computes their compliances.
     void
     append(const std::vector<LinearFunctional> &rows) override;
 
-    /// Returns the number of appended rows.
+    /// Returns the number of appended constraints.
     unsigned int
     size() const override
     {
@@ -42,14 +41,12 @@ namespace lamella
     displacement(const std::vector<double> &lambda) const override;
 
   private:
-    /// Solver, which must outlive this object.
-    const LinearSolver &solver;
+    const LinearSolver &solver; ///< Solver, which must outlive this object.
     DofIndex            n_dofs;
     Solve               solve;
-    /// Rows in the order of appending.
-    std::vector<LinearFunctional> rows;
-    /// Products kept[i][j] = b_j A^-1 b_i of each row i with all rows j that
-    /// were appended before or together with row i.
+    std::vector<LinearFunctional> rows; ///< Constraints in appended order.
+    /// Compliances kept[i][j] = b_j A^-1 b_i of each constraint i with all
+    /// constraints j that were appended before or together with i.
     std::vector<std::vector<double>> kept;
   };
 } // namespace lamella

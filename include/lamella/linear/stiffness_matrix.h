@@ -15,15 +15,16 @@
 
 namespace lamella
 {
-  /// A dense block of stiffness contributions for all pairs of @p rows and
-  /// @p columns. For a beam, a block is a row of the Kronecker products of axis
-  /// and section matrices, sums of fundamental nuclei (Eq. 12); for other
-  /// bodies, an element stiffness matrix.
+  /// A dense block of stiffness contributions for all pairs of rows and
+  /// columns. For a beam, a block is a row of the Kronecker products of axis
+  /// and section matrices, sums of fundamental nuclei (Eq. 12 of Nagaraj et al.
+  /// 2020); for other bodies, an element stiffness.
   struct StiffnessBlock
   {
-    /// DoFs of the body, constrained ones included. Blocks are summed.
-    std::vector<DofIndex> rows, columns;
-    /// True if @p columns is sorted, which saves a search.
+    /// DoFs of the matrix rows, including constrained DoFs.
+    std::vector<DofIndex> rows,
+      columns; ///< DoFs of the matrix columns, including constrained DoFs.
+    /// True if @p columns is sorted (saves a search), false if unknown.
     bool columns_ascend = false;
     /// Entries by rows, (i, j) at [i * columns.size() + j], in force/length;
     /// empty if only the sparsity pattern is needed.
@@ -39,26 +40,22 @@ namespace lamella
     }
   };
 
-  /// A stiffness term k r^T r: a spring to the ground along r, with k in
-  /// force/length if r is a length.
+  /// A stiffness term k r^T r: row vector r and spring constant k of a spring
+  /// to the ground along r, with k in force/length if r is dimensionless.
   using SpringTerm = std::pair<LinearFunctional, double>;
 
-  /// The stiffness of a body before the condensation of constraints: the sum of
-  /// all blocks and springs k r^T r.
+  /// The stiffness of a body before condensation: sum of blocks and springs.
   struct StiffnessTerms
   {
-    /// Number of rows of the whole matrix, constrained ones included.
-    DofIndex n_dofs = 0;
-    /// Contiguous range of DoFs whose matrix rows this process owns.
-    dealii::IndexSet owned;
+    DofIndex n_dofs = 0;    ///< Number of DoFs, including constrained ones.
+    dealii::IndexSet owned; ///< DoFs whose matrix rows this process owns.
     /// Function that calls its second argument for each block of the
     /// unconstrained stiffness. If the first argument is false, the blocks have
     /// no values. In a distributed assembly, each process has different blocks.
     std::function<void(const bool,
                        const std::function<void(const StiffnessBlock &)> &)>
-      for_each_block;
-    /// Springs of the body, equal on every process.
-    std::vector<SpringTerm> springs;
+                            for_each_block;
+    std::vector<SpringTerm> springs; ///< Springs, equal on all processes.
   };
 
   /// The assembled stiffness matrix of a body, condensed by the homogeneous
@@ -78,16 +75,15 @@ namespace lamella
     for_each_entry(
       const std::function<void(DofIndex, DofIndex, double)> &use) const = 0;
 
-    /// Returns the whole diagonal. All processes must call it if A is
-    /// distributed.
+    /// Returns the whole diagonal of the matrix, on every process. If the
+    /// matrix is distributed, all processes must call this function.
     virtual Vector
     diagonal() const = 0;
 
     /// Returns a solver, which does not refer to this object. Throws
     /// NumericsError, with @p what as name of the matrix, if the matrix is not
     /// positive definite; with CHOLMOD, NotPositiveDefinite. @p monitor is
-    /// called with the size of the factor. If the matrix is distributed, must
-    /// be called by all processes.
+    /// called with the size of the factor. Collective if distributed.
     virtual std::unique_ptr<LinearSolver>
     factorize(const std::string   &what,
               const FactorMonitor &monitor = {}) const = 0;
@@ -108,8 +104,7 @@ namespace lamella
   /// process owns the rows terms.owned; its blocks may contribute to rows of
   /// other processes. @p kind is the solver, mumps or cg (see
   /// make_conjugate_gradients(), also for @p near_null_space). @p constraints
-  /// must be closed and equal on all processes, which must all call this
-  /// function.
+  /// must be closed and equal on all processes. Collective.
   std::unique_ptr<StiffnessMatrix>
   assemble_distributed(const StiffnessTerms      &terms,
                        const Constraints         &constraints,

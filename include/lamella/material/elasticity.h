@@ -21,32 +21,35 @@ namespace lamella
   /// Orthonormal, right-handed vectors e_1, e_2, e_3 as the rows of a matrix.
   using Triad = dealii::Tensor<2, 3>;
 
-  /// Returns the identity matrix.
+  /// Returns the triad of the coordinate axes, the identity matrix.
   Triad
   unit_triad();
 
-  /// The nine elastic constants of an orthotropic material in its own axes: 1
-  /// along the fiber, 2 across the fiber in the plane of the ply, 3 normal to
-  /// the ply. nu_ij is the contraction along j under tension along i: nu_ij /
-  /// E_i = nu_ji / E_j. The default values of zero are invalid.
+  /// The nine elastic constants of an orthotropic material in its material
+  /// axes: 1 along the fiber, 2 across the fiber in the plane of the ply, 3
+  /// normal to the ply. nu_ij is the contraction along j under tension along i:
+  /// nu_ij / E_i = nu_ji / E_j. The default values of zero are invalid.
   struct EngineeringConstants
   {
-    /// Young's moduli along 1, 2 and 3 [force/length^2].
-    double E1 = 0., E2 = 0., E3 = 0.;
-    /// Shear moduli in the planes 12, 13 and 23 [force/length^2].
-    double G12 = 0., G13 = 0., G23 = 0.;
-    /// Poisson's ratios, dimensionless.
-    double nu12 = 0., nu13 = 0., nu23 = 0.;
+    double E1   = 0., ///< Young's modulus along 1, the fiber [force/length^2].
+      E2        = 0., ///< Young's modulus along 2 [force/length^2].
+      E3        = 0.; ///< Young's modulus along 3 [force/length^2].
+    double G12  = 0., ///< Shear modulus in the plane 12 [force/length^2].
+      G13       = 0., ///< Shear modulus in the plane 13 [force/length^2].
+      G23       = 0.; ///< Shear modulus in the plane 23 [force/length^2].
+    double nu12 = 0., ///< Poisson's ratio, contraction along 2 by tension in 1.
+      nu13      = 0., ///< Poisson's ratio, contraction along 3 by tension in 1.
+      nu23      = 0.; ///< Poisson's ratio, contraction along 3 by tension in 2.
 
     /// Returns the constants of an isotropic material with Young's modulus @p E
     /// and Poisson's ratio @p nu, G = E / (2 (1 + nu)), without checks.
     static EngineeringConstants
     isotropic(const double E, const double nu);
 
-    /// Describes the first violated condition for a positive definite
-    /// compliance; empty if all hold. The conditions (Lempriere 1968) are: all
-    /// moduli positive, nu_ij^2 < E_i / E_j for each pair, and 1 - nu12 nu21 -
-    /// nu23 nu32 - nu13 nu31 - 2 nu21 nu32 nu13 > 0.
+    /// Returns a description of the first violated condition for a positive
+    /// definite compliance; empty if all hold. The conditions (Lempriere 1968)
+    /// are: all moduli positive, nu_ij^2 < E_i / E_j for each pair, and 1 -
+    /// nu12 nu21 - nu23 nu32 - nu13 nu31 - 2 nu21 nu32 nu13 > 0.
     std::string
     violated_condition() const;
 

@@ -16,13 +16,14 @@ namespace lamella
   std::vector<std::string>
   library_materials();
 
-  /// Returns the built-in material @p name, converted to the stress unit of
-  /// @p units. Sources are in doc/reference/materials.md; data that a source
-  /// lacks are empty. hertz-200, whose modulus has no unit, is not converted.
-  /// Throws InputError, which suggests the most similar name, if there is no
-  /// such material. In the second form, the name is the text of @p entry.
+  /// Returns the built-in material @p name, converted to the stress unit of @p
+  /// units. Data that its source (doc/reference/materials.md) lacks are empty.
+  /// hertz-200, whose modulus has no unit, is not converted. Throws InputError,
+  /// which suggests the most similar name, if there is no such material.
   Material
   library_material(const std::string &name, const Units &units);
+  /// Returns the built-in material whose name is the text of @p entry, in the
+  /// stress unit of @p units. Throws InputError if there is none.
   Material
   library_material(const Entry &entry, const Units &units);
 } // namespace lamella
