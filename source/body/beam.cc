@@ -51,13 +51,13 @@ namespace lamella
 
 
   Beam::Beam(const std::string                            &name,
-             std::shared_ptr<const SectionSpace>           given,
+             std::shared_ptr<const SectionSpace>           section_space,
              std::shared_ptr<const Axis>                   axis,
              const Placement                              &placement,
              const std::vector<std::vector<unsigned int>> &fields_of_node,
              const std::string                            &theory)
     : Body(name, placement)
-    , space(std::move(given))
+    , space(std::move(section_space))
     , beam_section(space->shared_section())
     , beam_axis(std::move(axis))
     , dof_map(fields_of_node, space->n_fields())

@@ -104,7 +104,7 @@ namespace lamella
       choose_bisection_direction(const Edges      &edges,
                                  const Piece<dim> &piece) const;
       Piece<dim>
-      piece(const unsigned int cell, const ParameterBox<dim> &box);
+      piece(const unsigned int number, const ParameterBox<dim> &box);
       void
       add(std::vector<Piece<dim>> &heap, Piece<dim> &&piece);
       void

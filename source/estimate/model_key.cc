@@ -176,11 +176,7 @@ namespace lamella
       std::string words;
       for (const auto &[section, number] : times)
         if (number > 0)
-          words.append(section)
-            .append(" ")
-            .append(what)
-            .append(describe(number))
-            .append("; ");
+          words += section + " " + what + describe(number) + "; ";
       return words;
     }
   } // namespace

@@ -168,11 +168,12 @@ namespace lamella
 
 
   double *
-  BlockFactor::column_begin(const DofIndex dof, const unsigned int block)
+  BlockFactor::column_begin(const DofIndex column, const unsigned int block)
   {
-    const unsigned int s = pattern.block_of[dof];
+    const unsigned int s = pattern.block_of[column];
     double *const      begin =
-      entries(s) + std::size_t(dof - pattern.first_dof[s]) * pattern.height(s);
+      entries(s) +
+      std::size_t(column - pattern.first_dof[s]) * pattern.height(s);
     if (block == s)
       return begin - pattern.first_dof[s];
     if (block < s)

@@ -29,7 +29,7 @@ namespace lamella
     class ConjugateGradients : public LinearSolver
     {
     public:
-      ConjugateGradients(std::shared_ptr<const SharedMatrix> matrix,
+      ConjugateGradients(std::shared_ptr<const SharedMatrix> whole,
                          const std::vector<Vector>          &near_null_space,
                          const std::string                  &what);
 

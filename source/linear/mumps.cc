@@ -21,7 +21,7 @@ namespace lamella
     public:
       /// Analyses the places of @p matrix. Makes it ready for factorize().
       MumpsFactorization(const DofIndex     n,
-                         MatrixEntries      matrix,
+                         MatrixEntries      all,
                          const Symmetry     symmetry,
                          const std::string &what);
       MumpsFactorization(const MumpsFactorization &) = delete;

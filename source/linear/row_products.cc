@@ -15,14 +15,14 @@ namespace lamella
 
 
   void
-  RowProducts::append(const std::vector<LinearFunctional> &fresh)
+  RowProducts::append(const std::vector<LinearFunctional> &added)
   {
-    if (fresh.empty())
+    if (added.empty())
       return;
     const unsigned int first = rows.size();
-    rows.insert(rows.end(), fresh.begin(), fresh.end());
+    rows.insert(rows.end(), added.begin(), added.end());
     const std::vector<double> values = solve(rows, first);
-    for (unsigned int i = 0; i < fresh.size(); ++i)
+    for (unsigned int i = 0; i < added.size(); ++i)
       kept.emplace_back(values.begin() + i * rows.size(),
                         values.begin() + (i + 1) * rows.size());
   }

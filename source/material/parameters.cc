@@ -137,7 +137,7 @@ namespace lamella
     std::vector<double>
     parse_positive(const Entry &entry, const std::vector<std::string> &names)
     {
-      const std::vector<double> numbers = entry.numbers();
+      std::vector<double> numbers = entry.numbers();
       if (numbers.empty())
         return numbers;
       if (numbers.size() != names.size())

@@ -9,14 +9,14 @@ namespace lamella
 {
   using namespace dealii;
 
-  FaceTractions::FaceTractions(const std::vector<Load>    &given,
+  FaceTractions::FaceTractions(const std::vector<Load>    &all_loads,
                                const LoadFactor           &factor,
                                const std::vector<Support> &supports)
   {
     for (const Support &support : supports)
       held.insert(held.end(), support.on.begin(), support.on.end());
     // Couples act on ends, temperatures on no face.
-    for (const Load &load : given)
+    for (const Load &load : all_loads)
       if (!load.couple && load.temperature.empty())
         for (const Region &region : load.on)
           if (region.kind == Region::Kind::surface)

@@ -296,8 +296,7 @@ namespace lamella
           quantity.path          = text.path();
           return quantity;
         }
-    const NamedQuantity resultant =
-      find_resultant(text, parts[0], parts[1], names);
+    NamedQuantity resultant = find_resultant(text, parts[0], parts[1], names);
     if (resultant.of == NamedQuantity::ObjectKind::undefined)
       text.refuse(
         "recover.unknown-name: no probe, measure, support or contact is called "

@@ -62,8 +62,11 @@ namespace lamella
     const std::size_t               stride = 9 * facets.size() / enough + 1;
     std::vector<SurfacePoint>       points;
     for (std::size_t k = 0; k < 9 * facets.size(); k += stride)
-      points.push_back(bodies[b]->surface_point(
-        facets[k / 9], {(1 + 2 * (k % 9 / 3)) / 6., (1 + 2 * (k % 3)) / 6.}));
+      {
+        const std::size_t row = k % 9 / 3;
+        points.push_back(bodies[b]->surface_point(
+          facets[k / 9], {(1 + 2 * row) / 6., (1 + 2 * (k % 3)) / 6.}));
+      }
     return points;
   }
 

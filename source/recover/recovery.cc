@@ -358,8 +358,8 @@ namespace lamella
       Tensor<2, 3> result;
       for (unsigned int v = 0; v < 8; ++v)
         {
-          const Point<3> unit(v % 2, v / 2 % 2, v / 4);
-          const Point<3> x = body.position({cell, unit});
+          const Point<3> unit = GeometryInfo<3>::unit_cell_vertex(v);
+          const Point<3> x    = body.position({cell, unit});
           for (unsigned int c = 0; c < 3; ++c)
             for (unsigned int d = 0; d < 3; ++d)
               result[c][d] += (unit[d] > 0. ? 0.25 : -0.25) * x[c];

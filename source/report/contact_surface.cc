@@ -225,8 +225,8 @@ namespace lamella
                             const BlockVector             &u,
                             const std::vector<ContactRow> &rows) const
   {
-    const std::string name = "contact_" + contact.name + "_" +
-                             Utilities::int_to_string(step, 4) + ".vtu";
+    std::string name = "contact_" + contact.name + "_" +
+                       Utilities::int_to_string(step, 4) + ".vtu";
     OutputFile output(directory + "/" + name);
     write_vtu_file(output.stream(), grid(u, rows));
     if (!output.commit())

@@ -53,7 +53,7 @@ namespace lamella
   };
 
   /// Returns the element ends of an axis of length @p length, graded to the
-  /// refinement points @p places, without 0 and @p length. Point k at y_k
+  /// refinement points @p given, without 0 and @p length. Point k at y_k
   /// requires elements of length size_k. The element length is
   ///   s(y) = min_k (c size_k + growth |y - y_k|),
   ///   c = growth / (exp(growth) - 1),
@@ -65,7 +65,7 @@ namespace lamella
   /// length are merged.
   std::vector<double>
   graded_breaks(const double                     length,
-                const std::vector<ShortElement> &places,
+                const std::vector<ShortElement> &given,
                 const GradingRules              &rules             = {},
                 const double                     refinement_factor = 1.,
                 const std::vector<LoadedPart>   &loaded            = {});

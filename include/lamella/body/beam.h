@@ -34,10 +34,10 @@ namespace lamella
   public:
     /// Constructs a beam with all section functions at all axis nodes. Throws
     /// InputError if there are more processes than axis nodes.
-    Beam(const std::string             &name,
-         std::shared_ptr<const Section> section,
-         std::shared_ptr<const Axis>    axis,
-         const Placement               &placement);
+    Beam(const std::string                    &name,
+         const std::shared_ptr<const Section> &section,
+         const std::shared_ptr<const Axis>    &axis,
+         const Placement                      &placement);
 
     /// Constructs a beam with node-dependent kinematics: @p fields_of_node
     /// lists the section functions of each axis node (BeamDofMap). EBBT
@@ -50,10 +50,10 @@ namespace lamella
          const std::vector<std::vector<unsigned int>> &fields_of_node);
 
     /// Constructs a beam with node-dependent kinematics and with the modes of
-    /// @p space, linear combinations of section functions. theory() begins with
-    /// the text @p theory.
+    /// @p section_space, linear combinations of section functions. theory()
+    /// begins with the text @p theory.
     Beam(const std::string                            &name,
-         std::shared_ptr<const SectionSpace>           space,
+         std::shared_ptr<const SectionSpace>           section_space,
          std::shared_ptr<const Axis>                   axis,
          const Placement                              &placement,
          const std::vector<std::vector<unsigned int>> &fields_of_node,
@@ -206,11 +206,11 @@ namespace lamella
     surface_point(const SurfaceFacet     &facet,
                   const dealii::Point<2> &st) const override;
     std::vector<double>
-    line_breaks(const dealii::Point<3> &a,
-                const dealii::Point<3> &b) const override;
+    line_breaks(const dealii::Point<3> &from,
+                const dealii::Point<3> &to) const override;
     unsigned int
-    line_degree(const dealii::Point<3> &a,
-                const dealii::Point<3> &b) const override;
+    line_degree(const dealii::Point<3> &from,
+                const dealii::Point<3> &to) const override;
 
     std::vector<OutputCell>
     cut(const double       position,
@@ -452,7 +452,7 @@ namespace lamella
 
     /// Returns a surface point of an end; its depth is the axis element length.
     SurfacePoint
-    end_point(const EdgePoint &point, const bool at_start) const;
+    end_point(const EdgePoint &edge_point, const bool at_start) const;
 
     /// Returns the LE degree of axis node @p node (with modes, the section's).
     unsigned int

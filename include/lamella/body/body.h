@@ -553,21 +553,21 @@ namespace lamella
     }
 
     /// Returns the parameters in [0, 1], ascending from 0 to 1, at which the
-    /// segment from @p a to @p b (scene axes) crosses element faces. The
+    /// segment from @p from to @p to (scene axes) crosses element faces. The
     /// default implementation assumes bilinear faces.
     virtual std::vector<double>
-    line_breaks(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
+    line_breaks(const dealii::Point<3> &from, const dealii::Point<3> &to) const;
 
     /// Returns the polynomial degree of displacements along the segment from
-    /// @p a to @p b within an element; zero if a equals b.
+    /// @p from to @p to within an element; zero if both are equal.
     virtual unsigned int
-    line_degree(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
+    line_degree(const dealii::Point<3> &from, const dealii::Point<3> &to) const;
 
-    /// Returns ordered points from @p a to @p b that determine the displacement
-    /// on the segment: line_degree() + 1 Gauss-Lobatto points between
-    /// successive line_breaks().
+    /// Returns ordered points from @p from to @p to that determine the
+    /// displacement on the segment: line_degree() + 1 Gauss-Lobatto points
+    /// between successive line_breaks().
     std::vector<dealii::Point<3>>
-    line_points(const dealii::Point<3> &a, const dealii::Point<3> &b) const;
+    line_points(const dealii::Point<3> &from, const dealii::Point<3> &to) const;
 
     /// Returns the fields of @p u on the cross-section at the distance
     /// @p position from the start of the axis, at (n + 1)^2 points per element,

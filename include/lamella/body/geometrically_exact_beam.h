@@ -44,12 +44,12 @@ namespace lamella
     /// Constructs a beam with all functions of @p section, of a theory from
     /// Theory::of_rotating(), at all nodes. @p keeps_normal is true for EBBT
     /// (no shear strain). theory() returns @p theory unless it is empty.
-    GeometricallyExactBeam(const std::string             &name,
-                           std::shared_ptr<const Section> section,
-                           std::shared_ptr<const Axis>    axis,
-                           const Placement               &placement,
-                           const std::string             &theory       = "",
-                           const bool                     keeps_normal = false);
+    GeometricallyExactBeam(const std::string                    &name,
+                           const std::shared_ptr<const Section> &section,
+                           const std::shared_ptr<const Axis>    &axis,
+                           const Placement                      &placement,
+                           const std::string                    &theory = "",
+                           const bool keeps_normal = false);
 
     /// Constructs a beam with the functions @p fields_of_node at each node.
     /// Throws InputError for functions that are not rigid or modes of @p space.

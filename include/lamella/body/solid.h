@@ -30,12 +30,12 @@ namespace lamella
   {
   public:
     /// Constructs a solid of @p degree 1 or 2; @p refinement is in body axes.
-    Solid(const std::string                 &name,
-          std::shared_ptr<const SectionMesh> section,
-          const AxisMesh                    &axis,
-          const Placement                   &placement,
-          const unsigned int                 degree,
-          const SolidRefinement             &refinement = {});
+    Solid(const std::string                        &name,
+          const std::shared_ptr<const SectionMesh> &section,
+          const AxisMesh                           &axis,
+          const Placement                          &placement,
+          const unsigned int                        degree,
+          const SolidRefinement                    &refinement = {});
 
     std::string
     theory() const override;
@@ -126,8 +126,8 @@ namespace lamella
     surface_point(const SurfaceFacet     &facet,
                   const dealii::Point<2> &st) const override;
     std::vector<double>
-    line_breaks(const dealii::Point<3> &a,
-                const dealii::Point<3> &b) const override;
+    line_breaks(const dealii::Point<3> &from,
+                const dealii::Point<3> &to) const override;
     /// Returns the polynomial degree of the hexahedra, 1 or 2.
     unsigned int
     degree() const

@@ -23,10 +23,10 @@ namespace lamella
   public:
     /// Constructs the beam. Throws InputError unless axis elements are B4 and
     /// the theory is LE or TE-N, N > 1.
-    TotalLagrangianBeam(const std::string             &name,
-                        std::shared_ptr<const Section> section,
-                        std::shared_ptr<const Axis>    axis,
-                        const Placement               &placement);
+    TotalLagrangianBeam(const std::string                    &name,
+                        const std::shared_ptr<const Section> &section,
+                        const std::shared_ptr<const Axis>    &axis,
+                        const Placement                      &placement);
 
     bool
     has_finite_rotations() const override

@@ -18,12 +18,12 @@ namespace lamella
   {
   public:
     /// Constructs the solid. Throws InputError for @p degree 1.
-    TotalLagrangianSolid(const std::string                 &name,
-                         std::shared_ptr<const SectionMesh> section,
-                         const AxisMesh                    &axis,
-                         const Placement                   &placement,
-                         const unsigned int                 degree,
-                         const SolidRefinement             &refinement = {});
+    TotalLagrangianSolid(const std::string                        &name,
+                         const std::shared_ptr<const SectionMesh> &section,
+                         const AxisMesh                           &axis,
+                         const Placement                          &placement,
+                         const unsigned int                        degree,
+                         const SolidRefinement &refinement = {});
 
     bool
     has_finite_rotations() const override

@@ -192,8 +192,8 @@ namespace lamella
     GapConstraints() = default;
     /// Views the constraints of @p contacts, which must not be renumbered.
     GapConstraints(const std::vector<ContactInterface> &contacts);
-    /// Views the constraints @p rows as those of a single contact, number 0.
-    GapConstraints(const std::vector<GapConstraint> &rows);
+    /// Views the constraints @p all as those of a single contact, number 0.
+    GapConstraints(const std::vector<GapConstraint> &all);
     /// Deleted for temporaries, which would not outlive the view.
     GapConstraints(std::vector<ContactInterface> &&contacts) = delete;
     GapConstraints(std::vector<GapConstraint> &&rows)        = delete;

@@ -165,12 +165,12 @@ namespace lamella
     place_of(const Location             &location,
              const dealii::Tensor<1, 3> &normal) const;
 
-    /// Returns the intersection of the line x + t d with facet number @p facet,
-    /// where it enters the body. Newton's method starts from the center. Empty
-    /// if the line misses the facet, or enters the body by neither the facet
-    /// normal nor the smooth normal.
+    /// Returns the intersection of the line x + t d with facet number @p
+    /// facet_index, where it enters the body. Newton's method starts from the
+    /// center. Empty if the line misses the facet, or enters the body by
+    /// neither the facet normal nor the smooth normal.
     std::optional<SurfaceHit>
-    intersect_facet(const unsigned int          facet,
+    intersect_facet(const unsigned int          facet_index,
                     const dealii::Point<3>     &x,
                     const dealii::Tensor<1, 3> &d) const;
 

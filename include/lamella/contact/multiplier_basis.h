@@ -69,7 +69,7 @@ namespace lamella
     /// except for its integration points. @p parts are the polygons of each
     /// facet that face the master surface.
     void
-    finish(std::vector<std::vector<Polygon>> parts, Gaps &result);
+    finish(const std::vector<std::vector<Polygon>> &parts, Gaps &result);
 
   private:
     /// Sums of the integrals of one hat function.
@@ -96,7 +96,7 @@ namespace lamella
     void
     distribute_to_ends(const MeshSurface::HangingNode &hanging);
     void
-    add_row(const unsigned int node, Gaps &result);
+    add_row(const unsigned int number, Gaps &result);
     std::shared_ptr<const SlaveSurface>
     slave_surface(const std::vector<std::vector<Polygon>> &parts, Gaps &result);
 

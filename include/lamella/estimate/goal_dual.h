@@ -34,9 +34,9 @@ namespace lamella
     using Influence =
       std::function<BlockVector(const unsigned int, const unsigned int)>;
 
-    /// Keeps a reference to the solved @p model. @p influence defaults to
+    /// Keeps a reference to the solved @p model. @p given defaults to
     /// influence_of_support(). All functions are collective.
-    explicit GoalDual(const Simulation &model, Influence influence = {});
+    explicit GoalDual(const Simulation &model, Influence given = {});
     /// Provides derivatives by the forces of the constraints with indices @p
     /// rows, active or not. solve() must not be called.
     GoalDual(const Simulation &model, std::vector<unsigned int> rows);

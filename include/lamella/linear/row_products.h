@@ -22,9 +22,9 @@ namespace lamella
     /// Keeps a reference to @p solver, which has @p n_dofs unknowns.
     RowProducts(const LinearSolver &solver, const DofIndex n_dofs, Solve solve);
 
-    /// Appends the constraints @p rows and computes their compliances.
+    /// Appends the constraints @p added and computes their compliances.
     void
-    append(const std::vector<LinearFunctional> &rows) override;
+    append(const std::vector<LinearFunctional> &added) override;
 
     /// Returns the number of appended constraints.
     unsigned int

@@ -28,10 +28,10 @@ namespace lamella
     /// Constructs an object with zero traction on all faces.
     FaceTractions() = default;
 
-    /// Stores the surface loads among @p loads, multiplied by @p factor, and
-    /// the supported regions of @p supports (for is_free()). Throws InputError
-    /// if the formula of a load cannot be parsed.
-    FaceTractions(const std::vector<Load>    &loads,
+    /// Stores the surface loads among @p all_loads, multiplied by @p factor,
+    /// and the supported regions of @p supports (for is_free()). Throws
+    /// InputError if the formula of a load cannot be parsed.
+    FaceTractions(const std::vector<Load>    &all_loads,
                   const LoadFactor           &factor,
                   const std::vector<Support> &supports = {});
 

@@ -26,10 +26,10 @@ namespace lamella
   {
   public:
     /// Keeps a reference to @p structure. Values are checked only if @p units
-    /// are given, and penetration only for bodies without one of @p contacts.
+    /// are given, and penetration only for bodies without one of @p interfaces.
     Plausibility(const Structure                     &structure,
                  const Units                         &units,
-                 const std::vector<ContactInterface> &contacts);
+                 const std::vector<ContactInterface> &interfaces);
 
     /// Returns a warning for each implausible result of a load step with the
     /// displacements @p u and the @p checks. Rigid-body motion is checked only

@@ -70,15 +70,16 @@ namespace lamella
       std::vector<Point<3>> places;
       for (const SurfaceFacet &facet :
            body.surface_facets(contact.first.surface))
-        for (unsigned int k = 0; k < 9; ++k)
-          {
-            const SurfacePoint from =
-              body.surface_point(facet, Point<2>(0.5 * (k % 3), 0.5 * (k / 3)));
-            const auto hit =
-              meet(*contact.obstacle, from.position, from.normal);
-            if (hit && std::abs(hit->distance) <= search_radius)
-              places.push_back(hit->position);
-          }
+        for (const double s : {0., 0.5, 1.})
+          for (const double t : {0., 0.5, 1.})
+            {
+              const SurfacePoint from =
+                body.surface_point(facet, Point<2>(t, s));
+              const auto hit =
+                meet(*contact.obstacle, from.position, from.normal);
+              if (hit && std::abs(hit->distance) <= search_radius)
+                places.push_back(hit->position);
+            }
       if (places.empty())
         throw InputError(
           "Contact " + contact.name,

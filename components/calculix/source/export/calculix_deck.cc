@@ -66,7 +66,7 @@ namespace lamella
       Json
       meaning_of_row(const BoxPoints &points, const unsigned int body) const;
       Json
-      meaning_of_probe(const LocatedProbe &probe) const;
+      meaning_of_probe(const LocatedProbe &located) const;
       Json
       meaning_of_supports() const;
       Json
