@@ -6,6 +6,7 @@
 #include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/slave_surface.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <array>

@@ -10,16 +10,17 @@
 
 namespace lamella
 {
-  /// Returns true if the boundary-layer modes @p zones may be used for the
-  /// section @p held. Modes of a section of lower degree (is_embedded) do not
-  /// suffice if stresses are requested near the end.
+  /// Returns true if the boundary-layer modes @p zones are accurate enough for
+  /// the constrained section @p held: if stresses are requested near this
+  /// section, no modes may be from a lower degree
+  /// (BoundaryLayerZone::is_embedded).
   bool
   are_sufficient(const std::vector<BoundaryLayerZone> &zones,
                  const ConstrainedSection             &held);
 
-  /// Returns the boundary-layer zones @p zones of the section @p from, which
-  /// has the same cells and a lower degree, as fields of @p section. The fields
-  /// are made independent of its Saint-Venant @p warpings.
+  /// Converts the boundary-layer modes @p zones from the section functions of
+  /// @p from to those of @p section, with the same cells and a higher degree,
+  /// and makes them independent of its Saint-Venant @p warpings.
   std::vector<BoundaryLayerZone>
   embedded(const std::vector<BoundaryLayerZone> &zones,
            const Section                        &from,
@@ -30,15 +31,18 @@ namespace lamella
 
   /// Cache of boundary-layer modes for all models of one scene. A section of
   /// higher degree (LE-4) reuses the modes of a lower degree (LE-3) if no
-  /// stresses are requested near the end (ConstrainedSection::is_sampled): the
-  /// degree matters little elsewhere, and the modes are the largest cost.
+  /// stresses are requested near the end (ConstrainedSection::is_sampled),
+  /// since the degree then matters little and modes are expensive.
   class BoundaryLayerModes
   {
   public:
+    /// Constructs an empty cache of modes for the parameters @p rules.
     explicit BoundaryLayerModes(const BoundaryLayerRules &rules = {});
 
-    /// Returns boundary_layer_modes(), from the cache for a section with the
-    /// same matrices, fields and constraints, or embedded. Collective.
+    /// Returns the boundary-layer modes of the constrained section @p held:
+    /// from the cache for a section with the same stiffness, warpings and
+    /// constraints, or of lower degree (embedded()), else from
+    /// boundary_layer_modes(). Collective.
     std::vector<BoundaryLayerZone>
     zones(const std::shared_ptr<const Section> &section,
           const SaintVenant                    &states,
@@ -47,13 +51,14 @@ namespace lamella
           const ConstrainedSection             &held,
           const std::vector<HeatedSection>     &heat = {});
 
+    /// Returns the parameters with which the modes are computed.
     const BoundaryLayerRules &
     limits() const
     {
       return rules;
     }
 
-    /// Returns the number of end segments that were solved for modes.
+    /// Returns the number of end segments of beams that were solved for modes.
     std::size_t
     n_pieces_solved() const
     {
@@ -65,13 +70,13 @@ namespace lamella
     {
       std::shared_ptr<const Section> section;
       FieldColumns                   warpings;
-      /// Constraint of the section.
+      /// Constraint for which the modes were computed.
       ConstrainedSection             held;
       std::vector<BoundaryLayerZone> zones;
     };
 
-    /// Returns the index in `known` of zones of a section of lower degree with
-    /// the same body and constraints, or known.size() if there are none.
+    /// Returns the index in `known` of modes of the highest degree below that
+    /// of @p section, for equal body, cells, constraints; known.size() if none.
     std::size_t
     poorer(const Section &section, const ConstrainedSection &held) const;
 

@@ -12,57 +12,61 @@
 
 namespace lamella
 {
-  /// Measured constants of boundary_layer_modes(). H and B are the smaller and
-  /// larger side of the section (doc/theory/saint-venant-fields.md).
+  /// Parameters of boundary_layer_modes() (doc/theory/saint-venant-fields.md).
   struct BoundaryLayerRules
   {
-    /// Length of the end segment over B.
+    /// Length of the end segment, as a multiple of the larger section side.
     double length = 8.;
-    /// Limits over H of the length of the element at the constrained end;
-    /// within these limits, the scene's element length is used. The lower limit
-    /// equals the length for `auto`, so bisection of an axis does not change
-    /// modes. Shorter elements are no better, since stresses are singular at
-    /// corners.
-    double shortest_element = 0.15, longest_element = 0.5;
-    /// Distances from the end over B at which the zones begin, ascending.
+    /// Smallest element length at the constrained end, as a multiple of the
+    /// smaller section side; equal to GradingRules::clamp. Shorter elements are
+    /// not more accurate, since stresses are singular at corners.
+    double shortest_element = 0.15;
+    /// Largest element length at the constrained end, as a multiple of the
+    /// smaller section side.
+    double longest_element = 0.5;
+    /// Distances from the constrained end at which the zones of modes begin, as
+    /// multiples of the larger section side, ascending.
     std::vector<double> zones{0., 1., 3.};
-    /// Distance over B by which modes of a zone extend into the next zone.
+    /// Length by which the modes of a zone extend into the next zone, as a
+    /// multiple of the larger section side.
     double overlap = 0.5;
-    /// Modes with a smaller amplitude are omitted; Saint-Venant states have 1.
+    /// Amplitude below which modes are omitted; Saint-Venant states have 1.
     double tolerance = 1e-3;
-    /// Modes below this fraction of their largest value have decayed.
+    /// Modes end where they are below this fraction of their maximum.
     double rest = 1e-2;
     /// Largest number of DoFs of an end segment; above it there are no modes.
     double max_dofs = 1e5;
-    /// Distance over B within which stresses require modes of full degree.
+    /// Distance from a constrained section, as a multiple of the larger section
+    /// side, within which stresses require modes of the section's full degree.
     double sampled = 1.;
   };
 
-  /// Constraint of a whole section, with the side on which the body continues.
-  /// A free end has no rows.
+  /// A cross section that is constrained as a whole, e.g. by a clamp, with the
+  /// direction in which the body continues from the section. A free end is a
+  /// constrained section without constraints.
   struct ConstrainedSection
   {
-    /// Rows r of the constraints r(u) = 0 in the fields of the section.
+    /// Functionals r(u) = 0 of the amplitudes u of section functions.
     std::vector<LinearFunctional> rows;
-    /// True if the body continues in the direction of +y.
+    /// True if the body continues in direction +y from here, false for -y.
     bool extends_forward = true;
-    /// Length of the axis element beside the section [length].
-    double element = 0.;
-    /// Name of the body, and of the supports and contacts that constrain it.
-    std::string              body;
-    std::vector<std::string> by;
-    /// True if stresses are requested within BoundaryLayerRules::sampled.
+    /// Length of the axis element adjacent to the section [length].
+    double                   element = 0.;
+    std::string              body; ///< Name of the body.
+    std::vector<std::string> by;   ///< Names of constraining interactions.
+    /// True if stresses are requested near the section, within
+    /// BoundaryLayerRules::sampled.
     bool is_sampled = false;
 
-    /// Returns true if the axis elements have the same length, to rounding.
+    /// Returns true if @p other has an element of the same length, to rounding.
     bool
     has_same_element_length(const ConstrainedSection &other) const;
   };
 
-  /// Returns the constraints of the section at interaction number @p t of @p
-  /// interactions (LocalInteraction::constrains_section) on a body with @p
-  /// axis: the rows of all interactions that constrain this section, once for
-  /// each side on which the body continues.
+  /// Returns the constrained section at the position of interaction number @p t
+  /// of @p interactions, on a body with @p axis, once for each direction in
+  /// which the body continues. It has the constraints of all interactions that
+  /// constrain this section as a whole (LocalInteraction::constrains_section).
   std::vector<ConstrainedSection>
   constrained_sections(const std::vector<LocalInteraction> &interactions,
                        const unsigned int                   t,
@@ -80,58 +84,61 @@ namespace lamella
   /// The c_j are such that the section forces of r are zero.
   struct HeatedSection
   {
-    Vector answer, traction;
+    Vector answer;   ///< Displacement, amplitudes of the section functions.
+    Vector traction; ///< End traction r, conjugate to these amplitudes.
+    /// Computes the displacement and the end traction for the constant thermal
+    /// load @p heat of the section with the Saint-Venant states @p states.
     HeatedSection(const SaintVenant              &states,
                   const Beam::SectionThermalLoad &heat);
   };
 
-  /// Returns true if both sections have the same constraints, to rounding.
+  /// Returns true if @p a and @p b have equal constraints, directions in which
+  /// the body continues, and element lengths, to rounding.
   bool
   alike(const ConstrainedSection &a, const ConstrainedSection &b);
 
-  /// Boundary-layer modes of the nodes within a distance from an end.
+  /// Boundary-layer modes for the axis nodes near a constrained or free end.
   struct BoundaryLayerZone
   {
+    /// Modes, one per column, as amplitudes of the section functions.
     FieldColumns fields;
-    /// Largest distance from the end [length].
+    /// Largest distance from the end of nodes with these modes [length].
     double influence_length = 0.;
-    /// True if the modes were computed for a section of lower degree.
+    /// True if the modes were converted from a lower degree by embedded().
     bool is_embedded = false;
   };
 
-  /// Returns the axis element length at the constrained end of the segment.
+  /// Returns the axis element length at the constrained end of a segment: @p
+  /// held.element within the bounds of @p rules [length].
   double
   first_element(const Section            &section,
                 const ConstrainedSection &held,
                 const BoundaryLayerRules &rules);
 
   /// Computes boundary-layer modes: fields that decay with the distance from an
-  /// end at which the whole section is constrained. A short end segment of the
-  /// body is solved with all section fields on an axis graded to the end. It is
-  /// constrained by @p held and loaded at its other end by tractions S_10 a +
-  /// S_11 b (section stiffness matrices S of SaintVenant) of the six
-  /// Saint-Venant states (a, b), which cause no boundary layer there. The loads
-  /// are combined such that the section forces s at the constrained end are
-  /// orthonormal in the section compliance C, s_i^T C s_j = delta_ij, without
-  /// work on free rigid motions.
+  /// end at which the whole section is constrained
+  /// (doc/theory/saint-venant-fields.md). A short end segment of the body with
+  /// all section functions is constrained by @p held and loaded at its other
+  /// end by the tractions of the six Saint-Venant states @p states, which cause
+  /// no boundary layer there. The loads are combined such that the section
+  /// forces s at the constrained end are orthonormal in the section compliance
+  /// C, s_i^T C s_j = delta_ij, without work on free rigid motions.
   ///
-  /// The displacements u_i at node i, without rigid fields and Saint-Venant
+  /// The displacements u_i at node i, without rigid fields and Saint-Venant @p
   /// warpings, are multiplied by sqrt(int N_i dy / H) with the shape function
   /// N_i and the smaller section side H, and reduced to a basis by proper
-  /// orthogonal decomposition in the metric of Warping. Since few modes decay
-  /// slowly, there are zones. The outermost zone has the modes of its nodes,
-  /// each inner zone those that its nodes require in addition.
+  /// orthogonal decomposition in the metric of @p warping. Nodes are divided
+  /// into zones by their distance from the end, since few modes decay slowly.
+  /// Modes of an inner zone are independent of those of outer zones.
   ///
-  /// Each entry of @p heat adds a load case: the thermal load along the segment
-  /// without the end traction. The solution less the section function v
-  /// (HeatedSection) is the boundary layer of a constrained or free section,
-  /// scaled to the energy of a Saint-Venant state along H. A partly constrained
-  /// section that can still move has none.
+  /// Each entry of @p heat adds a load case, the constant thermal load without
+  /// the end traction of HeatedSection. The solution less the displacement of
+  /// HeatedSection is scaled to the energy of a Saint-Venant state along H.
+  /// Sections whose constraints leave rigid motions free have no thermal loads.
   ///
-  /// Returns the zones, outermost first, independent of rigid fields and
-  /// warpings, without empty zones. Returns none if no load acts on the segment
-  /// or if it has too many DoFs. Axis elements are B4. Throws NumericsError if
-  /// the stiffness is not positive definite. Collective.
+  /// Returns the zones, outermost first, without empty zones. Returns none if
+  /// no load acts on the segment or if it has too many DoFs. Throws
+  /// NumericsError if the stiffness is not positive definite. Collective.
   std::vector<BoundaryLayerZone>
   boundary_layer_modes(const std::shared_ptr<const Section> &section,
                        const SaintVenant                    &states,
@@ -141,17 +148,16 @@ namespace lamella
                        const std::vector<HeatedSection>     &heat  = {},
                        const BoundaryLayerRules             &rules = {});
 
-  /// Returns the total number of nodes of the end segments that
-  /// boundary_layer_modes() solves for @p beam (all fields at all nodes) with
-  /// @p interactions, as an estimate of its cost. Includes mirror images.
+  /// Returns the number of nodes of the end segments for boundary_layer_modes()
+  /// of @p beam with @p interactions, mirror images included, to estimate cost.
   unsigned int
   nodes_of_pieces(const Beam                          &beam,
                   const std::vector<LocalInteraction> &interactions,
                   const BoundaryLayerRules            &rules = {});
 
-  /// Returns @p zones mirrored along the axis (u_y changes its sign), for an
-  /// equal support at the other end. Empty unless @p section (such as cross
-  /// plies) and the constraint @p held are symmetric.
+  /// Returns the boundary-layer modes of an equal support at the other end: @p
+  /// zones mirrored along the axis (u_y changes its sign). Empty unless @p
+  /// section (e.g. of cross plies) and the constraint @p held are symmetric.
   std::vector<BoundaryLayerZone>
   mirrored(const std::vector<BoundaryLayerZone> &zones,
            const Section                        &section,

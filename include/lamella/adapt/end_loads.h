@@ -16,10 +16,11 @@ namespace lamella
   free_motions(const Beam                              &piece,
                const std::vector<PrescribedFunctional> &rows);
 
-  /// Returns the loads of boundary_layer_modes(): tractions of Saint-Venant
-  /// states at the node @p far_node of the end segment @p piece, at the
-  /// distance @p arm from the constrained end. The loads do no work on the free
-  /// rigid @p motions and are orthonormal in energy.
+  /// Returns the section load vectors that load the end segment @p piece in
+  /// boundary_layer_modes(): tractions of Saint-Venant states at the axis node
+  /// @p far_node, at the signed distance @p arm along y from the constrained
+  /// end. They do no work on the free rigid motions @p motions. Their section
+  /// forces are orthonormal in the section compliance.
   std::vector<Vector>
   end_loads(const SaintVenant         &states,
             const Beam                &piece,

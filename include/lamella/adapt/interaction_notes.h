@@ -10,15 +10,17 @@
 
 namespace lamella
 {
-  /// Adds notes for the user on @p interactions of the Saint-Venant (SV)
-  /// @p beam that have no fields of their own.
+  /// Adds to @p notes a message for each of @p interactions whose local
+  /// deformation of the section the Saint-Venant theory (SV) of @p beam cannot
+  /// represent: contacts, and temperatures that vary along the axis.
   void
   add_missing_field_notes(const Beam                          &beam,
                           const std::vector<LocalInteraction> &interactions,
                           std::vector<std::string>            &notes);
 
-  /// Adds notes for the user on @p interactions of a heated @p beam that
-  /// constrain sections in part: boundary-layer modes then omit heat.
+  /// Adds to @p notes a message for each of @p interactions that constrains
+  /// only some displacements of a section of a heated @p beam: boundary-layer
+  /// modes then exclude thermal loads, so thermal stresses are inaccurate.
   void
   add_guide_heat_notes(const Beam                          &beam,
                        const std::vector<LocalInteraction> &interactions,

@@ -15,23 +15,25 @@ namespace lamella
   {
     /// Distance from the start of the axis [length].
     double y = 0.;
-    /// Required length of the adjacent elements [length].
+    /// Required length of the axis elements at this point [length].
     double size = 0.;
-    /// True if a support or a contact may constrain the axis at this point.
+    /// True if a support or contact may constrain displacements at this point.
     bool holds = false;
   };
 
-  /// Segment of an axis with a distributed load, and its span [length]: the
-  /// distance between supports, contacts, or changes of the load's sign.
+  /// Segment of an axis with a distributed load, and the span that contains it.
+  /// Spans end at supports, contacts, and changes of the load's sign.
   struct LoadedPart
   {
-    double begin = 0., end = 0., span = 0.;
+    double begin = 0.; ///< Start of the segment, coordinate y [length].
+    double end   = 0.; ///< End of the segment, coordinate y [length].
+    double span  = 0.; ///< Length of the span [length].
   };
 
   /// Returns the segments of the axis of the beam number @p body with
-  /// distributed transverse loads: @p loads on sides and lines, weight under
-  /// @p gravity, and nonlinear temperature. Spans end at axis ends and at those
-  /// points of @p places that are supported. Collective.
+  /// distributed transverse loads: @p loads on sides and lines, weight under @p
+  /// gravity, and nonlinear temperature. Spans end at axis ends and at
+  /// supported points of @p places (ShortElement::holds). Collective.
   std::vector<LoadedPart>
   loaded_parts(const unsigned int               body,
                const Bodies                    &bodies,

@@ -13,40 +13,42 @@
 
 namespace lamella
 {
-  /// A load, a support or one side of a contact on a beam, with its section
-  /// load vectors. It acts on the DoFs u_(i,alpha) of node i and section field
-  /// alpha by
+  /// A load, a support or one side of a contact on a beam. It acts on the DoFs
+  /// u_(i,alpha) of axis node i and section function alpha by
   ///   r(u) = sum_i sum_alpha w_i f_alpha u_(i,alpha),
   /// with weights w_i along the axis and section load vectors f. The section
-  /// fields must represent the deformation by these vectors only. The vectors
-  /// are computed for a beam with all fields at all nodes.
+  /// functions must represent only the deformation due to these load vectors,
+  /// which are computed for a beam with all section functions at all nodes.
   struct LocalInteraction
   {
     /// Name, for example "contact nose".
     std::string name;
     /// Linearly independent section load vectors f, of unit length.
     std::vector<Vector> loads;
-    /// Load vectors for distant nodes: mean over the area and linear part.
+    /// Load vectors for distant nodes, which replace `loads`: the mean over the
+    /// loaded area, and the component linear in the section coordinates.
     std::vector<Vector> smooth;
-    /// Range of the loaded axis elements, or position of the node [length].
-    double begin = 0., end = 0.;
+    double begin = 0.; ///< Start of the loaded axis elements, y [length].
+    double end   = 0.; ///< End of the loaded axis elements, y [length].
     /// Length of the shortest loaded axis element [length].
     double element = 0.;
-    /// True if the whole section is constrained: a clamp (is_clamp()).
+    /// True if the interaction constrains the whole section, such as a clamp.
     bool constrains_section = false;
-    /// True for an end of the body without constraint.
+    /// True for an unconstrained end of a heated body (heated_free_ends()).
     bool is_free = false;
-    /// Rows r of a clamp, r(u) = 0, in the fields of the section.
+    /// Functionals r of the constraints r(u) = 0 of a clamp, where u are the
+    /// amplitudes of section functions; empty unless constrains_section.
     std::vector<LinearFunctional> held;
-    /// True for a side of a contact; for a support; for heat.
-    bool is_contact_side = false, holds = false, is_heat_source = false;
+    bool is_contact_side = false; ///< True for normal forces of a contact.
+    bool holds           = false; ///< True for a support.
+    bool is_heat_source  = false; ///< True for a temperature varying along y.
   };
 
-  /// Returns the interactions of body number @p body, @p beam with all fields
-  /// at all nodes, in the order of supports, loads, contacts. After each
-  /// contact follows its friction along both tangents. The axial component of a
-  /// contact normal to the axis is omitted. A temperature that varies along the
-  /// axis is a load with the name "heat".
+  /// Returns the interactions on body number @p body, @p beam with all section
+  /// functions at all nodes, in the order of supports, loads, temperature,
+  /// contacts. Each contact is followed by its friction along both tangents.
+  /// The axial component of contact normals is omitted if it is small. A
+  /// temperature that varies along the axis is a load with the name "heat".
   std::vector<LocalInteraction>
   find_interactions(const Beam                          &beam,
                     const unsigned int                   body,
@@ -56,14 +58,14 @@ namespace lamella
                     const std::vector<ContactInterface> &contacts,
                     const InteractionRules              &rules = {});
 
-  /// Returns the load vector of @p load on body number @p body at factor 1.
+  /// Returns nodal forces of @p load on body number @p body for load factor 1.
   Vector
   load_vector_on(const Load        &load,
                  const unsigned int body,
                  const Bodies      &bodies);
 
-  /// Returns the ends of the heated @p beam that no interaction constrains as a
-  /// whole; the axial thermal stress vanishes there.
+  /// Returns those ends of the heated @p beam that none of @p interactions
+  /// constrains as a whole. The axial thermal stress vanishes there.
   std::vector<LocalInteraction>
   heated_free_ends(const Beam                          &beam,
                    const std::vector<LocalInteraction> &interactions);

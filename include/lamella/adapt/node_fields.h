@@ -19,41 +19,45 @@
 
 namespace lamella
 {
-  /// Measured constants of choose_fields(), with the smaller section extent H
-  /// and the length h_e of the shortest loaded element
+  /// Parameters of choose_fields(), found by measurements
   /// (doc/theory/saint-venant-fields.md).
   struct FieldRules
   {
-    /// Smallest wave number times the larger side of the section; the second
-    /// value is for thin walls, which deform over long distances.
-    double lowest_wave = 0.25, lowest_wave_of_walls = 0.05;
-    /// A section with a smaller fraction of its bounding box has thin walls.
+    /// Smallest wave number of harmonic loads, times the larger section side.
+    double lowest_wave = 0.25;
+    /// Value of lowest_wave for thin walls, which deform over long distances.
+    double lowest_wave_of_walls = 0.05;
+    /// Fraction of its bounding box below which a section has thin walls.
     double thin_walls = 0.5;
-    /// Largest wave number near interactions times h_e; elsewhere times H.
-    double highest_wave = 10., highest_wave_far = 4.;
+    /// Largest wave number near loads, times the shortest element length.
+    double highest_wave = 10.;
+    /// Largest wave number elsewhere, times the smaller section side.
+    double highest_wave_far = 4.;
     /// Smallest ratio of the largest to the smallest wave number.
     double min_wave_ratio = 2.;
-    /// Tolerances of Warping::basis() for fields near interactions and
-    /// elsewhere. For N > reference_waves wave numbers, the first is multiplied
-    /// by (reference_waves / N)^2.
-    double       near_tolerance = 3e-2, far_tolerance = 1e-2;
+    /// Tolerance of Warping::basis() near interactions. For N > reference_waves
+    /// wave numbers, it is multiplied by (reference_waves / N)^2.
+    double near_tolerance = 3e-2;
+    double far_tolerance  = 1e-2; ///< Tolerance of Warping::basis() elsewhere.
+    /// Number of wave numbers for which near_tolerance was found.
     unsigned int reference_waves = 6;
-    /// Thermal load vectors of unit length whose part independent of the others
-    /// is smaller are omitted.
+    /// A thermal load vector of unit length is omitted if its component
+    /// orthogonal to the other thermal load vectors is smaller.
     double heat_tolerance = 1e-3;
     /// Parameters of find_interactions().
     InteractionRules interactions = {};
-    /// Nodes have the fields of an interaction within this multiple of H, and
-    /// of a clamp within this multiple of the larger side.
-    double influence_length = 2., influence_length_of_clamp = 1.5;
-    /// Cache of boundary-layer modes at clamps, shared by the models of one
-    /// scene. Without cache, tractions of the Saint-Venant warpings are load
-    /// vectors.
+    /// Distance from an interaction within which nodes have its section
+    /// functions, as a multiple of the smaller section side.
+    double influence_length = 2.;
+    /// Distance from a clamp without boundary-layer modes within which nodes
+    /// have its section functions, as a multiple of the larger section side.
+    double influence_length_of_clamp = 1.5;
+    /// Cache of boundary-layer modes, shared by the models of one scene.
     std::shared_ptr<BoundaryLayerModes> ends =
       std::make_shared<BoundaryLayerModes>();
-    /// Parameters of the choice of models (plan()).
+    /// Parameters of plan(), which chooses the model of each body.
     PlanRules plan = {};
-    /// Names of bodies with all fields, since models with fewer failed.
+    /// Names of bodies that need all section functions, as fewer failed.
     std::vector<std::string> unsolved = {};
   };
 
@@ -62,51 +66,44 @@ namespace lamella
   {
     /// Number of the body in Bodies.
     unsigned int body = 0;
-    /// Range along the body's axis [length].
-    double begin = 0., end = 0.;
+    double begin = 0.; ///< Start of the range along the body's axis [length].
+    double end   = 0.; ///< End of the range along the body's axis [length].
   };
 
-  /// Returns the axial ranges of @p probes, @p lines and @p cuts in @p bodies.
+  /// Returns axial ranges of @p bodies with @p probes, @p lines and @p cuts.
   std::vector<StressRange>
   stress_ranges(const Bodies             &bodies,
                 const std::vector<Probe> &probes,
                 const std::vector<Line>  &lines,
                 const std::vector<Cut>   &cuts);
 
-  /// Returns the ranges of body number @p body as (begin, end).
+  /// Returns begin and end of those ranges @p requested on body number @p body.
   std::vector<std::pair<double, double>>
   requested_ranges(const unsigned int              body,
                    const std::vector<StressRange> &requested);
 
-  /// Replaces bodies of the theory SV-N, and those with `Theories`, by bodies
-  /// with the section fields that loads, supports and contacts excite. @p
-  /// bodies are those of make_bodies() for @p descriptions, with all section
-  /// fields at all nodes. Names, sections, axes and positions are unchanged;
-  /// supports, loads and contacts must be created again.
+  /// Replaces bodies of the theories SV and SV-N, and those with `Theories`, by
+  /// bodies with the section functions that loads, supports and contacts excite
+  /// (doc/theory/saint-venant-fields.md). @p bodies are those of make_bodies()
+  /// for @p descriptions, with all section functions at all nodes. Names,
+  /// sections, axes and positions are unchanged. Supports, loads and @p
+  /// contacts refer to the old bodies and must be created again.
   ///
-  /// Each node has the six rigid fields, the Saint-Venant warpings, and
-  /// - near interactions, section functions from harmonic loads
-  ///   (SectionResponse): their section load vectors at N wave numbers in
-  ///   geometric progression, from lowest_wave over the section extent to
-  ///   highest_wave / h_e;
-  /// - elsewhere, section functions from harmonic and constant loads: the mean
-  ///   and linear part of all load vectors.
-  /// All nodes of a body that is heated, or loaded by its weight under @p
-  /// gravity (scene axes, length / s^2), have the section function from this
-  /// constant load. Heat that varies along the axis counts as a load. Nodes
-  /// near clamped sections, and near free ends of heated bodies, have
-  /// boundary-layer modes. Dependent fields are removed. In segments of
-  /// `Theories`, nodes of SV have rigid fields and warpings only, and nodes of
-  /// LE-q have section fields up to degree q (Section::field_degree()). A node
-  /// between two segments has the fields of the higher degree, next to SV all.
+  /// All nodes have the rigid displacements, Saint-Venant warpings, and section
+  /// functions for heat and weight under @p gravity (scene axes, length / s^2).
+  /// - Nodes near interactions also have section functions from harmonic loads
+  ///   (SectionResponse): their section load vectors at N wave numbers.
+  /// - Nodes elsewhere also have section functions from the mean and linear
+  ///   component of all load vectors, harmonic and constant.
+  /// - Nodes near clamps and heated free ends also have boundary-layer modes.
+  /// In segments of `Theories`, nodes of SV have rigid displacements and
+  /// warpings only, and nodes of LE-q have section functions up to degree q.
+  /// If stresses are @p requested in an element, each of its nodes has the
+  /// functions of all its nodes: the fewest determine the accuracy of stresses.
   ///
-  /// The stress in an element is as accurate as at its node with the fewest
-  /// fields: if stresses are @p requested in an element, each of its nodes has
-  /// the fields of all its nodes. Bodies of the same section and theory share
-  /// their fields. @p contacts belong to the old @p bodies. Returns notes for
-  /// the user. If not null, @p why is set to the reason for the fields of each
-  /// body of SV-N. Throws NumericsError if the matrices of a section cannot be
-  /// factorized. Collective if bodies are.
+  /// Returns notes for the user. If @p why is not null, sets it to the reason
+  /// for the section functions of each body of SV or SV-N. Throws NumericsError
+  /// if section matrices cannot be factorized. Collective if @p bodies are.
   std::vector<std::string>
   choose_fields(Bodies                              &bodies,
                 const std::vector<BodyDescription>  &descriptions,
@@ -118,7 +115,8 @@ namespace lamella
                 const dealii::Tensor<1, 3>          &gravity   = {},
                 std::vector<std::string>            *why       = nullptr);
 
-  /// Returns true if choose_fields() would change any of the bodies.
+  /// Returns true if choose_fields() would replace any of the bodies: if any
+  /// has the theory SV or SV-N, or different `Theories` along its axis.
   bool
   has_fields_to_choose(const std::vector<BodyDescription> &descriptions);
 } // namespace lamella

@@ -16,10 +16,9 @@ namespace lamella
 {
   class Beam;
 
-  /// Returns true if the support on @p region is a clamp at @p y of an axis of
-  /// length @p length: it acts on the start or end surface or on the whole
-  /// body, and so constrains the whole section in at least one direction.
-  /// Clamps have boundary-layer modes and short axis elements.
+  /// Returns true if a support on @p region is a clamp at @p y of an axis of
+  /// length @p length: it acts on the start or end surface there or on the
+  /// whole body, and so constrains the whole section in at least one direction.
   bool
   is_clamp(const Region &region, const double y, const double length);
 
@@ -28,13 +27,14 @@ namespace lamella
   is_constrained_along_axis(const std::vector<Support> &supports,
                             const unsigned int          body);
 
-  /// Size of a body, for the choice of its model.
+  /// Size of a body, from which plan() chooses its model.
   struct BodySize
   {
-    unsigned int dofs = 0;
-    /// Axis nodes, and fields and cells of the section; 0 for solids.
-    unsigned int nodes = 0, fields = 0, cells = 0;
-    /// True if a support acts on the whole body.
+    unsigned int dofs   = 0; ///< Number of DoFs.
+    unsigned int nodes  = 0; ///< Number of axis nodes; 0 for solids.
+    unsigned int fields = 0; ///< Number of section functions; 0 for solids.
+    unsigned int cells  = 0; ///< Number of section cells; 0 for solids.
+    /// True if a support acts on the whole body, as for plane strain.
     bool constrained_along_axis = false;
     /// Fraction of the length along which contacts may be active.
     double loaded = 0.;
@@ -44,84 +44,87 @@ namespace lamella
     unsigned int corners = 0;
   };
 
-  /// Returns BodySize::corners of the section of @p beam.
+  /// Returns the number of section corners of @p beam with singular stresses.
   unsigned int
   n_corners(const Beam &beam);
 
   /// Data on a body for the choice of its model by plan().
   struct PlanInput
   {
-    BodySize size;
-    /// Requested or default theory.
-    Theory theory;
-    /// True if the theory is a default, which a run to a tolerance may replace.
-    bool is_assumed = false;
-    /// True if the scene has contacts; an `auto` axis; given `Theories`.
-    bool has_contacts = false, is_graded_automatically = false,
-         has_pieces = false;
-    /// True if the scene could not be solved without all fields.
+    BodySize size;   ///< Size of the body.
+    Theory   theory; ///< Theory from the scene, or the default theory.
+    /// True if the theory is a default, which plan() may replace.
+    bool is_assumed              = false;
+    bool has_contacts            = false; ///< True if the scene has contacts.
+    bool is_graded_automatically = false; ///< True if the axis is `auto`.
+    bool has_pieces              = false; ///< True if `Theories` are given.
+    /// True if a model of this body with fewer section functions failed.
     bool is_unsolved = false;
-    /// Mean number per node of load vectors constrained by supports (no
-    /// clamps), and number of fields that SV-N needs; empty if unknown.
-    std::optional<double>       held;
+    /// Mean number per node of load vectors of supports; empty if unknown.
+    std::optional<double> held;
+    /// Mean number of section functions per node for SV-N; empty if unknown.
     std::optional<unsigned int> wanted;
   };
 
   /// The model chosen for a body.
   struct BodyPlan
   {
-    Theory theory;
-    /// Number of equal elements that replace a graded axis; 0 for none.
+    Theory theory; ///< Theory of the body.
+    /// Number of equal elements that replace a graded axis; 0: no replacement.
     unsigned int equal_elements = 0;
-    /// True if all nodes have all section fields.
+    /// True if all nodes have all section functions; else see choose_fields().
     bool all_fields = true;
-    /// Reasons for the theory, and for all fields; empty if undecided.
-    std::string theory_reason, fields_reason;
+    /// Reason for replacing the default theory; empty if it is not replaced.
+    std::string theory_reason;
+    /// Reason why a body of SV-N has all section functions; empty if unneeded.
+    std::string fields_reason;
   };
 
-  /// Returns the model of a body from the data @p facts, by the thresholds @p
-  /// rules. Criteria with unknown data are skipped.
+  /// Returns the model of a body from its data @p facts, by the thresholds @p
+  /// rules (PlanRules). Criteria with unknown data are skipped.
   /// - Theory: as requested. In a scene with contacts, LE-3 replaces a default
   ///   theory if LE-2 has at most cheap_dofs DoFs, or if contacts may be active
-  ///   along more than max_contact_share of the body. In the latter case the
-  ///   axis has equal elements: one if the whole body is supported, else length
-  ///   over section extent, from 2 to equal_elements.
-  /// - Fields: chosen fields for SV and `Theories`, else all section fields.
-  ///   SV-N has chosen fields unless these could not be solved, the whole body
-  ///   is supported, the body has at most min_nodes nodes, or, as a fraction of
-  ///   all fields, more than max_held_share are constrained or more than
-  ///   max_fields_share are needed.
+  ///   along more than max_contact_share of the body. In the latter case, a
+  ///   graded axis is replaced by equal elements: one if a support acts on the
+  ///   whole body, else length over section extent, from 2 to equal_elements.
+  /// - Section functions: chosen functions for SV and `Theories`, else all.
+  ///   SV-N has chosen functions unless a model with these could not be solved,
+  ///   a support acts on the whole body, the body has at most min_nodes nodes,
+  ///   or, as a fraction of all functions, more than max_held_share are
+  ///   constrained or more than max_fields_share are needed.
   BodyPlan
   plan(const PlanInput &facts, const PlanRules &rules = {});
 
-  /// Returns the reason for the fields of @p planned, chosen from @p facts.
+  /// Returns a text for the user on the section functions of the model @p
+  /// planned, which plan() has chosen from @p facts.
   std::string
   describe_fields(const PlanInput &facts, const BodyPlan &planned);
 
-  /// Returns the approximate number of DoFs of LE-@p degree for @p size: three
-  /// per point of a square grid on the section.
+  /// Returns the approximate number of DoFs of a body of @p size with the
+  /// theory LE-@p degree: three per point of a square grid on the section.
   double
   layerwise_dofs(const BodySize &size, const unsigned int degree);
 
-  /// Returns why LE of a low degree costs less for a body of @p size than
-  /// chosen fields (SV-N); empty if it does not.
+  /// Returns the reason why LE of a low degree costs less for a body of @p size
+  /// than SV-N; empty if it does not.
   std::string
   reason_for_layerwise(const BodySize &size, const PlanRules &rules = {});
 
-  /// Predicted cost of a model.
+  /// Predicted cost of solving the equations of one body.
   struct Cost
   {
-    /// Nonzeros of the stiffness factor (8 bytes each), and multiplications to
-    /// compute it: at least z^2 / n for n columns, z nonzeros.
-    double non_zeros = 0., operations = 0.;
+    /// Number of nonzeros of the factorized stiffness matrix, 8 bytes each.
+    double non_zeros  = 0.;
+    double operations = 0.; ///< Number of multiplications to factorize.
   };
 
-  /// Returns the cost of each of @p bodies, predicted from its DoFs. A beam has
-  /// z = sum_i m_i b_i nonzeros, with m_i the fields of node i, and b_i half of
-  /// m_i plus the fields of the nodes to which node i is coupled when it is
-  /// eliminated: first inner nodes of an element (with its remaining nodes and
-  /// both ends), then element ends along the axis (with the next end). Blocks
-  /// are full. LE has at most of_layers n^(4/3) nonzeros, and a solid of_solid
+  /// Returns the cost of each of @p bodies, predicted from its DoFs
+  /// (doc/verification/model-costs.md). A beam's factor has sum_i m_i b_i
+  /// nonzeros. Here m_i is the number of section functions of node i, and b_i
+  /// half of m_i plus those of the nodes to which node i is coupled at its
+  /// elimination: first inner nodes of an element (with its remaining nodes and
+  /// both ends), then element ends along the axis (with the next end). For n
+  /// DoFs, LE has at most of_layers n^(4/3) nonzeros and a solid of_solid
   /// n^(4/3), as for nested dissection of a cube (George and Liu, Computer
   /// Solution of Large Sparse Positive Definite Systems, 1981, ch. 8).
   std::vector<Cost>

@@ -5,58 +5,62 @@
 
 namespace lamella
 {
-  /// Parameters of the choice of models (plan(), enriched()), found from runs
-  /// of `scripts/measure tolerances`. Each avoids a model that takes several
-  /// times the time or memory of another model with the same result.
+  /// Thresholds for the choice of models by plan() and of refined models by
+  /// enriched(), from `scripts/measure tolerances`. Each avoids a model that
+  /// takes several times the time or memory of another with the same result.
   struct PlanRules
   {
-    /// A larger LE-N body is refined by SV-N instead, if SV-N has fewer fields.
+    /// Number of DoFs above which SV-10 replaces LE-N in refined models.
     double max_layerwise_dofs = 60000.;
-    /// Typical number of fields of a node of SV-10 near an interaction; SV-N
-    /// replaces LE if a section has more than `min_gain` times this number.
-    double fields_of_responses = 200., min_gain = 2.;
-    /// Up to this number of DoFs, LE-2 is used since it costs less than SV-N.
+    /// Typical number of section functions per node near a load for SV-10.
+    double fields_of_responses = 200.;
+    /// SV-10 can replace LE-N if the section has more functions than this
+    /// multiple of fields_of_responses.
+    double min_gain = 2.;
+    /// Number of DoFs up to which LE-2 is used, since it costs less than SV-N.
     double cheap_dofs = 20000.;
-    /// Fraction of a beam's length with possible contact above which SV-N does
-    /// not have fewer fields than LE, and is slow to compute.
+    /// Fraction of a beam's length with possible contact above which LE is
+    /// used, since SV-N then is slow and does not have fewer section functions.
     double max_contact_share = 0.5;
-    /// Wave numbers N of SV-N: initial N if SV-N replaces another theory,
-    /// increment per refinement, smallest and largest N.
-    unsigned int substitute_waves = 10, wave_increment = 4, min_waves = 6,
-                 max_waves = 40;
-    /// Initial degree of LE, the smallest with error bars by coarser models.
+    /// Number N of wave numbers if SV-N replaces another theory.
+    unsigned int substitute_waves = 10;
+    unsigned int wave_increment   = 4;  ///< Increase of N per refinement.
+    unsigned int min_waves        = 6;  ///< Smallest N of a refined SV-N.
+    unsigned int max_waves        = 40; ///< Largest N of a refined SV-N.
+    /// Initial degree of LE, the smallest with an error estimate.
     unsigned int first_degree = 3;
-    /// Degree at which section cells are divided instead of raising the degree.
+    /// Largest degree of LE. Beyond, refinement divides the section cells.
     unsigned int highest_degree = 8;
-    /// Degree at which sections with corners get cell layers there instead.
+    /// Largest degree of LE if cell layers can be added at singular corners.
     unsigned int corner_degree = 8;
-    /// Largest number of cell layers at corners (scene: `Corner layers`).
+    /// Largest number of cell layers at singular corners (`Corner layers`).
     unsigned int max_corner_layers = 6;
-    /// Largest initial number of elements of axes with contact everywhere.
+    /// Largest number of equal elements for an axis with contact everywhere.
     unsigned int equal_elements = 10;
-    /// A body of SV-N has all fields if the mean fraction of needed fields is
-    /// larger, or if it has at most this number of nodes.
-    double       max_fields_share = 0.5;
-    unsigned int min_nodes        = 15;
-    /// A body has all fields if supports constrain a larger mean fraction.
+    /// Fraction of section functions needed by a node above which SV-N has all.
+    double max_fields_share = 0.5;
+    /// Number of axis nodes up to which SV-N has all section functions.
+    unsigned int min_nodes = 15;
+    /// Fraction of constrained section functions above which SV-N has all.
     double max_held_share = 0.05;
   };
 
-  /// Cost parameters of models that are not built, from counts of operations,
-  /// accurate to a factor of two (doc/tolerances.md).
+  /// Parameters of the cost prediction for models that are not built, from
+  /// counts of operations (doc/verification/model-costs.md).
   struct CostRules
   {
-    /// Nodes of all models solved for error bars over nodes of the run: two
-    /// models on bisected elements, one on quarters.
+    /// Number of axis nodes of all models for an error estimate, over those of
+    /// the model: two models on bisected elements, one on quarters.
     double axes = 8.;
-    /// Multiplications per node with m fields, divided by m^3.
+    /// Multiplications to factorize one node of m section functions, over m^3.
     double of_block = 5.;
-    /// Number of wave numbers; multiplications for the eigenvectors of n
-    /// section functions, divided by n^3.
-    double waves = 10., of_eigenvectors = 10.;
-    /// Nonzeros of the factor over n^(4/3) (predicted_costs()) of a solid, 12
-    /// to 13 for cantilevers, and of LE, 14 to 23 for the largest.
-    double of_solid = 13., of_layers = 19.;
+    double waves    = 10.; ///< Number of wave numbers of harmonic loads.
+    /// Multiplications for the eigenvectors of n section functions, over n^3.
+    double of_eigenvectors = 10.;
+    /// Nonzeros of a solid's factorized stiffness with n DoFs, over n^(4/3).
+    double of_solid = 13.;
+    /// Nonzeros of the factorized stiffness of LE with n DoFs, over n^(4/3).
+    double of_layers = 19.;
   };
 } // namespace lamella
 

@@ -17,33 +17,35 @@
 
 namespace lamella
 {
-  /// The fields of one section, shared by all bodies with this section and
-  /// theory. Fields are in groups: section functions from equal load vectors,
-  /// or the boundary-layer modes of a zone near an end.
+  /// The section functions of reduced beam models (SV-N) for bodies with one
+  /// section and theory. Each group has the functions from the load vectors of
+  /// one interaction, or the boundary-layer modes of a zone near an end.
   class SectionFields
   {
   public:
     /// Computes the Saint-Venant states and warpings of @p section, and its
-    /// section functions from constant loads along the axis: the thermal loads
-    /// @p heat and the weight vectors @p weights. Throws NumericsError if its
-    /// matrices are singular.
+    /// section functions from constant loads along the axis: thermal loads @p
+    /// heat and load vectors @p weights of gravity. Throws NumericsError if the
+    /// section matrices are singular.
     SectionFields(std::shared_ptr<const Section>               section,
                   const Theory                                &theory,
                   const FieldRules                            &rules,
                   const std::vector<Beam::SectionThermalLoad> &heat    = {},
                   const std::vector<Vector>                   &weights = {});
 
-    /// Returns the group of fields of @p interaction.
+    /// Returns the index of the group for the load vectors of @p interaction,
+    /// which is added if no group has the same load vectors.
     unsigned int
     group_of(const LocalInteraction &interaction);
 
-    /// Returns the groups of a free end or of a clamped section @p held: its
-    /// boundary-layer zones or, without modes, tractions of @p interaction.
+    /// Returns the groups of boundary-layer modes of a clamp or free end @p
+    /// interaction with the constrained sections @p held. A clamp without modes
+    /// has a group of tractions instead.
     std::vector<unsigned int>
     groups_of(const LocalInteraction                &interaction,
               const std::vector<ConstrainedSection> &held);
 
-    /// Returns the distance [length] within which nodes have group @p g.
+    /// Returns the distance within which nodes have group @p g [length].
     double
     influence_length_of(const unsigned int g) const;
 
@@ -54,26 +56,28 @@ namespace lamella
       return theory.order > 0 && !groups.empty();
     }
 
-    /// Returns the number of constrained load vectors of @p group (no clamp).
+    /// Returns the number of load vectors of a support @p group; 0 for a clamp.
     std::size_t
     n_constrained(const unsigned int group) const
     {
       return groups[group].is_held ? groups[group].loads.size() : 0;
     }
 
-    /// Returns the field numbers of a node that is near the groups @p near.
+    /// Returns the indices of the section functions of a node near the groups
+    /// @p near. Computes these functions if necessary.
     const std::vector<unsigned int> &
     list(const std::set<unsigned int> &near);
 
-    /// Returns the field numbers of a node of SV: rigid fields and warpings.
+    /// Returns the indices of the section functions of a node of the theory SV:
+    /// rigid displacements and Saint-Venant warpings.
     std::vector<unsigned int>
     saint_venant_list() const;
 
-    /// Returns the section functions with the field numbers @p list.
+    /// Returns the section functions @p list, except rigid ones, as columns.
     FieldColumns
     columns_of(const std::vector<unsigned int> &list) const;
 
-    /// Returns the space of all fields. Call it after the last list().
+    /// Returns the space of all functions. Call it after the last list().
     std::shared_ptr<const SectionSpace>
     space() const
     {
@@ -106,7 +110,7 @@ namespace lamella
       has_same_loads(const Group &other) const;
     };
 
-    /// A constrained section: zones of boundary-layer modes, their groups.
+    /// A constrained section with its zones and the index of each zone's group.
     struct End
     {
       ConstrainedSection             held;
@@ -120,25 +124,24 @@ namespace lamella
 
     bool
     has_thin_walls() const;
-    /// Returns the wave numbers up to @p highest.
+    /// Returns the ascending wave numbers of harmonic loads up to @p highest.
     std::vector<double>
     wave_numbers(const double highest) const;
-    /// Returns FieldRules::near_tolerance for N wave numbers of the theory.
+    /// Returns FieldRules::near_tolerance, reduced for many wave numbers.
     double
     near_tolerance() const
     {
       const double ratio = double(rules.reference_waves) / theory.order;
       return rules.near_tolerance * std::min(1., ratio * ratio);
     }
-    /// Computes all section functions, one factorization per wave number.
+    /// Computes the functions of all groups, one factorization per wave number.
     void
     find_responses();
-    /// Returns tractions that replace load vectors at a clamped section:
-    /// tractions of each Saint-Venant warping, as a value and as an axial
-    /// derivative.
+    /// Returns load vectors for a clamp without modes: tractions of each
+    /// Saint-Venant warping, as a value and as an axial derivative.
     std::vector<Vector>
     tractions_of_warpings() const;
-    /// Returns the independent section functions from smooth loads.
+    /// Returns a basis of the functions from smooth loads, for distant nodes.
     FieldColumns
     far_fields() const;
 

@@ -13,39 +13,41 @@ namespace lamella
   /// (doc/theory/saint-venant-fields.md).
   struct InteractionRules
   {
-    /// Unit load vectors with a smaller independent part are omitted.
+    /// A unit load vector is omitted if its component orthogonal to the other
+    /// load vectors of the interaction is smaller.
     double independent = 0.02;
     /// Nodes with less than this fraction of the largest load are ignored.
     double min_weight_share = 0.05;
-    /// The axial part of a contact normal below this fraction is omitted.
+    /// The axial component of a contact normal below this fraction is omitted.
     double along_axis = 0.7;
-    /// A smaller relative change of temperature along the section height H is
-    /// no load; equal to FieldRules::far_tolerance.
+    /// A relative change of temperature along the smaller section side H below
+    /// this value is no load; equal to FieldRules::far_tolerance.
     double heat_change_tolerance = 1e-2;
   };
 
-  /// Segment of a beam's axis, and length of its shortest element [length].
+  /// A segment of a beam's axis.
   struct AxisPart
   {
-    double begin, end, element;
+    double begin;   ///< Start of the segment, coordinate y [length].
+    double end;     ///< End of the segment, coordinate y [length].
+    double element; ///< Length of the shortest element in it [length].
   };
 
-  /// A section load vector f (LocalInteraction), with its position.
+  /// A section load vector f (see LocalInteraction), with its position.
   struct SectionLoad
   {
-    /// Load vector in the fields of the section, with few entries.
+    /// Load vector: section functions and their weights, which are sparse.
     LinearFunctional f;
-    AxisPart         place;
-    /// Position in the section [length], and tributary area.
-    dealii::Point<2> in_section;
-    double           area = 1.;
-    /// True if the load acts at one axis node; if it is part of a clamp.
-    bool at_node = false, of_clamp = false;
+    AxisPart         place;      ///< Loaded segment of the axis.
+    dealii::Point<2> in_section; ///< Position (x, z) in the section [length].
+    double           area     = 1.; ///< Tributary area or another weight of f.
+    bool             at_node  = false; ///< True if one axis node is loaded.
+    bool             of_clamp = false; ///< True for a constraint of a clamp.
   };
 
   /// Returns the section load vector of a support or contact constraint @p row
-  /// at @p position; nodes differ by a factor. If @p normal, drops a small
-  /// axial part.
+  /// at @p position (scene axes) with tributary @p area: the sum of its weights
+  /// over axis nodes. If @p normal is true, a small axial component is omitted.
   SectionLoad
   load_of_row(const Beam             &beam,
               const LinearFunctional &row,
@@ -54,22 +56,22 @@ namespace lamella
               const bool              normal,
               const InteractionRules &rules);
 
-  /// Returns the section load vectors of the load vector @p load for each
-  /// loaded element among those @p requested, one flag per axis cell.
+  /// Returns the section load vectors of the nodal forces @p load, for each
+  /// node of the axis elements for which @p requested is true.
   std::vector<SectionLoad>
   loads_of_vector(const Beam              &beam,
                   const Vector            &load,
                   const std::vector<bool> &requested,
                   const InteractionRules  &rules);
 
-  /// Returns an independent subset of the load vectors @p loads, normalized.
+  /// Returns linearly independent vectors among @p loads, with unit length.
   std::vector<Vector>
   independent_loads(const std::vector<SectionLoad> &loads,
                     const unsigned int              n_fields,
                     const InteractionRules         &rules);
 
-  /// Returns two sets of load vectors that replace @p loads on distant nodes:
-  /// the area-weighted mean, and the part linear in the section coordinates.
+  /// Returns the load vectors that replace @p loads at distant nodes: their
+  /// area-weighted mean, and their component linear in a section coordinate.
   std::vector<Vector>
   smooth_loads(const std::vector<SectionLoad> &loads,
                const unsigned int              n_fields);

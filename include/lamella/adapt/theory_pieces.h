@@ -13,28 +13,31 @@
 
 namespace lamella
 {
-  /// Returns the theories of those axis segments @p pieces that contain @p y.
+  /// Returns the theories of those segments @p pieces of an axis of length @p
+  /// length (entry `Theories`) that contain @p y.
   std::vector<Theory>
   theories_at(const double y, const TheoryPieces &pieces, const double length);
 
-  /// Returns the field numbers of LE-@p degree, all or up to a lower degree.
+  /// Returns the indices of the section functions of @p section for nodes of
+  /// LE-@p degree: functions up to this polynomial degree.
   std::vector<unsigned int>
   list_of_degree(const Section &section, const unsigned int degree);
 
-  /// Combined requirements of all axis segments that meet at a node.
+  /// Theories of all axis segments that meet at a node, combined.
   struct Wanted
   {
-    /// Highest degree of LE, or 0; true if any segment is SV, if all are SV.
-    unsigned int degree = 0;
-    bool         any_SV = false, plain = true;
+    unsigned int degree = 0;     ///< Highest degree N of LE-N; 0 without LE.
+    bool         any_SV = false; ///< True if any segment is SV or SV-N.
+    bool         plain  = true;  ///< True if all segments are SV, not SV-N.
   };
 
-  /// Returns the requirements of the theories at a node.
+  /// Returns the combined requirements of @p theories, which meet at a node.
   Wanted
   requirements_of(const std::vector<Theory> &theories);
 
-  /// Adds notes for the user on surface-to-surface contacts at nodes of LE of a
-  /// lower degree than the section's, which have one constraint per trace node.
+  /// Adds to @p notes a message for each of @p contacts with surface-to-surface
+  /// discretization on nodes of @p beam, body number @p body, that have a lower
+  /// degree of LE than its section. There are more constraints than DoFs there.
   void
   add_coarse_row_notes(const Beam                          &beam,
                        const unsigned int                   body,
@@ -42,13 +45,14 @@ namespace lamella
                        const std::vector<ContactInterface> &contacts,
                        std::vector<std::string>            &notes);
 
-  /// Returns a label, for example "SV-6 (of LE-2), 12 to 111 fields a node".
+  /// Returns a description of the theory of @p body with the section functions
+  /// @p lists of its nodes, e.g. "SV-6 (of LE-2), 12 to 111 fields a node".
   std::string
   label_of(const BodyDescription                        &body,
            const std::vector<std::vector<unsigned int>> &lists);
 
-  /// Returns the body of @p description, all of whose segments are LE, from
-  /// @p beam with the section fields of each segment's degree.
+  /// Creates the body of @p description, with LE theories on all axis segments,
+  /// from @p beam, which has all section functions at all nodes.
   std::unique_ptr<Body>
   make_by_degrees(const BodyDescription &description, const Beam &beam);
 } // namespace lamella

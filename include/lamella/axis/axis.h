@@ -33,10 +33,10 @@ namespace lamella
     /// Number of equal elements in each interval between the breaks.
     std::vector<unsigned int> elements;
     /// Coordinates y, ascending strictly between 0 and the length, that divide
-    /// the axis into intervals with different element lengths.
+    /// the axis into intervals of equal elements.
     std::vector<double> breaks;
-    /// Refinement factor of automatic grading (grade_axes()), which computes
-    /// `elements` and `breaks` from the contacts of a body; 0: none.
+    /// Factor on the number of elements of automatic grading (grade_axes()),
+    /// which computes `elements` and `breaks`; 0: no automatic grading.
     double refinement_factor = 0.;
     /// True if the nodes of B4 are equidistant, as in the CUF literature,
     /// instead of Gauss-Lobatto points. No effect on B2 and B3.
@@ -46,23 +46,23 @@ namespace lamella
     bool assumed_shear = false;
   };
 
-  /// Returns the lengths of all elements, from the start of the axis.
+  /// Returns the lengths of all elements of the axis mesh, by ascending y.
   std::vector<double>
   element_lengths(const AxisMesh &description);
 
-  /// Shape functions of an axis element at a point. With nodal values u_i,
-  ///   u = sum N_i u_i,   du/dy = sum N_i' u_i,
-  /// and u = sum N^_i u_i in transverse shear strains (N^: see Axis).
+  /// Shape functions N_i of an axis element at a point, for u = sum N_i u_i and
+  /// du/dy = sum N_i' u_i with the nodal values u_i. Transverse shear strains
+  /// have shape functions N^_i (Axis) instead of N_i.
   struct AxisPoint
   {
-    /// Number of the element, from 0 along the axis.
+    /// Index of the element, from 0 along the axis.
     unsigned int cell = 0;
     /// Distance from the start of the axis [length].
     double y = 0.;
-    /// Values N_i and derivatives dN_i / dy [1/length] of the degree + 1 shape
-    /// functions in the order of Axis::nodes_of_cell(): the two ends first.
-    std::vector<double> N, dN;
-    /// Shape functions in transverse shear strains: N^ if assumed, else N.
+    /// Values N_i, in the order of Axis::nodes_of_cell().
+    std::vector<double> N;
+    std::vector<double> dN; ///< Derivatives dN_i / dy [1/length].
+    /// Shape functions in transverse shear strains: N^_i if assumed, else N_i.
     std::vector<double> N_shear;
   };
 
@@ -74,19 +74,16 @@ namespace lamella
   ///
   /// B2 and B3 lock in shear: in gamma_yz = w' + a with deflection w and
   /// rotation a, w' has one degree less than a. Assumed shear strains (MITC,
-  /// Dvorkin and Bathe) interpolate N_i at the degree() Gauss points of an
-  /// element, which projects N_i onto polynomials N^_i of one degree less.
-  /// Since int N^_i N_j' = int N_i N_j' and int N^_i N_j = int N^_i N^_j, only
-  /// the matrix A_shear = int N^_i N^_j is needed in addition.
+  /// Dvorkin and Bathe) replace N_i by polynomials N^_i of one degree less that
+  /// interpolate N_i at the degree() Gauss points of an element. They need only
+  /// A_shear = int N^_i N^_j in addition, as int N^_i N_j' = int N_i N_j'.
   ///
-  /// Every process stores the whole axis. Each process owns a contiguous range
-  /// of elements for loops and, independently, of nodes for matrix rows. y is
-  /// the body's own axis. Immutable.
+  /// Every process stores the whole axis. Each owns contiguous ranges of
+  /// elements for loops and of nodes for stiffness matrices. Immutable.
   class Axis
   {
   public:
-    /// Creates the mesh, numbers the nodes and integrates the matrices. Must be
-    /// called by all processes.
+    /// Creates the mesh and the axis matrices. Must be called by all processes.
     explicit Axis(const AxisMesh &description);
 
     /// Returns the degree of the shape functions N_i.
@@ -96,13 +93,15 @@ namespace lamella
       return fe.degree;
     }
 
+    /// Returns the length of the axis [length].
     double
     length() const
     {
       return description.length;
     }
 
-    /// Returns whether transverse shear strains are assumed (MITC).
+    /// Returns true if transverse shear strains are assumed strains (MITC),
+    /// false if they are those of the displacements.
     bool
     has_assumed_shear() const
     {
@@ -123,16 +122,16 @@ namespace lamella
       return cell_nodes.size();
     }
 
-    /// Returns the range of elements that this process integrates over, as the
-    /// first and one past the last; may be empty.
+    /// Returns the elements that this process integrates over: the index of the
+    /// first and one past the last. The range may be empty.
     std::pair<unsigned int, unsigned int>
     own_cells() const
     {
       return owned_cells;
     }
 
-    /// Returns the range of nodes whose matrix rows this process owns, as the
-    /// first and one past the last.
+    /// Returns the nodes whose rows of the stiffness matrix this process owns:
+    /// the index of the first and one past the last.
     std::pair<unsigned int, unsigned int>
     own_nodes() const;
 
@@ -143,21 +142,22 @@ namespace lamella
       return node_positions;
     }
 
-    /// Returns the nodes of the element @p cell in the order of AxisPoint::N:
-    /// begin, end, interior.
+    /// Returns the nodes of the element @p cell in the order of its shape
+    /// functions AxisPoint::N: first node, last node, inner nodes.
     const std::vector<unsigned int> &
     nodes_of_cell(const unsigned int cell) const
     {
       return cell_nodes[cell];
     }
 
-    /// Return the coordinate y of the begin and of the end of @p cell.
+    /// Returns the coordinate y of the start of element @p cell [length].
     double
     cell_begin(const unsigned int cell) const
     {
       return cell_bounds[cell].first;
     }
 
+    /// Returns the coordinate y of the end of element @p cell [length].
     double
     cell_end(const unsigned int cell) const
     {
@@ -170,8 +170,8 @@ namespace lamella
     evaluate(const unsigned int cell, const double eta) const;
 
     /// Returns the elements that contain @p y within @p tolerance [length],
-    /// each with the reference coordinate eta in [0, 1], which is exactly 0 or
-    /// 1 at an end. There are two at inner element ends, none outside.
+    /// with the reference coordinate eta in [0, 1] of @p y, exactly 0 or 1 at
+    /// element ends. There are two at a common end, none outside of the axis.
     std::vector<std::pair<unsigned int, double>>
     locate(const double y, const double tolerance) const;
 
@@ -180,37 +180,36 @@ namespace lamella
     std::pair<unsigned int, double>
     cell_of_node(const unsigned int node) const;
 
-    /// Returns the tributary length int N_i dy of each node, which gives, times
-    /// an edge length of the section, the tributary area of a contact node.
+    /// Returns the integral int N_i dy of each node's shape function [length].
     std::vector<double>
     node_weights() const;
 
-    /// Returns the integration points of all elements: degree + 1 Gauss points
-    /// per element, exact for products N_i N_j.
+    /// Returns the integration points of all elements: degree() + 1 Gauss
+    /// points per element, which integrate products N_i N_j exactly.
     const std::vector<AxisPoint> &
     integration_points() const
     {
       return points;
     }
 
-    /// Returns the integration weights [length], whose sum is length().
+    /// Returns the weights of integration_points() [length].
     const std::vector<double> &
     integration_weights() const
     {
       return weights;
     }
 
-    /// Returns the axis matrix with the derivatives of order @p p of N_i (row)
-    /// and @p q of N_j (column), 0 or 1: A(0, 1) = A_NdN. All matrices have the
-    /// same sparsity pattern and are whole on every process.
+    /// Returns the axis matrix int N_i^(p) N_j^(q) dy, with derivatives of
+    /// order @p p and @p q, 0 or 1. Every process stores the whole matrix. All
+    /// matrices have the same sparsity pattern.
     const Matrix &
     A(const unsigned int p, const unsigned int q) const
     {
       return matrices[2 * p + q];
     }
 
-    /// Returns int N^_i N^_j, or A(0, 0) without assumed shear strains. This is
-    /// the factor of Section::S_shear() in the stiffness.
+    /// Returns the matrix int N^_i N^_j dy of the shape functions in transverse
+    /// shear strains, or A(0, 0) if these strains are not assumed.
     const Matrix &
     A_shear() const
     {
@@ -246,7 +245,7 @@ namespace lamella
     std::vector<AxisPoint> points;
     std::vector<double>    weights;
 
-    /// Sparsity pattern, and the matrices A(p, q) at 2 p + q and A_shear at 4.
+    /// Sparsity pattern of the matrices A(p, q) at 2 p + q and A_shear at 4.
     dealii::SparsityPattern sparsity;
     std::array<Matrix, 5>   matrices;
   };

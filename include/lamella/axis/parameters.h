@@ -10,8 +10,8 @@
 
 namespace lamella
 {
-  /// Declares and parses the entries for the mesh of the axis in a body's
-  /// `subsection Kinematics`, with defaults in parentheses:
+  /// The entries for the mesh of the axis in a body's `subsection Kinematics`,
+  /// with defaults in parentheses:
   ///   Axis element     B2, B3 or B4                    (B4)
   ///   Axis elements    numbers of elements, one per interval,
   ///                    or auto [FACTOR]                (10)
@@ -26,9 +26,9 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the mesh described by @p in for an axis of @p length. Throws
-    /// InputError for breaks that do not ascend within the length and for
-    /// intervals without 1 to 100000 elements.
+    /// Returns the mesh of an axis of @p length from the entries @p in. Throws
+    /// InputError if the breaks do not ascend between 0 and @p length, or if an
+    /// interval does not have 1 to 100000 elements.
     static AxisMesh
     parse(const Entries &in, const double length);
   };

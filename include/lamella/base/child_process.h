@@ -9,8 +9,8 @@
 
 namespace lamella
 {
-  /// Exit status and result of a child process, which succeeded if both its
-  /// exit status and its signal are 0.
+  /// Exit status and result of a child process that has ended. It succeeded if
+  /// its exit status and its signal are both 0.
   struct ProcessEnd
   {
     /// Exit status; -1 if a signal ended the process.
@@ -21,18 +21,17 @@ namespace lamella
     bool time_limit_reached = false;
     /// Elapsed (wall-clock) time of the process in seconds.
     double seconds = 0.;
-    /// Return value of the function that run_forked() ran; empty if it failed.
+    /// Return value of the function run by run_forked(), if it succeeded.
     std::string result;
   };
 
   /// Runs the executable at the path @p program, without a shell, with the
-  /// arguments @p words and waits for its end. The child process ends with this
-  /// process, and gets neither standard input nor MPI's environment variables.
-  /// The child's output and error output overwrite the files @p output and @p
-  /// errors; with empty names, the child prints to the streams of this process.
+  /// arguments @p words, and waits for its end. The child process is killed if
+  /// this process ends. It has neither standard input nor environment variables
+  /// of MPI. Its standard output and standard error overwrite the files @p
+  /// output and @p errors; with empty names, they are those of this process.
   /// The child is killed one second after its threads have used @p
-  /// processor_seconds in total (whole seconds; 0: no limit). Throws InputError
-  /// if the program cannot be started.
+  /// processor_seconds (0: no limit). Throws InputError if the start fails.
   ProcessEnd
   run_process(const std::string              &program,
               const std::vector<std::string> &words,
@@ -41,14 +40,12 @@ namespace lamella
               const double                    processor_seconds = 0.);
 
   /// Runs @p work in a child process created by fork() and waits for its end.
-  /// Output files, time limit and lifetime are as in run_process(); exit status
-  /// and error message are those of outcome_of(). The child reuses the loaded
-  /// libraries, which saves 0.3 s. MPI must not have been started in this
-  /// process; @p work starts MPI in the child.
-  ///
-  /// ProcessEnd::result is the return value of @p work. The child ends by
-  /// _exit() without calling destructors. Throws InputError if fork() fails.
-  /// Sets the handling of SIGCHLD to the default.
+  /// Output files, time limit and lifetime are as for run_process(); exit
+  /// status and error message are those of outcome_of(), ProcessEnd::result is
+  /// the return value of @p work. Saves 0.3 s, since libraries are already
+  /// loaded. MPI must not have been started before; @p work starts MPI in the
+  /// child. The child ends by _exit() without calling destructors. Throws
+  /// InputError if fork() fails. Resets the handling of SIGCHLD to the default.
   ProcessEnd
   run_forked(const std::function<std::string()> &work,
              const std::string                  &output,
@@ -62,13 +59,13 @@ namespace lamella
   exec_program(const std::string              &program,
                const std::vector<std::string> &words);
 
-  /// Returns the path of a python3 that can import @p module; empty if none is
-  /// found. The system's python3 is tried first, then the first in PATH.
+  /// Returns the path of a python3 that can import @p module: /usr/bin/python3
+  /// or the first python3 in PATH. Returns an empty path if there is none.
   std::string
   python_with(const std::string &module);
 
-  /// Returns the path of Lamella's script @p name, installed or in the source
-  /// tree. Throws InputError if there is none.
+  /// Returns the path of Lamella's script @p name in the installation or the
+  /// source tree. Throws InputError if it is in neither.
   std::string
   path_of_script(const std::string &name);
 

@@ -15,11 +15,10 @@
 
 namespace lamella
 {
-  /// The path and the text of one entry of a parameter file (scene). Accessors
+  /// An entry of a parameter file (scene): its path and its text. Accessors
   /// convert the text to the requested type or throw InputError with path,
-  /// text, violated condition and remedy. Callers report failures of further
-  /// checks by refuse(). The entry does not refer to its ParameterHandler. A
-  /// substring may become a separate Entry with the same path.
+  /// text, violated condition and remedy. Callers report violations of further
+  /// conditions by refuse(). The entry does not refer to its ParameterHandler.
   class Entry
   {
   public:
@@ -40,7 +39,7 @@ namespace lamella
       return what;
     }
 
-    /// Returns whether the text is empty, as for an unset optional entry.
+    /// Returns true if the text is empty: an optional entry without value.
     bool
     is_empty() const
     {
@@ -48,30 +47,31 @@ namespace lamella
     }
 
     /// Throws InputError with the path and the text of this entry. @p rule is
-    /// the violated condition or the fault, without a full stop; @p remedy
-    /// consists of whole sentences or is empty.
+    /// the violated condition, without a full stop. @p remedy tells in whole
+    /// sentences how to correct the entry, or is empty.
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 
-    /// Throws InputError::missing() with @p remedy for this empty entry.
+    /// Throws InputError::missing() with @p remedy, since this entry is empty.
     [[noreturn]] void
     refuse_missing(const std::string &remedy) const;
 
-    /// Returns the text converted to a number (see number_error()). Throws
-    /// InputError if its magnitude is not zero or from 1e-30 to 1e30.
+    /// Returns the text as a number (see number_error()). Throws InputError
+    /// unless it is zero or its magnitude is from 1e-30 to 1e30.
     double
     number() const;
 
-    /// Converts the substring @p piece to a number; messages quote @p piece.
+    /// Returns the substring @p piece as a number; messages quote @p piece.
     double
     number(const std::string &piece) const;
 
-    /// Returns a positive number. Throws InputError also if the entry is empty.
+    /// Returns the text as a positive number. Throws InputError if it is not a
+    /// positive number, or if the text is empty.
     double
     positive() const;
 
-    /// Returns an integer from @p least to @p most, which may be written as 1e3
-    /// or 8.0. Throws InputError for any other text.
+    /// Returns the text as an integer, which may be written as 1e3 or 8.0.
+    /// Throws InputError unless it is an integer from @p least to @p most.
     unsigned int
     whole(const unsigned int least, const unsigned int most) const;
 
@@ -79,26 +79,24 @@ namespace lamella
     /// list for an empty text. Throws InputError as number() does.
     std::vector<double>
     numbers() const;
-    /// Returns the positions that divide the length @p end into intervals:
-    /// numbers that ascend strictly between 0 and @p end. Messages call the
-    /// length @p name. Throws InputError for other numbers.
+    /// Returns the numbers of a comma-separated list: positions that divide a
+    /// length @p end, called @p name in messages, into intervals. Throws
+    /// InputError unless the numbers ascend strictly between 0 and @p end.
     std::vector<double>
     ascending(const double end, const std::string &name) const;
-    /// Returns a list of integers, each from @p least to @p most.
+    /// Returns integers from @p least to @p most, separated by commas.
     std::vector<unsigned int>
     whole_numbers(const unsigned int least, const unsigned int most) const;
 
-    /// Returns a position or direction: three numbers separated by commas, in
-    /// the coordinate system that the entry uses. Throws InputError if there
-    /// are not three.
+    /// Returns a position or direction, which must be three numbers.
     dealii::Point<3>
     point() const;
-    /// Returns the substring @p piece converted to a point.
+    /// Returns the substring @p piece of the text as a point, as point() does.
     dealii::Point<3>
     point(const std::string &piece) const;
 
-    /// Returns whether the text is `true`. Throws InputError unless the text is
-    /// `true` or `false`.
+    /// Returns true if the text is `true`, false if it is `false`. Throws
+    /// InputError for any other text.
     bool
     boolean() const;
 
@@ -114,8 +112,8 @@ namespace lamella
         selection<E>().description(dealii::Patterns::PatternBase::Machine));
     }
 
-    /// Splits the text at each @p separator and returns the trimmed substrings,
-    /// including empty ones; an empty list for an empty text.
+    /// Returns the trimmed substrings of the text between the characters @p
+    /// separator, including empty ones; an empty list for an empty text.
     std::vector<std::string>
     items(const char separator = ',') const
     {
@@ -123,8 +121,8 @@ namespace lamella
     }
 
     /// Returns the text if it is one of @p names. Otherwise throws InputError:
-    /// `there is no KIND 'text'. The nearest of LIST ...`, with @p kind and
-    /// @p list inserted.
+    /// `there is no KIND 'text'`, with the most similar name in LIST as the
+    /// remedy, where @p kind and @p list are inserted for KIND and LIST.
     const std::string &
     among(const std::vector<std::string> &names,
           const std::string              &kind,
@@ -137,9 +135,8 @@ namespace lamella
     std::string where, what;
   };
 
-  /// The entries of the current subsection of a ParameterHandler and the path
-  /// of that subsection. The handler must outlive this object and must not
-  /// leave that subsection.
+  /// The entries of the current subsection of a ParameterHandler and its path.
+  /// The handler must outlive this object and must not leave the subsection.
   class Entries
   {
   public:
@@ -161,7 +158,7 @@ namespace lamella
     operator[](const std::string &name) const;
 
     /// Throws InputError for the whole subsection, e.g. for a conflict between
-    /// its entries. Arguments as in Entry::refuse().
+    /// its entries. The arguments are those of Entry::refuse().
     [[noreturn]] void
     refuse(const std::string &rule, const std::string &remedy = "") const;
 

@@ -14,9 +14,9 @@
 
 namespace lamella
 {
-  /// A message for the user and its identifier, which tests and other programs
-  /// read. The source code contains both in one string, `module.fault: TEXT`,
-  /// e.g. `contact.no-pairs: no nodes face each other`.
+  /// A message for the user and its identifier, by which tests and other
+  /// programs recognize the message. The source code has both in one string,
+  /// `module.fault: TEXT`, e.g. `contact.no-pairs: no nodes face each other`.
   /// doc/reference/messages.md lists all identifiers.
   struct Message
   {
@@ -29,17 +29,16 @@ namespace lamella
     std::string
     shown() const;
 
-    std::string identifier, text;
+    std::string identifier; ///< Identifier `module.fault`; may be empty.
+    std::string text;       ///< Text for the user, without the identifier.
   };
 
   /// An error in the input, such as the parameter file (scene); the exit status
   /// is 1. The message consists of fields with accessors:
   ///   PATH = VALUE: RULE. REMEDY [ID]
   /// e.g. `Contact c/Penalty = -1: must be positive. Leave it out for auto.
-  /// [entry.not-positive]`. For ID, see Message.
-  ///
-  /// Input is checked before the computation wherever possible. main() catches
-  /// this exception and ends the run. at() adds the line of the file.
+  /// [entry.not-positive]`. For ID, see Message. main() catches this exception
+  /// and ends the program. at() adds the line of the file.
   class InputError : public std::runtime_error
   {
   public:
@@ -70,19 +69,20 @@ namespace lamella
       return id;
     }
 
-    /// Returns `ID: TEXT` of @p text, for another error with the same ID.
+    /// Returns `ID: TEXT` with the identifier of this error and @p text for
+    /// TEXT, to construct another error with the same identifier.
     std::string
     marked(const std::string &text) const
     {
       return id.empty() ? text : id + ": " + text;
     }
 
-    /// Returns a copy of this error whose message begins with @p place,
-    /// `FILE:LINE: `. The fields are unchanged.
+    /// Returns a copy of this error whose message begins with @p place, a
+    /// position in a file, `FILE:LINE: `. Only the message changes.
     InputError
     at(const std::string &place) const;
 
-    /// Returns whether at() has already added a file and line to the message.
+    /// Returns true if at() has already added file and line to the message.
     bool
     has_place() const
     {
@@ -94,7 +94,7 @@ namespace lamella
     {
       return entry_path;
     }
-    /// Returns the full text of the entry.
+    /// Returns the text of the entry, not abridged; empty if there is no entry.
     const std::string &
     value() const
     {
@@ -132,8 +132,8 @@ namespace lamella
     {}
   };
 
-  /// Thrown at the end of a complete run if the estimated error of a goal
-  /// exceeds its tolerance; the exit status is 3.
+  /// Thrown at the end of a complete computation if the estimated error of a
+  /// quantity of interest exceeds its tolerance; the exit status is 3.
   class ToleranceNotMet : public NumericsError
   {
   public:
@@ -146,8 +146,7 @@ namespace lamella
     /// Exit status: 0 success, 1 InputError, 2 NumericsError or any other
     /// exception, 3 ToleranceNotMet.
     int status = 0;
-    /// Message for the user; empty if the status is 0. Values of an InputError
-    /// longer than 400 characters are abridged.
+    /// Message for the user; empty if the status is 0. Long words are abridged.
     std::string message;
   };
 

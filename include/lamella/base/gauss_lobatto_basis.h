@@ -9,41 +9,42 @@ namespace lamella
 {
   /// Lagrange polynomials on [0, 1] at the Gauss-Lobatto points x_i,
   ///   L_i(x) = prod_{j != i} (x - x_j) / (x_i - x_j).
-  /// This class equals deal.II's Polynomials::Lagrange, but evaluates all
-  /// functions together, with derivatives and without allocation. The points
-  /// include both ends, so neighboring elements share nodes. Products L_i(s)
-  /// L_j(t) on the unit square are the shape functions of surface facets.
+  /// Equals deal.II's Polynomials::Lagrange, but evaluates all functions
+  /// together, with derivatives and without allocation. The points include 0
+  /// and 1, so neighboring elements share nodes. Products L_i(s) L_j(t) on the
+  /// unit square are the shape functions of surface facets.
   class GaussLobattoBasis
   {
   public:
-    /// Largest number of functions of a basis, for arrays of fixed size.
+    /// Largest number of polynomials of a basis, for arrays of fixed size.
     static constexpr unsigned int max_size = 64;
 
-    /// Constructs @p degree + 1 functions; 1 <= degree < max_size. Throws
-    /// ExcNotImplemented for a higher degree.
+    /// Constructs the @p degree + 1 polynomials of degree @p degree. Throws
+    /// ExcNotImplemented unless 1 <= degree < max_size.
     explicit GaussLobattoBasis(const unsigned int degree);
 
-    /// Returns the cached basis of @p degree. Not thread-safe.
+    /// Returns the cached basis of polynomials of @p degree. Not thread-safe.
     static const GaussLobattoBasis &
     of_degree(const unsigned int degree);
 
-    /// Returns the number of functions, degree + 1.
+    /// Returns the number of polynomials, degree + 1.
     unsigned int
     size() const
     {
       return points.size();
     }
 
-    /// Returns x_i in [0, 1], ascending: L_i(x_j) = delta_ij.
+    /// Returns Gauss-Lobatto point number @p i in [0, 1], ascending, where
+    /// polynomial number i is 1 and the others are 0.
     double
     point(const unsigned int i) const
     {
       return points[i];
     }
 
-    /// Evaluates all functions at @p x, and their first and second derivatives
-    /// if these pointers are not null. Each array has room for size() numbers.
-    /// @p x may be a node or outside of [0, 1]. Takes size()^2 operations.
+    /// Evaluates all polynomials at @p x, also outside of [0, 1], and their
+    /// first and second derivatives if these pointers are not null. Each array
+    /// must have size() elements. Takes size()^2 operations.
     void
     evaluate(const double x,
              double      *values,
@@ -52,7 +53,7 @@ namespace lamella
 
   private:
     std::vector<double> points;
-    /// 1 / prod_j (x_i - x_j).
+    /// Factors 1 / prod_j (x_i - x_j) of the polynomials, j != i.
     std::vector<double> scales;
   };
 } // namespace lamella

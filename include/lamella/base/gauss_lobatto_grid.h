@@ -11,13 +11,14 @@
 
 namespace lamella
 {
-  /// Returns the nodes (s_i, t_j) of the tensor-product grid of two bases on
-  /// the unit square. The index i of the first coordinate runs fastest.
+  /// Returns the points (s_i, t_j) of the tensor-product grid of the bases @p s
+  /// and @p t on the unit square. The first index varies fastest.
   std::vector<dealii::Point<2>>
   grid_points(const GaussLobattoBasis &s, const GaussLobattoBasis &t);
 
-  /// Evaluates the shape functions L_i(s) L_j(t) of the grid_points() at the
-  /// point @p st, in the same order, and stores them in @p values.
+  /// Evaluates the products L_i(s) L_j(t) of the polynomials @p s and @p t at
+  /// the point @p st, and stores them in @p values, ordered as by
+  /// grid_points().
   void
   evaluate_on_grid(const GaussLobattoBasis &s,
                    const GaussLobattoBasis &t,

@@ -8,14 +8,13 @@
 namespace lamella
 {
   /// Installs a signal handler that prints @p words (at most 1000 characters)
-  /// to standard error if the user ends the program (Ctrl-C or kill). The exit
-  /// status after such a signal is 130 or 143. Must be called by one thread, in
-  /// a parallel run by one process only.
+  /// to standard error if the user ends the program by Ctrl-C or kill. The exit
+  /// status is then 130 or 143. Must be called by one thread of one process.
   void
   set_interruption_message(const std::string &words);
 
-  /// Delays the signals of Ctrl-C and kill during its lifetime, so that files
-  /// are written completely. A second equal signal ends the program at once.
+  /// Delays the signals of Ctrl-C and kill during the lifetime of the object,
+  /// so that files are complete. A second equal signal ends the program.
   class SignalBlock
   {
   public:

@@ -21,7 +21,7 @@ namespace lamella
     /// Last iterate u of the Newton iteration; may be outside of the unit cube.
     dealii::Point<dim> unit;
     /// Length of the last Newton step in reference coordinates u: below 1e-14
-    /// if converged, large if x(u) = x has no solution.
+    /// if the iteration converged, large if x(u) = x has no solution.
     double change = std::numeric_limits<double>::max();
   };
 

@@ -9,8 +9,8 @@
 
 namespace lamella
 {
-  /// Returns the value at @p t of the Lagrange polynomial that is 1 at node
-  /// @p i and 0 at the other nodes @p points.
+  /// Returns the value at @p t of the Lagrange polynomial that is 1 at point
+  /// number @p i of @p points and 0 at the other points.
   inline double
   lagrange(const std::vector<double> &points,
            const unsigned int         i,

@@ -30,23 +30,25 @@ namespace lamella
   /// constrained DoFs included.
   using DofIndex = dealii::types::global_dof_index;
 
-  /// A displacement vector u or its work-conjugate nodal force vector f of one
-  /// body, with one entry per DoF. Every process stores the whole vector.
+  /// Displacement vector u of one body, or the conjugate nodal force vector f,
+  /// with one entry per DoF. Every process stores the whole vector.
   using Vector = dealii::Vector<double>;
 
-  /// The displacements or nodal forces of all bodies, one block per body.
+  /// Displacements or nodal forces of all bodies, one block per body.
   using BlockVector = dealii::BlockVector<double>;
 
-  /// A sparse matrix of one body on one process, without owning its pattern.
+  /// Sparse matrix of one body on one process. It refers to its sparsity
+  /// pattern, which must outlive the matrix.
   using Matrix = dealii::SparseMatrix<double>;
 
   /// Affine constraints u = G v + u_p, which express constrained DoFs of u by
   /// the unconstrained DoFs v. Call close() before use.
   using Constraints = dealii::AffineConstraints<double>;
 
-  /// Distributed matrix and vector: each process owns a contiguous range of
-  /// rows. Only forward-declared, so that headers do not include Trilinos.
+  /// Distributed matrix: each process owns a contiguous range of rows. Only
+  /// forward-declared, so that headers do not include Trilinos.
   using SharedMatrix = dealii::TrilinosWrappers::SparseMatrix;
+  /// Distributed vector: each process owns a contiguous range of entries.
   using SharedVector = dealii::TrilinosWrappers::MPI::Vector;
 } // namespace lamella
 

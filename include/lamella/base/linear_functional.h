@@ -12,22 +12,21 @@ namespace lamella
 {
   /// A sparse affine functional of the DoFs of one body,
   ///   r(u) = c + sum_k w_k u_k,
-  /// such as a gap, a stress, or the displacement component c at X,
-  ///   u_c(X) = sum_tau,i F_tau(x, z) N_i(y) u_tau_i_c.
-  ///
-  /// with section functions F_tau and axis shape functions N_i. The weights w_k
-  /// of u_c(X) are also the load vector of a unit force along c at X
-  /// (add_to()). A support is an equation r(u) = 0, a gap the difference of two
-  /// functionals, a spring a rank-one stiffness k w w^T. The unit of r is a
-  /// length for displacements and gaps, 1 for strains, force/length^2 for
-  /// stresses. An entry takes 16 bytes.
+  /// with constant c and weights w_k, such as a gap, a stress or the
+  /// displacement component at a point X = (x, y, z),
+  ///   u(X) = sum_tau,i F_tau(x, z) N_i(y) u_tau_i
+  /// with section functions F_tau and axis shape functions N_i. The weights of
+  /// u(X) are also the load vector of a unit force at X (add_to()). A support
+  /// is an equation r(u) = 0, a gap the difference of two functionals, a spring
+  /// a rank-one stiffness k w w^T. The unit of r is a length for displacements
+  /// and gaps, 1 for strains, force/length^2 for stresses.
   class LinearFunctional
   {
   public:
-    /// Number k of a DoF and its weight w_k.
+    /// Index k of a DoF and its weight w_k.
     using Entry = std::pair<DofIndex, double>;
 
-    /// Adds @p weight to the weight of @p dof; zeros are skipped. Until
+    /// Adds @p weight to the weight of @p dof. Zero is skipped. Until
     /// compress() is called, several entries may have the same DoF.
     void
     add(const DofIndex dof, const double weight);
@@ -41,40 +40,40 @@ namespace lamella
     void
     add(const LinearFunctional &other, const double factor);
 
-    /// Sorts the entries by DoF and sums those of the same DoF. Sums of zero
-    /// remain (see drop_below()).
+    /// Sorts the entries by DoF and sums entries of the same DoF. Entries whose
+    /// sum is zero remain (see drop_below()).
     void
     compress();
 
-    /// Removes weights whose magnitude is below @p relative times the largest,
-    /// such as rounding errors, which would couple unrelated DoFs.
+    /// Removes weights whose magnitude is below @p relative times the largest
+    /// weight, such as rounding errors, which would couple unrelated DoFs.
     void
     drop_below(const double relative);
 
-    /// Returns r(u) for the displacements @p u, constrained DoFs included.
+    /// Returns the value r(u) for @p u, which includes constrained DoFs.
     double
     operator()(const Vector &u) const;
 
     /// Adds @p factor times the weights w to the load vector @p f. @p factor is
-    /// work-conjugate to r, e.g. a force if r is a length.
+    /// work-conjugate to the value r, e.g. a force if r is a length.
     void
     add_to(Vector &f, const double factor) const;
 
-    /// Returns the functional of the unconstrained DoFs,
+    /// Returns the functional of the unconstrained DoFs v,
     ///   r(G v + u_p) = (r G) v + const., w_red = G^T w,
-    /// where the closed @p constraints are u = G v + u_p. The result has the
-    /// weights w_red, compressed, and the constant part c of r, without r(u_p).
+    /// for closed @p constraints u = G v + u_p. The result has the weights
+    /// w_red, sorted, and the constant c of r, without the weights times u_p.
     LinearFunctional
     reduced(const Constraints &constraints) const;
 
-    /// Returns the entries as added; sorted by DoF after compress().
+    /// Returns DoFs and weights as added; sorted by DoF after compress().
     const std::vector<Entry> &
     entries() const
     {
       return row;
     }
 
-    /// Returns the constant part c, zero for displacements.
+    /// Returns the constant c, which is zero for displacements.
     double
     constant() const
     {
@@ -86,21 +85,21 @@ namespace lamella
     double             constant_part = 0.;
   };
 
-  /// A linear functional with the number of its body.
+  /// A linear functional of the displacements of one body, with its index.
   struct BodyFunctional
   {
-    /// Number of the body and of its block in a BlockVector.
-    unsigned int     body = 0;
-    LinearFunctional row;
+    unsigned int     body = 0; ///< Index of the body, and of its block.
+    LinearFunctional row;      ///< Functional of the DoFs of this body.
 
-    /// Returns the functional of the displacements of its body in @p u.
+    /// Returns the value of the functional for displacements @p u of all
+    /// bodies.
     double
     operator()(const BlockVector &u) const
     {
       return row(u.block(body));
     }
 
-    /// Adds @p factor times the weights to the block of the body in @p f.
+    /// Adds @p factor times the weights to the block of this body in @p f.
     void
     add_to(BlockVector &f, const double factor) const
     {

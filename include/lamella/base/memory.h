@@ -12,10 +12,10 @@ namespace lamella
   /// Bytes per MB in tables and summaries; gigabytes() uses 1 GB = 1e9 bytes.
   constexpr double megabyte = 1024. * 1024.;
 
-  /// Returns the resident memory of this process in bytes (VmRSS of Linux).
+  /// Returns the resident memory of this process (VmRSS of Linux) [bytes].
   double
   resident_memory();
-  /// Returns the largest resident memory since the start (VmHWM), in bytes.
+  /// Returns the largest resident memory since the start (VmHWM) [bytes].
   double
   peak_memory();
 
@@ -29,10 +29,10 @@ namespace lamella
   double
   sum_over_machine(const double bytes);
 
-  /// Returns the free memory in bytes for all processes of a machine together,
-  /// the minimum over all machines. It is limited by the machine, its control
-  /// group (container, batch job) and @p limit, in bytes per machine (0: none).
-  /// File caches count as free. Must be called by all processes.
+  /// Returns the free memory for all processes of one machine together, the
+  /// minimum over all machines [bytes]. It is limited by the machine, its
+  /// control group (container, batch job) and @p limit, in bytes per machine
+  /// (0: none). File caches count as free. Must be called by all processes.
   double
   available_memory(const double limit = 0.);
 

@@ -8,11 +8,9 @@
 namespace lamella
 {
   /// Starts MPI in its constructor and ends MPI in its destructor. Trilinos
-  /// needs MPI even for one process. On every process, the object must be
-  /// constructed first in `main`.
-  ///
-  /// Without a launcher (mpirun), Open MPI is configured without network,
-  /// daemon and session folder, which start slowly and sometimes fail
+  /// needs MPI even for one process. The object must be the first one in
+  /// `main`. Without a launcher (mpirun), Open MPI is configured without
+  /// network, daemon and session folder, which start slowly and sometimes fail
   /// (`orte_session_dir failed`). Settings in the environment have precedence.
   class MpiSession
   {

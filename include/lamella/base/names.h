@@ -15,14 +15,12 @@ namespace lamella
   template <typename E>
   struct NameOf
   {
-    /// Value of the enumeration.
-    E value;
-    /// Name in scenes, tables and messages.
-    const char *name;
+    E           value; ///< Value of the enumeration.
+    const char *name;  ///< Name in scenes, tables and messages.
   };
 
-  /// List of names of the enumeration @p E, for reading and writing its values.
-  /// Specialized in the header of the enumeration, e.g.
+  /// List of the names of the values of the enumeration @p E, to read and write
+  /// these values. Specialized in the header of the enumeration, e.g.
   ///   template <>
   ///   struct Names<Strategy>
   ///   {
@@ -34,7 +32,7 @@ namespace lamella
   template <typename E>
   struct Names;
 
-  /// Returns the name of @p value; empty if @p value has no name. SFINAE
+  /// Returns the name of @p value from Names<E>; empty if it has none. SFINAE
   /// excludes types without a specialization of Names.
   template <typename E, std::size_t = sizeof(Names<E>)>
   std::string
@@ -46,7 +44,8 @@ namespace lamella
     return "";
   }
 
-  /// Returns the value called @p name (case-sensitive), or std::nullopt.
+  /// Returns the value of the enumeration @p E with the name @p name
+  /// (case-sensitive), or std::nullopt if there is none.
   template <typename E>
   std::optional<E>
   named(const std::string &name)
@@ -57,7 +56,7 @@ namespace lamella
     return std::nullopt;
   }
 
-  /// Returns the deal.II pattern that matches the names of @p E.
+  /// Returns the deal.II pattern that matches the names of the values of @p E.
   template <typename E>
   dealii::Patterns::Selection
   selection()

@@ -7,12 +7,12 @@
 
 namespace lamella
 {
-  /// Orthogonalizes @p v to the vectors b_j of @p basis with j >= @p first by
-  /// Gram-Schmidt, applied twice against rounding errors,
-  ///   part_j = (v, b_j), v <- v - sum_j part_j b_j.
+  /// Makes @p v orthogonal to the vectors b_j of @p basis with j >= @p first by
+  /// the Gram-Schmidt method, applied twice to reduce rounding errors,
+  ///   c_j = (v, b_j), v <- v - sum_j c_j b_j.
   /// @p basis must be orthonormal in the inner product @p product. @p v is not
-  /// normalized. Returns the coefficients of the original v in the basis, from
-  /// number @p first on. T is a number or a tensor.
+  /// normalized. Returns the coefficients c_j of the original v, from number @p
+  /// first on. T is a number or a tensor.
   template <typename T, typename Product>
   std::vector<double>
   make_orthogonal(std::vector<T>                    &v,

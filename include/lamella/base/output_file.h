@@ -8,48 +8,47 @@
 
 namespace lamella
 {
-  /// An output file that is written as PATH.new and finally renamed to PATH, so
-  /// that PATH is never incomplete. If writing fails, the old PATH remains.
+  /// An output file that is written as PATH.new and finally renamed to PATH.
+  /// The file PATH is thus never incomplete, and is unchanged if writing fails.
   class OutputFile
   {
   public:
-    /// Opens the file PATH.new and creates the folder of @p path if needed.
-    /// Failures are reported by commit().
+    /// Opens the file PATH.new, where PATH is @p path, and creates its folder
+    /// if needed. commit() reports failures.
     explicit OutputFile(const std::string &path);
-    /// Removes PATH.new if commit() has not renamed it.
+    /// Removes the file PATH.new unless commit() has renamed it to PATH.
     ~OutputFile();
     OutputFile(const OutputFile &) = delete;
 
-    /// Returns the output stream, which is valid until commit().
+    /// Returns the stream that writes to the file. It is valid until commit().
     std::ostream &
     stream()
     {
       return file;
     }
 
-    /// Closes the stream and renames the file; must be called only once.
-    /// Returns whether opening, writing and renaming succeeded.
+    /// Closes the stream and renames the file PATH.new to PATH. Returns true if
+    /// opening, writing and renaming succeeded. Must be called only once.
     bool
     commit();
 
   private:
-    /// Final path of the file, and its path PATH.new during writing.
+    /// Path PATH of the file, and its path PATH.new during writing.
     std::string   path, beside;
     std::ofstream file;
   };
 
-  /// Writes @p text into the file @p path by an OutputFile. Throws InputError
-  /// if writing fails.
+  /// Writes @p text to the file @p path, which is replaced if it exists (see
+  /// OutputFile). Throws InputError if writing fails.
   void
   write_file(const std::string &path, const std::string &text);
 
-  /// Appends @p text to the existing file @p path. Throws InputError on
-  /// failure, and truncates the file to its old length.
+  /// Appends @p text to the existing file @p path. If this fails, truncates the
+  /// file to its old length and throws InputError.
   void
   append_to_file(const std::string &path, const std::string &text);
 
-  /// Throws InputError with the message that the file @p path cannot be written
-  /// and the reason from the operating system.
+  /// Throws InputError, with the message that @p path cannot be written.
   [[noreturn]] void
   throw_cannot_write(const std::string &path);
 } // namespace lamella

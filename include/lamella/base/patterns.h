@@ -23,7 +23,7 @@ namespace lamella
     dealii::Patterns::Double
     positive();
 
-    /// Returns the pattern of a comma-separated list of numbers of any length.
+    /// Returns the pattern of a comma-separated list of numbers, of any length.
     dealii::Patterns::List
     numbers();
     /// Returns the pattern of exactly @p n comma-separated numbers.
@@ -34,10 +34,10 @@ namespace lamella
     class Whole : public dealii::Patterns::PatternBase
     {
     public:
-      /// Stores the smallest and the largest permitted integer.
+      /// Constructs the pattern of integers from @p least to @p most.
       Whole(const unsigned int least, const unsigned int most);
 
-      /// Returns whether @p text is an integer within the bounds.
+      /// Returns true if @p text is an integer within the bounds.
       bool
       match(const std::string &text) const override;
       /// Returns the description of deal.II's Integer with the same bounds.
@@ -56,16 +56,17 @@ namespace lamella
     class WordOrPattern : public dealii::Patterns::PatternBase
     {
     public:
-      /// Stores @p word (case-sensitive) and clones @p other.
+      /// Constructs the pattern that matches @p word and what @p other matches.
       WordOrPattern(const std::string                   &word,
                     const dealii::Patterns::PatternBase &other);
 
-      /// Returns whether @p text is the word or matches the other pattern.
+      /// Returns true if @p text is the word or matches the other pattern.
       bool
       match(const std::string &text) const override;
-      /// Returns `[WORD or OTHER]`.
+      /// Returns `[WORD or OTHER]`, with the other pattern's description.
       std::string
       description(const OutputStyle style = Machine) const override;
+      /// Returns a copy of this pattern.
       std::unique_ptr<dealii::Patterns::PatternBase>
       clone() const override;
 
@@ -74,19 +75,18 @@ namespace lamella
       std::shared_ptr<const dealii::Patterns::PatternBase> other;
     };
 
-    /// Returns the pattern of an optional entry, which may be empty.
+    /// Returns the pattern of an entry that is empty or matches @p other.
     WordOrPattern
     optional(const dealii::Patterns::PatternBase &other);
 
-    /// Throws InputError for @p entry, which does not match a pattern.
-    /// @p pattern is the machine-readable description of that pattern. The
-    /// message lists the valid values: bounds of numbers and lists, names of a
-    /// selection, or the word of a WordOrPattern.
+    /// Throws InputError for @p entry, whose text does not match a pattern with
+    /// the machine-readable description @p pattern. The message lists valid
+    /// values: bounds, names of a selection, or the word of a WordOrPattern.
     [[noreturn]] void
     refuse(const Entry &entry, const std::string &pattern);
 
-    /// Throws InputError for @p entry, which does not match the pattern
-    /// declared in @p prm. Slow: writes @p prm as JSON.
+    /// Throws InputError for @p entry, whose text does not match its pattern
+    /// declared in @p prm. Slow, since it writes all of @p prm as JSON.
     [[noreturn]] void
     refuse(const Entry &entry, const dealii::ParameterHandler &prm);
   } // namespace patterns

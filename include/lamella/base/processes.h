@@ -29,7 +29,7 @@ namespace lamella
              1;
   }
 
-  /// Returns the number of this process, from 0; 0 before MPI is started.
+  /// Returns the index of this process, from 0; 0 before MPI is started.
   inline unsigned int
   this_process()
   {
@@ -38,23 +38,23 @@ namespace lamella
              0;
   }
 
-  /// Returns whether this is process 0, the only one that prints and writes.
+  /// Returns true if this is process 0, which alone prints and writes files.
   inline bool
   is_root_process()
   {
     return this_process() == 0;
   }
 
-  /// Returns whether @p here is true on all processes, so that all throw an
-  /// exception if one fails. Must be called by all processes.
+  /// Returns true if @p here is true on all processes. Must be called by all
+  /// processes. With the result, either all throw an exception or none.
   inline bool
   true_on_all_processes(const bool here)
   {
     return dealii::Utilities::MPI::min(int(here), communicator()) == 1;
   }
 
-  /// Replaces @p v by its sum over all processes, bitwise equal on all. @p v
-  /// has the same size on all processes. Must be called by all processes.
+  /// Replaces @p v, of equal size on all processes, by its sum over all
+  /// processes, bitwise equal on all. Must be called by all processes.
   inline void
   sum_over_processes(Vector &v)
   {

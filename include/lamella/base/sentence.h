@@ -10,8 +10,8 @@
 
 namespace lamella
 {
-  /// Returns the text of @p message, without its identifier, white space and
-  /// full stops at the end, so that the text can be part of a longer sentence.
+  /// Returns the text of @p message without its identifier, and without white
+  /// space and full stops at its end, to be inserted into a longer sentence.
   inline std::string
   strip_period(const std::string &message)
   {
@@ -21,7 +21,7 @@ namespace lamella
     return text;
   }
 
-  /// Returns the console line `Note: TEXT. [ID]` of @p note = `ID: TEXT`.
+  /// Returns the console line `Note: TEXT. [ID]` for a @p note `ID: TEXT`.
   inline std::string
   note_line(const std::string &note)
   {

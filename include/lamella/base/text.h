@@ -10,12 +10,12 @@
 
 namespace lamella
 {
-  /// Returns @p text without blanks, tabs and line ends at its ends.
+  /// Returns @p text without blanks, tabs and newlines at its start and end.
   std::string
   trimmed(const std::string &text);
 
-  /// Returns @p text if it has at most 100 characters; otherwise its first 50
-  /// and last 25 characters and its length.
+  /// Returns @p text if it has at most 100 characters. Otherwise returns its
+  /// first 50 and last 25 characters and its length.
   std::string
   abridged(const std::string &text);
 
@@ -30,24 +30,25 @@ namespace lamella
   std::string
   replaced(std::string text, const std::string &what, const std::string &by);
 
-  /// Bounds of the magnitude of nonzero numbers in the input. Fourth powers
-  /// (second moments of area) and products of stiffnesses do not overflow.
-  constexpr double smallest_number = 1e-30, largest_number = 1e30;
+  /// Smallest magnitude of nonzero numbers in the input.
+  constexpr double smallest_number = 1e-30;
+  /// Largest magnitude of numbers in the input. Fourth powers do not overflow.
+  constexpr double largest_number = 1e30;
 
-  /// An error in a text: the arguments of Entry::refuse().
+  /// An error in a text of the input, with the arguments of Entry::refuse().
   struct TextError
   {
-    /// Violated condition and remedy; both are empty if there is no error.
-    std::string rule, remedy;
+    std::string rule;   ///< Violated condition; empty if there is no error.
+    std::string remedy; ///< Advice for correcting the text; may be empty.
   };
 
-  /// Checks that @p text is one number without a unit, in the notation of C,
-  /// that is zero or between smallest_number and largest_number in magnitude.
-  /// Returns an empty error if it is valid.
+  /// Checks that @p text is a number without a unit, in the notation of C, that
+  /// is zero or from smallest_number to largest_number in magnitude. Returns
+  /// the error, which is empty if @p text is valid.
   TextError
   number_error(const std::string &text);
 
-  /// Converts @p text to a number. @p text must have no number_error().
+  /// Converts @p text, which must be valid for number_error(), to a number.
   double
   to_number(const std::string &text);
 
@@ -60,14 +61,15 @@ namespace lamella
   std::string
   to_text(const double value, const int digits = 6);
 
-  /// Returns @p point as `(x, y, z)` with six digits per coordinate.
+  /// Returns the coordinates of @p point as `(x, y, z)`, with six digits each.
   std::string
   to_text(const dealii::Point<3> &point);
-  /// Returns a @p point of a section as `(x, z)` with six digits each.
+  /// Returns a @p point of a section as `(x, z)`, with six digits each.
   std::string
   to_text(const dealii::Point<2> &point);
 
-  /// Returns @p v as `(x, y, z)`; components below 1e-9 times its length are 0.
+  /// Returns the components of @p v as `(x, y, z)`. Components below 1e-9 times
+  /// the length of @p v are printed as 0.
   std::string
   to_text(const dealii::Tensor<1, 3> &v);
 } // namespace lamella

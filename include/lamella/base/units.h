@@ -9,21 +9,20 @@
 
 namespace lamella
 {
-  /// The unit labels of a scene and the conversion factor of built-in
-  /// materials. All numbers of the input must be consistent with the labels:
-  /// `m, N` implies stresses in Pa, `mm, N` in MPa; with `none`, there are no
-  /// labels and conversions.
+  /// Names of the units of a scene, and the conversion factor for built-in
+  /// materials. All numbers of the input must be in consistent units: `m, N`
+  /// implies stresses in Pa, `mm, N` in MPa. With `none`, names are empty and
+  /// nothing is converted.
   struct Units
   {
-    /// Labels for tables and messages; empty in a scene without units.
-    std::string length = "m";
-    std::string force  = "N";
-    std::string stress = "Pa";
+    std::string length = "m";  ///< Name of the unit of length; may be empty.
+    std::string force  = "N";  ///< Name of the unit of force; may be empty.
+    std::string stress = "Pa"; ///< Name of the unit of stress; may be empty.
     /// Value of 1 Pa in the scene's unit of stress, e.g. 1e-6 for `mm, N`.
     double pascal = 1.;
 
-    /// Returns the units of @p entry, which must be `m, N`, `mm, N` or `none`.
-    /// Throws InputError for any other text.
+    /// Returns the units for the text of @p entry, which is `m, N`, `mm, N` or
+    /// `none`. Throws InputError for any other text.
     static Units
     parse(const Entry &entry);
   };

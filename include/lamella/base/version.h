@@ -7,8 +7,8 @@
 
 namespace lamella
 {
-  /// Returns the program version, `MAJOR.MINOR.PATCH`. A run can only be
-  /// resumed by the same version.
+  /// Returns the program version, `MAJOR.MINOR.PATCH`. A computation can only
+  /// be resumed by the version that started it.
   std::string
   version();
 

@@ -22,12 +22,12 @@ namespace lamella
   /// determine section forces W_0 (conjugate to q) and W_1 (to q') and nodal
   /// forces
   ///   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy.
-  /// The functions of an element are all functions of its nodes; an amplitude
-  /// that a node lacks is zero. Each process integrates the elements
-  /// Axis::own_cells(). Keeps references to the arguments of its constructor.
+  /// An element has all section functions of its nodes. The DoF of a function
+  /// that a node lacks is zero. Each process integrates Axis::own_cells().
   class AxisLoop
   {
   public:
+    /// Stores references to the arguments, which must outlive this object.
     AxisLoop(const SectionSpace &space,
              const Axis         &axis,
              const BeamDofMap   &dof_map)
@@ -47,36 +47,40 @@ namespace lamella
     std::pair<unsigned int, unsigned int>
     own_points() const;
 
-    /// Calls @p use with the index of each axis element of this process and the
-    /// section operator for its functions.
+    /// Function of the index of an axis element and its section operator.
     using ElementCallback =
       std::function<void(const unsigned int, const SectionOperator &)>;
+    /// Calls @p use with each axis element of this process and its operator.
     void
     for_each_element(const ElementCallback &use) const;
 
-    /// Returns the amplitudes q and q' of the section functions @p fields in
-    /// the displacement @p u at @p stations of one element. Derivatives use
-    /// differences to the first node and vanish exactly for rigid translations.
+    /// Returns the amplitudes q and derivatives q' of the section functions @p
+    /// fields at the points @p stations of one element, for the displacements
+    /// @p u. Derivatives vanish exactly for rigid translations, as they are
+    /// computed from differences to the value at the first node.
     FieldParts
     at(const dealii::ArrayView<const AxisPoint> &stations,
        const std::vector<unsigned int>          &fields,
        const Vector                             &u) const;
 
-    /// Returns at() for all integration points of the axis element @p cell.
+    /// Returns the amplitudes of the section functions @p fields and their
+    /// axial derivatives at the integration points of element @p cell, for the
+    /// displacements @p u.
     FieldParts
     on_element(const unsigned int               cell,
                const std::vector<unsigned int> &fields,
                const Vector                    &u) const;
 
-    /// Adds the nodal forces of all elements to @p f. @p forces_of returns the
-    /// section forces W at the stations of an element. Collective.
+    /// Function that returns section forces at an element's integration points.
     using ForcesOfElement =
       std::function<SectionForces(const unsigned int, const SectionOperator &)>;
+    /// Adds to @p f the nodal forces of all elements for the section forces
+    /// @p forces_of. Collective.
     void
     add_forces(const ForcesOfElement &forces_of, Vector &f) const;
 
-    /// Returns the integral of the energy per length in @p forces over the axis
-    /// element @p cell [force length].
+    /// Returns the strain energy of axis element @p cell, the integral of the
+    /// energy per length SectionForces::energy of @p forces [force length].
     double
     energy(const unsigned int cell, const SectionForces &forces) const;
 
@@ -84,7 +88,8 @@ namespace lamella
     std::vector<unsigned int>
     fields_of_element(const unsigned int cell) const;
 
-    /// Adds the nodal forces of section forces @p work on the element @p cell.
+    /// Adds to @p f the nodal forces of the section forces @p work of the
+    /// section functions @p fields on the element @p cell.
     void
     add_on_nodes(const unsigned int               cell,
                  const std::vector<unsigned int> &fields,

@@ -11,24 +11,22 @@
 namespace lamella
 {
   /// A beam in the Carrera Unified Formulation, with section functions
-  /// Phi_alpha and axial shape functions N_i:
-  ///   u(x, y, z) = sum N_i(y) Phi_alpha(x, z) u_(i,alpha)     (Eqs. 1 and 7),
-  /// with the stiffness as a sum of Kronecker products (x),
+  /// Phi_alpha (Section) and axial shape functions N_i of axis nodes i (Axis):
+  ///   u(x, y, z) = sum N_i(y) Phi_alpha(x, z) u_(i,alpha),
+  /// Eqs. 1 and 7 of Nagaraj et al. 2020. With the derivatives D_s by x and z,
+  /// and D_y by y, the strain is
+  ///   epsilon = sum (N_i D_s Phi_alpha + N_i' D_y Phi_alpha) u_(i,alpha).
+  /// The stiffness is a sum of Kronecker products (x) of integrals over the
+  /// axis of products of N_i or N_i', and integrals S_pq over the section,
   ///   K = A_NN (x) S_00 + A_NdN (x) S_01 + A_dNN (x) S_10 + A_dNdN (x) S_11
   /// (and, for assumed transverse shear strains, (A_shear - A_NN) (x) S_shear).
-  /// EBBT (Euler-Bernoulli) is TBT (Timoshenko) with Kirchhoff's constraint.
-  ///
-  /// N_i is the shape function of axis node i (Axis); Phi_alpha is a vector
-  /// function on the section (Section). D_s has the derivatives by x and z, D_y
-  /// that by y. The strain is
-  ///   epsilon = sum (N_i D_s Phi_alpha + N_i' D_y Phi_alpha) u_(i,alpha),
-  /// so K needs only the integrals A_pq over the axis of products of N_i or
-  /// N_i', and S_pq over the section (Section). The 3 x 3 blocks of K are the
-  /// fundamental nuclei of Carrera. Eqs. are those of Nagaraj et al. 2020.
+  /// Its 3 x 3 blocks are the fundamental nuclei of Carrera. EBBT
+  /// (Euler-Bernoulli) is TBT (Timoshenko) with Kirchhoff's constraint.
   ///
   /// Processes share rows of K by axis nodes, volume integrals by axis
-  /// elements. A "cell" of Location is axis element * (number of section cells)
-  /// + section cell, with unit coordinates (xi, along the axis element, eta).
+  /// elements. Elements of the body are numbered axis element * (number of
+  /// section cells) + section cell, with unit coordinates (xi, along the axis
+  /// element, eta).
   class Beam : public Body
   {
   public:
@@ -40,9 +38,8 @@ namespace lamella
          const Placement                      &placement);
 
     /// Constructs a beam with node-dependent kinematics: @p fields_of_node
-    /// lists the section functions of each axis node (BeamDofMap). EBBT
-    /// requires B4 elements and all functions at all nodes. Throws InputError
-    /// if there are more processes than axis nodes.
+    /// lists the section functions of each axis node. EBBT requires B4 and all
+    /// functions. Throws InputError if processes outnumber axis nodes.
     Beam(const std::string                            &name,
          std::shared_ptr<const Section>                section,
          std::shared_ptr<const Axis>                   axis,
@@ -59,18 +56,18 @@ namespace lamella
          const std::vector<std::vector<unsigned int>> &fields_of_node,
          const std::string                            &theory);
 
-    /// Returns theory and axis elements, such as `LE-2, 20 B4`; for TE-N also
-    /// the number of dropped polynomials (TaylorElement), if any.
+    /// Returns theory and axis elements, such as `LE-2, 20 B4`. For TE-N also
+    /// states the number of dropped polynomials (TaylorElement), if any.
     std::string
     theory() const override;
-    /// Returns the sum of the numbers of section functions of all axis nodes.
+    /// Returns the number of section functions, summed over all axis nodes.
     DofIndex
     n_dofs() const override
     {
       return dof_map.n_dofs();
     }
 
-    /// Returns the number of DoFs of the nodes of the axis element @p cell.
+    /// Returns the number of DoFs of all nodes of the axis element @p cell.
     unsigned int
     n_dofs_of_cell(const unsigned int cell) const
     {
@@ -79,8 +76,8 @@ namespace lamella
         sum += dof_map.fields(node).size();
       return sum;
     }
-    /// Returns the number of nonzeros of A_pq times that of S_pq, which is
-    /// exact if all nodes have all functions.
+    /// Returns the number of stiffness nonzeros: those of an axis matrix times
+    /// those of a section matrix. It is exact if all nodes have all functions.
     double
     stiffness_entries() const override;
     dealii::IndexSet
@@ -109,7 +106,7 @@ namespace lamella
     omitted_rigid_motions() const override;
     dealii::Point<3>
     center() const override;
-    /// Returns half the length, or the section's reference length if larger.
+    /// Returns half the length or the section's reference length, if larger.
     double
     size() const override;
     dealii::BoundingBox<3>
@@ -119,13 +116,13 @@ namespace lamella
     add_internal_forces(const Vector &u, Vector &f) const override;
     /// Returns the solver of factorize_blocks(), with a block per axis node, if
     /// @p requested is `automatic`, on one process, with dense functions at all
-    /// nodes (SectionSpace); otherwise that of Body::solver_of().
+    /// nodes (SectionSpace). Otherwise returns that of Body::solver_of().
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      requested,
               const SolverMonitor  &monitor) const override;
-    /// Returns strain energy, and largest rotation of all integration points.
+    /// Returns the strain energy, and the largest rotation of all points.
     Deformation
     deformation(const Vector &u) const override;
     std::unique_ptr<SecondOrder>
@@ -144,15 +141,18 @@ namespace lamella
       return beam_section->plies();
     }
 
-    /// Thermal load per length on amplitudes of section functions, int D_s^T C
-    /// epsilon_0 dA, and on their axial derivatives, int D_y^T C epsilon_0 dA.
+    /// Thermal load per length on section functions, from thermal strain
+    /// epsilon_0, stiffness C, and derivatives D_s by x and z, D_y by y.
     struct SectionThermalLoad
     {
-      Vector on_values, on_derivatives;
+      Vector on_values;      ///< On amplitudes, int D_s^T C epsilon_0 dA.
+      Vector on_derivatives; ///< On d/dy of these, int D_y^T C epsilon_0 dA.
     };
+    /// Returns the thermal load per length at @p y; zero without heat.
     SectionThermalLoad
     section_thermal_load(const double y) const;
-    /// Returns the weight per length, integral rho g . Phi_alpha dA, by alpha.
+    /// Returns the weight per length on each section function Phi, int rho g .
+    /// Phi dA, for @p acceleration g in scene axes.
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
 
@@ -170,21 +170,21 @@ namespace lamella
     ply_at(const Location::Place &place) const override;
     Cells
     cells() const override;
-    /// Returns along the axis the degree of the elements (for EBBT one less, as
-    /// the rotation is -w'), in the section the degree N of LE-N, else zero.
+    /// Returns the degree of displacements along the axis (for EBBT one less,
+    /// as the rotation is -w'), and in the section, N of LE-N, else zero.
     std::array<unsigned int, 3>
     recovery_degrees() const override;
-    /// Returns recovery_degrees(), but in the section the lowest LE degree of
-    /// the nodes of the axis element of @p cell.
+    /// Returns recovery_degrees(), but in the section the lowest degree of LE
+    /// of the nodes of the axis element that contains element @p cell.
     std::array<unsigned int, 3>
     recovery_degrees_of(const unsigned int cell) const override;
 
     std::vector<std::string>
     surfaces() const override;
-    /// Returns for a lateral surface one point per axis node and edge point of
-    /// the section (CrossSectionElement::edge_points()), with the area int N_i
-    /// dy times the tributary length of the edge point; for an end the grid of
-    /// section points. Nodes with LE-q have the points of LE-q only, so that
+    /// Returns for a lateral surface one point per axis node i and edge point
+    /// of the section (CrossSectionElement::edge_points()), with the area int
+    /// N_i dy times the edge point's tributary length; for an end the section
+    /// points. Nodes with LE-q have the points of LE-q only, so that
     /// constraints do not outnumber DoFs.
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
@@ -198,8 +198,8 @@ namespace lamella
     /// facets of lateral surfaces.
     std::vector<SurfaceFacet>
     surface_facets(const std::string &surface) const override;
-    /// Returns the facets with node numbers (section node) * (number of axis
-    /// nodes) + axis node; adjacent section cells share nodes.
+    /// Returns the facets of @p surface with node numbers (section node) *
+    /// (number of axis nodes) + axis node. Adjacent section cells share nodes.
     SurfaceTopology
     surface_topology(const std::string &surface) const override;
     SurfacePoint
@@ -220,35 +220,40 @@ namespace lamella
     /// with the degrees of CrossSectionElement.
     GridIntervals
     output_degrees() const override;
-    /// Calls @p use with cells numbered (own axis element) * (section cells) +
-    /// section cell. Amplitudes are computed once per axis point and section
-    /// functions once per section point.
+    /// Calls @p use with each output element, numbered (index among this
+    /// process's axis elements) * (number of section cells) + section cell.
+    /// Section functions are computed once per section point.
     void
     for_each_output_cell(const GridIntervals      &n,
                          const Vector             &u,
                          const OutputCellCallback &use) const override;
 
+    /// Returns the section, with section functions, stiffness and plies.
     const Section &
     section() const
     {
       return *beam_section;
     }
+    /// Returns the finite element mesh of the axis, with shape functions N_i.
     const Axis &
     axis() const
     {
       return *beam_axis;
     }
+    /// Returns the axis with shared ownership, for another beam on this axis.
     std::shared_ptr<const Axis>
     shared_axis() const
     {
       return beam_axis;
     }
+    /// Returns the numbering of the DoFs by axis node and section function.
     const BeamDofMap &
     dofs() const
     {
       return dof_map;
     }
 
+    /// Returns the space of all section functions and modes of the axis nodes.
     const SectionSpace &
     fields() const
     {
@@ -256,19 +261,21 @@ namespace lamella
     }
 
   protected:
-    /// Calls @p use with each row of K that this process owns.
+    /// Calls @p use with each stiffness row that this process owns.
     void
     for_each_stiffness_block(
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
+    /// Returns the integration of nodal forces along the axis of this beam.
     AxisLoop
     along_axis() const
     {
       return {*space, *beam_axis, dof_map};
     }
 
-    /// Returns section forces and energy per length for amplitudes @p q.
+    /// Returns section forces and energy per length at points of the axis, for
+    /// amplitudes and derivatives @p q of the section functions.
     virtual SectionForces
     section_forces(const SectionOperator &section_operator,
                    const FieldParts      &q) const;
@@ -280,15 +287,14 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const;
 
-    /// Returns sample_at() at all @p points of the section at each of
-    /// @p places.
+    /// Returns sample_at() at all section @p points at each of @p places.
     virtual std::vector<FieldSample>
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
                const Vector                    &u) const;
 
-    /// Returns the elastic law of section cell @p cell at its point @p at, with
-    /// the thermal strain at the scene point @p x.
+    /// Returns the elastic law of section cell number @p cell at its point @p
+    /// at, with the thermal strain at the position @p x (scene axes).
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<2> &at,
@@ -299,7 +305,7 @@ namespace lamella
     std::vector<SectionForces>
     thermal_forces(const std::vector<std::vector<double>> &stations) const;
 
-    /// Calls @p use for integration points of the section with minus the
+    /// Calls @p use for all integration points of the section with minus the
     /// thermal strain per kelvin, and its stress times the integration weight.
     void
     for_each_thermal_point(
@@ -307,6 +313,7 @@ namespace lamella
                                const Voigt        &strain,
                                const Voigt        &stress)> &use) const;
 
+    /// Returns the temperature change at section point @p point and at @p y.
     double
     temperature_at(const SectionPoint &point, const double y) const
     {
@@ -323,32 +330,30 @@ namespace lamella
     double
     position_tolerance() const;
 
-    /// Applies Kirchhoff's constraint on every B4 element: section rotation a =
-    /// -h w'. The cubic deflection w is then determined by w and a at the ends
-    /// of the element (Hermite):
-    ///   w = H_0 w_0 + H_2 w_1 - L/h (H_1 a_0 + H_3 a_1),   a = -h w',
-    /// where u_y = a (z - z_c) / h, L is the length of the element, h the
-    /// reference length of the section, and with t = (y - y_0) / L
-    ///   H_0 = 1 - H_2,        H_2 = t^2 (3 - 2 t),
+    /// Applies Kirchhoff's constraint to the inner nodes of every B4 element,
+    /// in both planes of bending: section rotation a = -h w', with u_y = a (z -
+    /// z_c) / h and the section's reference length h. The cubic deflection w
+    /// follows from w and a at the ends 0 and 1 of an element of length L
+    /// (Hermite):
+    ///   w = H_0 w_0 + H_2 w_1 - L/h (H_1 a_0 + H_3 a_1),
+    ///   H_0 = 1 - H_2,        H_2 = t^2 (3 - 2 t),     t = (y - y_0) / L,
     ///   H_1 = t (1 - t)^2,    H_3 = -t^2 (1 - t).
-    /// w and a at the two inner nodes are constrained to those at the ends, in
-    /// both planes of bending; w is C1-continuous across elements.
     void
     constrain_to_kirchhoff();
 
-    /// Amplitudes u_tau(y) of Eq. 1 and their derivatives at positions y of one
-    /// axis element: entry alpha * y.size() + j is function alpha at y[j].
+    /// Amplitudes of section functions and their derivatives at positions y of
+    /// one axis element: entry alpha * y.size() + j is function alpha at y[j].
     struct AxisStates
     {
       std::vector<double> y, value, shear_value, derivative;
     };
 
-    /// Returns the nodal values of @p u at the first node of the axis element
-    /// @p cell, and at other nodes the differences to the first node.
+    /// Returns the nodal values of @p u at the first node of axis element @p
+    /// cell, and for its other nodes the differences to the first node.
     std::vector<std::vector<double>>
     coefficients_of_element(const unsigned int cell, const Vector &u) const;
 
-    /// for_each_output_cell() for beams with finite rotations.
+    /// Implements for_each_output_cell() for beams with finite rotations.
     void
     for_each_rotated_cell(const GridIntervals      &n,
                           const Vector             &u,
@@ -360,15 +365,14 @@ namespace lamella
                 const std::vector<double> &etas,
                 const Vector              &u) const;
 
-    /// Displacement and strain, with StrainCompletion, at a point in body axes.
+    /// Displacement and strain (see StrainCompletion) at a point, in body axes.
     struct PointState
     {
       dealii::Tensor<1, 3> displacement;
       Voigt                strain;
     };
 
-    /// Returns displacement and strain at @p point at the axis point
-    /// @p on_axis.
+    /// Returns displacement and strain at @p point, at axis point @p on_axis.
     PointState
     point_state(const SectionPoint &point,
                 const AxisPoint    &on_axis,
@@ -392,7 +396,7 @@ namespace lamella
     /// A section point with the output data that do not depend on y.
     struct GridPoint;
 
-    /// Returns a regular grid of points on @p section_cell, xi running fastest.
+    /// Returns a regular grid of points on @p section_cell; xi varies fastest.
     std::vector<GridPoint>
     grid_points(const unsigned int section_cell,
                 const unsigned int n_xi,
@@ -416,16 +420,16 @@ namespace lamella
     OutputCell
     empty_output_cell(const unsigned int section_cell) const;
 
-    /// Returns an output cell for each section cell, with (n + 1)^2 samples at
-    /// the position @p eta of the axis element @p axis_cell.
+    /// Returns an output element for each section cell, with (n + 1)^2 samples,
+    /// at @p eta in [0, 1] of the axis element @p axis_cell.
     std::vector<OutputCell>
     cut_axis_cell(const unsigned int axis_cell,
                   const double       eta,
                   const unsigned int n,
                   const Vector      &u) const;
 
-    /// Adds @p share times the functionals of @p quantity at @p place to @p
-    /// rows, one per component.
+    /// Adds @p share times the functional of each component of @p quantity at
+    /// @p place to @p rows.
     void
     add_to_rows(const Location::Place         &place,
                 const Quantity                 quantity,
@@ -433,8 +437,7 @@ namespace lamella
                 const double                   share,
                 std::vector<LinearFunctional> &rows) const;
 
-    /// Returns the location at @p eta in [0, 1] and @p unit in the section
-    /// cell.
+    /// Returns the location at @p eta in [0, 1] and @p unit in a section cell.
     Location
     location(const dealii::Point<3> &position,
              const unsigned int      axis_cell,
@@ -442,8 +445,8 @@ namespace lamella
              const unsigned int      section_cell,
              const dealii::Point<2> &unit) const;
 
-    /// Returns the surface point at the edge point @p edge of the section and
-    /// at @p eta in @p axis_cell; its area is edge weight times @p weight.
+    /// Returns the surface point at @p edge of the section and @p eta in @p
+    /// axis_cell. Its area is the edge point's weight times @p weight.
     SurfacePoint
     lateral_point(const EdgePoint   &edge,
                   const double       weight,
@@ -454,7 +457,7 @@ namespace lamella
     SurfacePoint
     end_point(const EdgePoint &edge_point, const bool at_start) const;
 
-    /// Returns the LE degree of axis node @p node (with modes, the section's).
+    /// Returns the LE degree of axis node @p node; with modes, the section's.
     unsigned int
     degree_at(const unsigned int node) const;
 
@@ -464,7 +467,7 @@ namespace lamella
     select_constraint_points(std::vector<EdgePoint>           points,
                              const std::vector<unsigned int> &list) const;
 
-    /// Sets corners and degrees of @p facet from its cell and its axes.
+    /// Sets corners and degrees of @p facet from its section cell and its axes.
     void
     complete(SurfaceFacet &facet) const;
 
@@ -472,7 +475,7 @@ namespace lamella
     std::shared_ptr<const Section>      beam_section;
     std::shared_ptr<const Axis>         beam_axis;
     BeamDofMap                          dof_map;
-    /// Result of theory(); if empty, the theory of the section.
+    /// Text of theory(); if empty, theory() is that of the section.
     std::string label;
     /// Kirchhoff's constraints; empty except for EBBT.
     Constraints kirchhoff;

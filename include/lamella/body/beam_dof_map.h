@@ -10,20 +10,20 @@
 namespace lamella
 {
   /// Numbering of the DoFs of a beam. A DoF is the amplitude of a section
-  /// function alpha at an axis node i. Each node has its own list of section
-  /// functions (node-dependent kinematics) and contiguous DoFs,
+  /// function at an axis node. Each node has its own list of section functions
+  /// (node-dependent kinematics) and contiguous DoFs,
   ///   DoF of (i, alpha) = first(i) + place(i, alpha),
-  ///   first(i) = sum over j < i of the length of fields(j),
-  /// with place(i, alpha) the index of alpha in the list fields(i) of node i.
+  /// for node i and section function alpha, which is entry place(i, alpha) of
+  /// the ascending list fields(i) of the section functions of node i.
   class BeamDofMap
   {
   public:
-    /// Constructs the map from the section functions of each axis node,
-    /// ascending and below @p n_fields. Amplitudes of other functions are zero.
+    /// Constructs the map from the list of section functions of each axis node,
+    /// ascending and below @p n_fields.
     BeamDofMap(const std::vector<std::vector<unsigned int>> &fields_of_node,
                const unsigned int                            n_fields);
 
-    /// Returns the sum of the lengths of all lists.
+    /// Returns the number of DoFs: section functions, summed over all nodes.
     DofIndex
     n_dofs() const
     {
@@ -37,42 +37,41 @@ namespace lamella
       return kinds.size();
     }
 
-    /// Returns the section functions of @p node, ascending.
+    /// Returns the indices of the section functions of @p node, ascending.
     const std::vector<unsigned int> &
     fields(const unsigned int node) const
     {
       return lists[kinds[node]];
     }
 
-    /// Returns the first DoF of @p node; DoFs are in the order of fields().
+    /// Returns the first DoF of @p node. Its DoFs are in the order of fields().
     DofIndex
     first(const unsigned int node) const
     {
       return offsets[node];
     }
 
-    /// Returns the index of @p alpha in fields(node), or -1 if it is missing.
+    /// Returns the index of section function @p alpha in the list fields() of
+    /// @p node, or -1 if the node does not have this function.
     int
     place(const unsigned int node, const unsigned int alpha) const
     {
       return places[kinds[node]][alpha];
     }
 
-    /// Returns the node of @p dof, by bisection.
+    /// Returns the axis node of @p dof, by bisection.
     unsigned int
     node_of(const DofIndex dof) const;
 
-    /// Returns the section function alpha of @p dof, by bisection.
+    /// Returns the index of the section function of @p dof, by bisection.
     unsigned int
     field_of(const DofIndex dof) const;
 
   private:
-    /// Distinct lists of section functions, and place() for each list.
-    std::vector<std::vector<unsigned int>> lists;
-    std::vector<std::vector<int>>          places;
-    /// Index of each node's list in `lists`; first(node), followed by n_dofs().
-    std::vector<unsigned int> kinds;
-    std::vector<DofIndex>     offsets;
+    std::vector<std::vector<unsigned int>> lists; ///< Distinct lists of fields.
+    std::vector<std::vector<int>> places;  ///< place() for each of `lists`.
+    std::vector<unsigned int>     kinds;   ///< Index in `lists` for each node.
+    std::vector<DofIndex>         offsets; ///< first() of nodes, then n_dofs().
   };
 } // namespace lamella
 
