@@ -386,12 +386,10 @@ namespace lamella
     for (unsigned int c = 0; c < n_cells; ++c)
       {
         cells.push_back(empty_output_cell(c));
-        for (unsigned int k = 0; k < in_cell; ++k)
-          {
-            const unsigned int line = k / in_line;
-            points.push_back(beam_section->evaluate(
-              c, {double(k % in_line) / n[0], double(line) / n[2]}));
-          }
+        for (unsigned int k = 0; k <= n[2]; ++k)
+          for (unsigned int i = 0; i < in_line; ++i)
+            points.push_back(
+              beam_section->evaluate(c, {double(i) / n[0], double(k) / n[2]}));
       }
     const auto [begin, end] = beam_axis->own_cells();
     for (unsigned int axis_cell = begin; axis_cell < end; ++axis_cell)

@@ -59,6 +59,8 @@ namespace lamella
                           Theory::layer_wise(2));
     }
 
+    // Without modes, every node carries all section functions: the six rigid
+    // motions first, then warpings.
     std::vector<std::vector<unsigned int>>
     all_fields_at_each_node(const Section &section, const Axis &axis)
     {

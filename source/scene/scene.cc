@@ -384,9 +384,9 @@ namespace lamella
 
 
   void
-  check_entries(const SceneText &given)
+  check_entries(const SceneText &text)
   {
-    SceneText whole = given;
+    SceneText whole = text;
     expand_stacks(whole);
     const auto [text, names] = listed(whole);
     ParameterHandler prm;

@@ -68,7 +68,7 @@ namespace lamella
       throw InputError("scene.utf-16: the scene file is text in the encoding "
                        "UTF-16. Save it as UTF-8 (or ASCII).")
         .at(file + ": ");
-    const std::string result = begins("\xef\xbb\xbf") ? text.substr(3) : text;
+    std::string result = begins("\xef\xbb\xbf") ? text.substr(3) : text;
     for (std::size_t i = 0; i < result.size();)
       {
         const std::size_t n = length_of_character(result, i);

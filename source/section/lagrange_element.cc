@@ -12,10 +12,11 @@ namespace lamella
 {
   using namespace dealii;
 
-  LagrangeElement::LagrangeElement(std::shared_ptr<const SectionMesh> mesh_,
-                                   const unsigned int                 degree,
-                                   const double column_aspect,
-                                   const Basis  basis)
+  LagrangeElement::LagrangeElement(
+    const std::shared_ptr<const SectionMesh> &mesh_,
+    const unsigned int                        degree,
+    const double                              column_aspect,
+    const Basis                               basis)
     : CrossSectionElement(mesh_)
     , geometry(mesh_, degree)
     , basis(basis)

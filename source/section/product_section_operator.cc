@@ -26,12 +26,12 @@ namespace lamella
 
   bool
   ProductSectionOperator::is_possible(const SectionSpace              &space,
-                                      const std::vector<unsigned int> &list,
+                                      const std::vector<unsigned int> &fields,
                                       const bool assumed_shear)
   {
     return space.section().spans_the_section() ?
              space.n_modes() == 0 :
-             !assumed_shear && space.is_dense(list);
+             !assumed_shear && space.is_dense(fields);
   }
 
 

@@ -56,9 +56,9 @@ namespace lamella
 
 
   SectionSpace::SectionSpace(std::shared_ptr<const Section> section,
-                             FieldColumns                   columns)
+                             const FieldColumns            &columns)
     : base(std::move(section))
-    , modes(std::move(columns))
+    , modes(columns)
     , of_fields(measured())
   {
     if (n_modes() == 0)

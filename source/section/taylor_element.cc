@@ -32,8 +32,8 @@ namespace lamella
 
 
 
-  TaylorElement::TaylorElement(std::shared_ptr<const SectionMesh> mesh_,
-                               const unsigned int                 degree)
+  TaylorElement::TaylorElement(const std::shared_ptr<const SectionMesh> &mesh_,
+                               const unsigned int                        degree)
     : CrossSectionElement(mesh_)
     , order(degree)
     , gauss_points(degree + 1 +

@@ -188,7 +188,7 @@ namespace lamella
       std::vector<Complex> ring;
       for (const Complex &p : flat)
         ring.push_back(bent(p.real(), p.imag()));
-      const Ring outer = add_ring(ring);
+      Ring outer = add_ring(ring);
       add_cells_between(inner, outer);
       return outer;
     }

@@ -454,8 +454,8 @@ namespace lamella
   {
     const ShapeKind kind = in["Shape"].choice<ShapeKind>();
     check_entries(kind, in);
-    const SectionShape result = read(kind, folder, {in, materials});
-    const double       cells  = estimated_cells(result);
+    SectionShape result = read(kind, folder, {in, materials});
+    const double cells  = estimated_cells(result);
     if (cells > max_section_cells)
       in.refuse("shape.too-many-cells: the section would have about " +
                   to_text(cells) + " cells, more than " +

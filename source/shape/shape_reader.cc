@@ -12,7 +12,7 @@ namespace lamella
   std::vector<double>
   ShapeReader::lengths(const std::string &entry) const
   {
-    const std::vector<double> values = in[entry].numbers();
+    std::vector<double> values = in[entry].numbers();
     if (values.empty())
       in[entry].refuse_missing("shape.length-missing: give a length > 0.");
     return values;
@@ -23,7 +23,7 @@ namespace lamella
   std::vector<unsigned int>
   ShapeReader::counts(const std::string &entry) const
   {
-    const std::vector<unsigned int> values =
+    std::vector<unsigned int> values =
       in[entry].whole_numbers(1, max_cells_in_line);
     if (values.empty())
       in[entry].refuse_missing("shape.number-missing: write a whole number.");

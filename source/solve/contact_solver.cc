@@ -45,15 +45,14 @@ namespace lamella
 
 
   // The strategy refers to the tangent operator, which this object shares.
-  ContactSolver::ContactSolver(
-    std::shared_ptr<const TangentOperator> linearization_,
-    const GapConstraints                  &rows,
-    const SolverParameters                &parameters,
-    const Strategy                         which)
+  ContactSolver::ContactSolver(std::shared_ptr<const TangentOperator> tangent,
+                               const GapConstraints                  &rows,
+                               const SolverParameters &parameters,
+                               const Strategy          which)
     : progress([](const std::string &) {})
     , describe(
         [](const unsigned int row) { return "row " + std::to_string(row); })
-    , tangent_operator(std::move(linearization_))
+    , tangent_operator(std::move(tangent))
     , structure(tangent_operator->of())
     , rows(rows)
     , parameters(parameters)

@@ -107,7 +107,7 @@ namespace lamella
   {
     TimerOutput::Scope    scope(timer, name_of(Phase::solve));
     const TangentOperator here(structure, state.u);
-    const Checks          checks = check_state(
+    Checks                checks = check_state(
       here, newton.moving().interfaces(), n_supports, state, factor);
     check_solution(state, checks, parameters.rotation_limit);
     check_followed(here, factor);

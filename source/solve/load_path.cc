@@ -158,23 +158,24 @@ namespace lamella
   SolvedStep
   LinearStep::operator()(const State &before,
                          const LoadFactor &,
-                         const LoadFactor &factor,
+                         const LoadFactor &to,
                          const bool        last)
   {
     SolvedStep solved;
-    solved.load_factor = factor;
+    solved.load_factor = to;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
-      solved.state = solver.solve_free(factor);
+      solved.state = solver.solve_free(to);
     }
     if (!rows.empty())
       {
         TimerOutput::Scope scope(timer, name_of(Phase::contact));
-        solved.state = solver.release_springs(
-          solver.solve_contact(solved.state, factor, before), factor);
-        end_step(rows, before, factor, solved.state);
+        solved.state =
+          solver.release_springs(solver.solve_contact(solved.state, to, before),
+                                 to);
+        end_step(rows, before, to, solved.state);
       }
-    solved.checks = check(solved.state, factor, last);
+    solved.checks = check(solved.state, to, last);
     return solved;
   }
 
@@ -335,7 +336,7 @@ namespace lamella
     again.watch(change_measure);
     while (again.done <= load_step)
       again.advance();
-    const StoredState end{factors[load_step].of_scene(), load_step, again.last};
+    StoredState end{factors[load_step].of_scene(), load_step, again.last};
     store(end.factor, load_step, end.state);
     return end;
   }

@@ -106,11 +106,11 @@ namespace lamella
     }
   };
 
-  /// Parses @p text and returns the scene. Checks names, repeated pairs of
+  /// Parses @p given and returns the scene. Checks names, repeated pairs of
   /// contact surfaces, and problem sizes against the memory. Generates no mesh
   /// and reads no mesh file. Throws InputError with file and line.
   Scene
-  read_scene(const SceneText &text);
+  read_scene(const SceneText &given);
 
   /// Throws InputError for unknown entries and subsections of @p text.
   void

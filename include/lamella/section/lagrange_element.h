@@ -57,8 +57,8 @@ namespace lamella
 
     /// Constructs LE-p, p = @p degree, on @p mesh. A nodal basis is in columns
     /// on rectangular grids with an aspect ratio of at least @p column_aspect.
-    LagrangeElement(std::shared_ptr<const SectionMesh> mesh,
-                    const unsigned int                 degree,
+    LagrangeElement(const std::shared_ptr<const SectionMesh> &mesh,
+                    const unsigned int                        degree,
                     const double column_aspect = default_column_aspect,
                     const Basis  basis         = Basis::nodal);
 

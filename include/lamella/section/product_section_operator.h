@@ -22,17 +22,17 @@ namespace lamella
   class ProductSectionOperator : public SectionOperator
   {
   public:
-    /// Computes the matrix for the functions number @p list of @p space, with
+    /// Computes the matrix for the functions number @p fields of @p space, with
     /// assumed shear strains if @p assumed_shear. Requires is_possible().
     ProductSectionOperator(const SectionSpace       &space,
-                           std::vector<unsigned int> list,
+                           std::vector<unsigned int> fields,
                            const bool                assumed_shear);
 
-    /// Returns true if dense matrices exist for the functions number @p list:
+    /// Returns true if dense matrices exist for the functions number @p fields:
     /// TE-N with N > 1, or rigid functions and modes without @p assumed_shear.
     static bool
     is_possible(const SectionSpace              &space,
-                const std::vector<unsigned int> &list,
+                const std::vector<unsigned int> &fields,
                 const bool                       assumed_shear);
 
     SectionForces

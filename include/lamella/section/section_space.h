@@ -35,7 +35,8 @@ namespace lamella
     explicit SectionSpace(std::shared_ptr<const Section> section);
 
     /// Constructs the space with @p columns as modes. Not for EBBT and TBT.
-    SectionSpace(std::shared_ptr<const Section> section, FieldColumns columns);
+    SectionSpace(std::shared_ptr<const Section> section,
+                 const FieldColumns            &columns);
 
     /// Returns the cross-section.
     const Section &

@@ -30,8 +30,8 @@ namespace lamella
   public:
     /// Constructs TE-N of @p degree N >= 1 on @p mesh. Polynomials that are
     /// linearly dependent on earlier ones up to a relative 1e-10 are dropped.
-    TaylorElement(std::shared_ptr<const SectionMesh> mesh,
-                  const unsigned int                 degree);
+    TaylorElement(const std::shared_ptr<const SectionMesh> &mesh,
+                  const unsigned int                        degree);
 
     unsigned int
     degree() const override

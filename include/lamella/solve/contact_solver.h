@@ -66,9 +66,9 @@ namespace lamella
     /// Function that returns a description of the gap constraint with an index.
     using Describe = std::function<std::string(const unsigned int)>;
 
-    /// Creates a solver for the stiffness @p tangent_operator with the strategy
+    /// Creates a solver for the stiffness @p tangent with the strategy
     /// @p which. The structure and @p rows must outlive this object.
-    ContactSolver(std::shared_ptr<const TangentOperator> tangent_operator,
+    ContactSolver(std::shared_ptr<const TangentOperator> tangent,
                   const GapConstraints                  &rows,
                   const SolverParameters &parameters = SolverParameters(),
                   const Strategy          which      = Strategy::condensed);

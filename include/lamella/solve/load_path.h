@@ -147,9 +147,9 @@ namespace lamella
     }
 
     /// Continues an interrupted run after its first @p n_done >= 1 load steps,
-    /// at whose end the state is @p last.
+    /// at whose end the state is @p state.
     void
-    resume(const unsigned int n_done, State last);
+    resume(const unsigned int n_done, State state);
 
     /// Returns the number of completed load steps.
     unsigned int

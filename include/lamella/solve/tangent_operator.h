@@ -42,15 +42,15 @@ namespace lamella
     /// Bodies with finite rotations use @p correction, the last one of Newton's
     /// method or empty, to predict the stress of their geometric stiffness. The
     /// solvers include follower loads at load factor @p factor and additional
-    /// @p springs of each body. Throws IllConditioned if a stiffness is not
-    /// positive definite, and InputError if a solver is not available.
+    /// springs @p more of each body. Throws IllConditioned if a stiffness is
+    /// not positive definite, and InputError if a solver is not available.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
                     const SolverKind   requested,
                     const BodyMonitor &monitor    = {},
                     const BlockVector &correction = BlockVector(),
                     const LoadFactor  &factor     = LoadFactor(),
-                    const std::vector<std::vector<SpringTerm>> &springs = {});
+                    const std::vector<std::vector<SpringTerm>> &more = {});
 
     /// Returns the structure whose tangent stiffness this is.
     const Structure &
