@@ -384,9 +384,9 @@ namespace lamella
 
 
   void
-  check_entries(const SceneText &text)
+  check_entries(const SceneText &given)
   {
-    SceneText whole = text;
+    SceneText whole = given;
     expand_stacks(whole);
     const auto [text, names] = listed(whole);
     ParameterHandler prm;

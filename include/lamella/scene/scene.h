@@ -112,9 +112,9 @@ namespace lamella
   Scene
   read_scene(const SceneText &given);
 
-  /// Throws InputError for unknown entries and subsections of @p text.
+  /// Throws InputError for unknown entries and subsections of @p given.
   void
-  check_entries(const SceneText &text);
+  check_entries(const SceneText &given);
 
   /// Returns a scene file with all possible entries, their documentation and
   /// default values (--print-parameters). Each kind of subsection occurs once,
