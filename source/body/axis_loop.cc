@@ -33,15 +33,6 @@ namespace lamella
 
 
 
-  std::pair<unsigned int, unsigned int>
-  AxisLoop::own_points() const
-  {
-    const auto [begin, end] = axis.own_cells();
-    return {n_stations() * begin, n_stations() * end};
-  }
-
-
-
   void
   AxisLoop::for_each_element(const ElementCallback &use) const
   {

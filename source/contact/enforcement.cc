@@ -29,12 +29,4 @@ namespace lamella
           return 0.;
       }
   }
-
-
-
-  double
-  contact_force(const double epsilon, const double g)
-  {
-    return epsilon * std::max(0., -g);
-  }
 } // namespace lamella

@@ -292,10 +292,6 @@ BOOST_AUTO_TEST_CASE(penalty_of_a_row)
   BOOST_TEST(row_penalty({PenaltyKind::per_node, 7.}, first, second) == 7.);
   // 7 per area times the first's 0.5.
   BOOST_TEST(row_penalty({PenaltyKind::per_area, 7.}, first, second) == 3.5);
-
-  BOOST_TEST(contact_force(100., -0.02) == 2.);
-  BOOST_TEST(contact_force(100., 0.02) == 0.);
-  BOOST_TEST(contact_force(100., 0.) == 0.);
 }
 
 

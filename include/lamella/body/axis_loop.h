@@ -43,10 +43,6 @@ namespace lamella
       return axis.integration_points().size() / axis.n_cells();
     }
 
-    /// Returns this process's first integration point, and one past the last.
-    std::pair<unsigned int, unsigned int>
-    own_points() const;
-
     /// Function of the index of an axis element and its section operator.
     using ElementCallback =
       std::function<void(const unsigned int, const SectionOperator &)>;

@@ -76,11 +76,6 @@ namespace lamella
   row_penalty(const Penalty        &penalty,
               const LocalStiffness &first,
               const LocalStiffness &second);
-
-  /// Returns the contact force epsilon max(0, -g) for the gap @p g [length] and
-  /// the penalty parameter @p epsilon [force / length].
-  double
-  contact_force(const double epsilon, const double g);
 } // namespace lamella
 
 #endif
