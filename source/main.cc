@@ -19,9 +19,7 @@
 #include <lamella/trade/trade.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <iostream>
-#include <memory>
 #include <thread>
 
 namespace

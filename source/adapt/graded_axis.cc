@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 
 // Graded meshes of axes by equidistribution of the density 1 / s(y) of elements

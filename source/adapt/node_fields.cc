@@ -13,9 +13,7 @@
 #include <lamella/recover/box_points.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace lamella

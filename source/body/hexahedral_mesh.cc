@@ -18,8 +18,6 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <numeric>
-
 namespace lamella
 {
   using namespace dealii;

@@ -5,7 +5,6 @@
 #include <lamella/conditions/moment_rule.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lamella
 {

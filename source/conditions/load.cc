@@ -11,11 +11,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
-#include <optional>
 
 namespace lamella
 {

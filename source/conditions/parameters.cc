@@ -416,8 +416,9 @@ namespace lamella
           if (heats && !is_body)
             on.refuse("conditions.temperature-of-part: Temperature acts on "
                       "whole bodies",
-                      "Write On = BODY: body, and for a temperature that "
-                      "varies an expression, as in 50*z.");
+                      "Write On = NAME: body, with the name of the body. A "
+                      "temperature that varies is an expression, for example "
+                      "50*z.");
           if (!heats && is_body)
             on.refuse("conditions.load-on-body: a load other than a "
                       "Temperature acts on a point, a line or a surface",

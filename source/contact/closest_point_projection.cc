@@ -3,7 +3,6 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/contact/closest_point_projection.h>
 
-#include <algorithm>
 #include <cmath>
 
 // Closest-point projection by Newton's method on X_,a . (x - X) = 0 with the

@@ -6,7 +6,6 @@
 #include <lamella/contact/pass_through.h>
 
 #include <algorithm>
-#include <cmath>
 
 // Contact in the current configuration (Wriggers, Computational Contact
 // Mechanics, Springer 2006, Ch. 4 to 9; mortar integrals as in Puso and

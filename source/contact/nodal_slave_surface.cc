@@ -4,7 +4,6 @@
 #include <lamella/contact/slave_surface.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace lamella

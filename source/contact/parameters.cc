@@ -254,7 +254,9 @@ namespace lamella
     {
       const std::string rule =
         "contact.obstacle-without-nodes: the obstacle '" +
-        contact.obstacle->name + "' is rigid and has no nodes";
+        contact.obstacle->name +
+        "' is rigid and has no nodes, which this kind of contact needs on "
+        "both sides";
       if (contact.discretization == Discretization::node_to_node)
         in["Discretization"].refuse(
           rule, "Use auto, surface to surface, or node to surface.");

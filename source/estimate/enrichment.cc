@@ -5,7 +5,6 @@
 #include <lamella/scene/histories.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace lamella

@@ -4,7 +4,6 @@
 #include <lamella/body/beam_transfer.h>
 #include <lamella/estimate/local_errors.h>
 
-#include <algorithm>
 #include <numeric>
 
 namespace lamella

@@ -5,7 +5,6 @@
 #include <lamella/estimate/run_goals.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lamella
 {

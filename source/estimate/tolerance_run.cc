@@ -17,7 +17,6 @@
 #include <lamella/run/run_scene.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <ostream>
 

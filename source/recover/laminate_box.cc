@@ -45,7 +45,8 @@ namespace lamella
         throw InputError(
           path,
           name_of(StressValues::equilibrium),
-          "recover.equilibrium-with-heat: equilibrium omits heat, but body '" +
+          "recover.equilibrium-with-heat: stresses by equilibrium do not "
+          "include thermal expansion, but body '" +
             body.name() + "' has a Temperature",
           "Write Stress = recovered, nodal or element.");
     }

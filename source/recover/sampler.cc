@@ -7,7 +7,6 @@
 #include <lamella/recover/sampler.h>
 
 #include <algorithm>
-#include <array>
 
 namespace lamella
 {

@@ -6,8 +6,6 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 

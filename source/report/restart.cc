@@ -161,7 +161,6 @@ namespace boost
 } // namespace boost
 
 
-
 namespace lamella
 {
   namespace

@@ -304,7 +304,7 @@ namespace lamella
       if (checks.is_large)
         {
           json["max_strain"]           = checks.max_strain;
-          json["max_rms_strain"]      = checks.max_rms_strain;
+          json["max_rms_strain"]       = checks.max_rms_strain;
           json["max_element_rotation"] = checks.max_element_rotation;
           json["shape_change"]         = checks.shape_change;
           return;

@@ -5,7 +5,6 @@
 #include <lamella/base/text.h>
 #include <lamella/run/new_scene.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <utility>

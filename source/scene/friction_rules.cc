@@ -3,8 +3,6 @@
 #include <lamella/scene/friction_rules.h>
 #include <lamella/scene/histories.h>
 
-#include <algorithm>
-
 namespace lamella
 {
   namespace

@@ -3,7 +3,6 @@
 #include <lamella/base/entry.h>
 #include <lamella/scene/stacks.h>
 
-#include <algorithm>
 #include <map>
 
 namespace lamella

@@ -95,7 +95,8 @@ namespace lamella
           body.theory.name() + " is " + to_text(*found / *truth, 2) +
           " times as stiff as LE-2 for this section (G J = " +
           to_text(*found, 3) + " instead of " + to_text(*truth, 3) +
-          "), also for the bending of its walls. Use LE-N if the body twists");
+          "). Bending of the section's walls is too stiff as well. Use LE-N if "
+          "the body twists or its walls bend");
     }
 
     /// Returns the relative increase of the axial stiffness without lateral

@@ -5,7 +5,6 @@
 #include <lamella/section/theory.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace lamella

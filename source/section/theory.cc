@@ -271,8 +271,8 @@ namespace lamella
                      "Write Section order = auto, or " +
                        std::to_string(highest) + " or more.");
       if (only_LE && space > highest)
-        order.refuse("section.section-order-unused: Theories has no SV-N",
-                     "Section order is for SV-N: write auto.");
+        order.refuse("section.section-order-unused: only SV-N has it",
+                     "Theories has no SV-N: write Section order = auto.");
       for (Theory &theory : theories)
         {
           theory.section_order = space;

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <regex>
 #include <sstream>
 
@@ -137,8 +136,9 @@ namespace lamella
           "(in Gmsh, Mesh.ElementOrder = 1).");
       if (cells == 0)
         entry.refuse("shape.no-quadrilaterals: the mesh has no quadrilaterals",
-                     "Make the mesh with 'gmsh -2', and define physical "
-                     "surfaces that contain all surfaces.");
+                     "Mesh the surfaces with 'gmsh -2' into quadrilaterals "
+                     "('Recombine Surface' in the .geo file), and assign each "
+                     "surface to a physical surface.");
     }
 
 

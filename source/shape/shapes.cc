@@ -9,7 +9,6 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <cmath>
-#include <utility>
 
 namespace lamella
 {

@@ -5,8 +5,6 @@
 
 #include <deal.II/grid/manifold_lib.h>
 
-#include <cmath>
-
 namespace lamella
 {
   using namespace dealii;

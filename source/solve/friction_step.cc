@@ -2,7 +2,6 @@
 
 #include <lamella/solve/friction_step.h>
 
-#include <algorithm>
 #include <set>
 
 // Coulomb friction in one load step: backward Euler for the slip (implicit

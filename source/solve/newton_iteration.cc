@@ -19,9 +19,7 @@
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_gmres.h>
 
-#include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace lamella
 {

@@ -162,7 +162,8 @@ namespace lamella
                            entry.name,
                            "trade.variant-unreadable: the scene with the "
                            "changes of this variant is not valid",
-                           error.what());
+                           "Correct this variant: " +
+                             std::string(error.what()));
         }
   }
 

@@ -31,7 +31,8 @@ namespace lamella
     unsigned int first_degree = 3;
     /// Largest degree of LE. Beyond, refinement divides the section cells.
     unsigned int highest_degree = 8;
-    /// Largest degree of LE if cell layers can be added at singular corners.
+    /// Largest degree of LE (Lagrange expansion) if the section mesh can also
+    /// be refined by layers of cells at singular corners.
     unsigned int corner_degree = 8;
     /// Largest number of cell layers at singular corners (`Corner layers`).
     unsigned int max_corner_layers = 6;

@@ -16,7 +16,6 @@
 
 #include <deal.II/fe/fe_q.h>
 
-#include <string>
 #include <vector>
 
 namespace lamella

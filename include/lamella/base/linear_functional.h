@@ -59,10 +59,9 @@ namespace lamella
     void
     add_to(Vector &f, const double factor) const;
 
-    /// Returns the functional of the unconstrained DoFs v,
-    ///   r(G v + u_p) = (r G) v + const., w_red = G^T w,
-    /// for closed @p constraints u = G v + u_p. The result has the weights
-    /// w_red, sorted, and the constant c of r, without the weights times u_p.
+    /// Returns this functional r(u) = w . u + c restricted to the unconstrained
+    /// DoFs v of closed @p constraints u = G v + u_p: weights G^T w, sorted by
+    /// DoF, and the constant c. The contribution w . u_p is not added.
     LinearFunctional
     reduced(const Constraints &constraints) const;
 

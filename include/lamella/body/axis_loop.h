@@ -10,7 +10,6 @@
 #include <deal.II/base/array_view.h>
 
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace lamella

@@ -11,7 +11,6 @@
 #include <lamella/section/theory.h>
 #include <lamella/shape/section_mesh.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 

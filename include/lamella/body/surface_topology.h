@@ -8,7 +8,6 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace lamella
@@ -65,7 +64,8 @@ namespace lamella
                 const std::array<std::uint64_t, 2> &ends);
 
   private:
-    /// Node numbers of the surface by node numbers of the body.
+    /// Maps from node numbers of the body to node numbers of the surface, for
+    /// the nodes of the geometry (grid) and of the displacements (trace).
     std::map<std::uint64_t, unsigned int>     grid_numbers, trace_numbers;
     std::multimap<unsigned int, unsigned int> facets_of_cell;
   };

@@ -53,7 +53,7 @@ namespace lamella
   {
     /// Location of each force.
     std::vector<Location> locations;
-    /// Forces in scene components [force].
+    /// Force vectors at the locations, components along the scene axes.
     std::vector<dealii::Tensor<1, 3>> forces;
 
     dealii::Tensor<1, 3> force, ///< Resultant force [force].

@@ -101,7 +101,9 @@ namespace lamella
     dealii::Tensor<1, 3> direction;
     /// Undeformed point at which the reaction acts, scene axes.
     dealii::Point<3> position;
-    /// Moment of a unit reaction about `position`; zero unless isostatic.
+    /// Moment about `position` of the reaction for a unit value of this
+    /// support. Nonzero only for isostatic supports, whose reactions are
+    /// distributed.
     dealii::Tensor<1, 3> couple = {};
     /// Copy of Support::history, the index of the history of load factors.
     unsigned int history = 0;

@@ -101,7 +101,8 @@ namespace lamella
                const MeshSurface &now);
 
   private:
-    /// A facet crossed by a line along t at constant s.
+    /// The part of a contact line (facet coordinate s constant, t varying) that
+    /// lies in one facet of the surface.
     struct Piece
     {
       unsigned int facet;

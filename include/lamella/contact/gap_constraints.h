@@ -161,7 +161,8 @@ namespace lamella
     unsigned int nonmatching_nodes = 0;
     /// Number of unpaired nodes of `node to node` that face the first surface.
     unsigned int nonmatching_nodes_second = 0;
-    /// Gap constraints, one per node pair or facing slave node.
+    /// Gap constraints: one per node pair, or one per slave node with a
+    /// projection onto the other surface.
     std::vector<GapConstraint> rows;
     std::vector<Point>         points; ///< Contact point of each constraint.
     ConstraintGeometry first, ///< Points and weights on the first surface.

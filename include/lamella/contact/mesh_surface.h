@@ -12,7 +12,6 @@
 #include <deal.II/base/polynomial.h>
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

@@ -9,7 +9,6 @@
 #include <lamella/contact/slave_surface.h>
 
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace lamella

@@ -9,7 +9,6 @@
 #include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
 
-#include <optional>
 #include <vector>
 
 namespace lamella

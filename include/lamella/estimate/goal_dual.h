@@ -82,8 +82,9 @@ namespace lamella
     /// Returns the derivative of a displacement, strain or stress at a probe.
     std::optional<Pair>
     at_probe(const NamedQuantity &goal) const;
-    /// Returns the derivative of a component of a support force, w . (f_int - t
-    /// f - B^T lambda), with the displacement w that is 1 at the support.
+    /// Returns the derivatives by displacements and contact forces lambda of a
+    /// component of a support force, w . (f_int - t f - B^T lambda) at load
+    /// factor t, with a virtual displacement w that is 1 at the support.
     std::optional<Pair>
     of_support(const NamedQuantity &goal) const;
     std::optional<Pair>

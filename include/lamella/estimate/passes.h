@@ -90,7 +90,7 @@ namespace lamella
   class Passes
   {
   public:
-    /// Creates a run without passes.
+    /// Creates an empty record of refinement passes, to be judged by @p rules.
     explicit Passes(const PassRules &rules = {});
 
     /// Adds @p pass and its refinement @p refined, empty for the first pass.

@@ -52,8 +52,10 @@ namespace lamella
     double
     scale_of(const NamedQuantity &quantity) const;
 
-    /// Returns the rounding error of @p quantity: the last relative correction
-    /// of displacements times the largest value of its kind.
+    /// Returns an estimate of the rounding error of @p quantity: the last
+    /// relative correction of the displacements times the largest absolute
+    /// value of all quantities of the same type (displacement, strain, stress,
+    /// force).
     double
     rounding_of(const NamedQuantity &quantity) const;
 
@@ -63,7 +65,8 @@ namespace lamella
     GoalResult
     with_error_bar(const unsigned int number, const ErrorBar &bar) const;
 
-    /// Returns goal @p number without error bar; if singular, with reason.
+    /// Returns the result of goal @p number without an error bar. If the goal
+    /// is at a singularity, the result states this as the reason.
     GoalResult
     without_error_bar(const unsigned int number) const;
 

@@ -16,9 +16,10 @@
 namespace lamella
 {
   /// A dense block of stiffness contributions for all pairs of rows and
-  /// columns. For a beam, a block is a row of the Kronecker products of axis
-  /// and section matrices, sums of fundamental nuclei (Eq. 12 of Nagaraj et al.
-  /// 2020); for other bodies, an element stiffness.
+  /// columns. For a beam, a block is the stiffness of one axis node with all
+  /// its neighbors: a block row of the sum of Kronecker products of axis and
+  /// section matrices (the assembled fundamental nuclei, Eq. 12 of Nagaraj et
+  /// al. 2020). For other bodies, a block is an element stiffness.
   struct StiffnessBlock
   {
     /// DoFs of the matrix rows, including constrained DoFs.

@@ -14,7 +14,6 @@
 #include <deal.II/lac/vector.h>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 

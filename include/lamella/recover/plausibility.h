@@ -7,7 +7,6 @@
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/solve/checks.h>
 
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>

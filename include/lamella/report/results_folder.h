@@ -55,8 +55,8 @@ namespace lamella
     still_exists() const;
 
     std::string folder;
-    /// True if created by this object; true after make_room() or keep().
-    bool is_new = false, is_cleared = false;
+    bool        is_new     = false; ///< True if this object created the folder.
+    bool        is_cleared = false; ///< True after make_room() or keep().
     /// Descriptor of the locked folder; -1 except on the root process.
     int descriptor = -1;
   };

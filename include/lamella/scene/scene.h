@@ -27,7 +27,6 @@
 #include <string>
 #include <vector>
 
-
 namespace lamella
 {
   /// Reference values of resultant forces, by the name of support or contact.

@@ -8,7 +8,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>

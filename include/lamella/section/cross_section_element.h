@@ -193,8 +193,8 @@ namespace lamella
     bounding_box() const;
 
   protected:
-    /// Evaluates the three linear functions and their gradients at @p position;
-    /// the result has the @p jacobian.
+    /// Evaluates the functions 1, x and z and their gradients at @p position;
+    /// @p jacobian is copied to the result.
     FunctionValues
     linear_functions(const dealii::Point<2>     &position,
                      const dealii::Tensor<2, 2> &jacobian) const;

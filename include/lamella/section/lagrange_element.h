@@ -251,7 +251,8 @@ namespace lamella
     std::vector<EdgePoint>
     grid_points_of(const SectionGeometry &grid) const;
 
-    /// Sorts the functions of each cell and sets Cell::numbers.
+    /// Sorts the functions of each cell by their index in the section and
+    /// stores these indices in Cell::numbers.
     void
     collect_numbers();
 

@@ -12,13 +12,15 @@ namespace lamella
   /// A section operator that multiplies amplitudes q of section functions and
   /// derivatives q' by a dense matrix,
   ///   [W_0; W_1] = [S_00, S_01; S_10, S_11] [q; q'],
+  /// where W_0 and W_1 are work-conjugate to q and q'. The matrix is computed
   /// from Section::moments() for TE-N, N > 1, and from SectionSpace::dense_S()
   /// for rigid functions and modes. With assumed shear strains, TE-N has a
   /// third block row and column for transverse shear.
   ///
   /// To avoid cancellation in slender beams, the shear strain q_w' + q_a / h of
   /// deflection w and slope a, with the reference length h, is added before the
-  /// product. The force on q_a is that on this sum divided by h.
+  /// product. If Q is conjugate to this sum, the forces on q_w' and q_a
+  /// increase by Q and Q / h.
   class ProductSectionOperator : public SectionOperator
   {
   public:

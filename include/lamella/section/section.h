@@ -257,8 +257,9 @@ namespace lamella
       return matrices[2 * p + q];
     }
 
-    /// Returns the contribution of transverse shear strains to S_00, which axis
-    /// elements with assumed shear strains (MITC) need. Zero for EBBT.
+    /// Returns the contribution of transverse shear strains to S_00, the
+    /// section stiffness without axial derivatives. Axis elements with assumed
+    /// shear strains (MITC) need it separately. Zero for EBBT.
     const Matrix &
     S_shear() const
     {

@@ -14,7 +14,8 @@
 
 namespace lamella
 {
-  /// Kinds of coefficients of a section function at a point of the axis.
+  /// Indices of the quantities that multiply a section function at a point of
+  /// the axis: its amplitude and derivatives of it.
   namespace FieldPart
   {
     constexpr unsigned int value = 0, ///< Amplitude q.

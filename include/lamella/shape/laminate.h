@@ -7,7 +7,6 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>

@@ -11,9 +11,9 @@
 namespace lamella
 {
   /// Regularization of an indefinite tangent stiffness K by springs in the
-  /// active constraints, for bodies that only contact with obstacles keeps from
-  /// buckling (a column behind a stop). S = K + rho B^T B is definite, with the
-  /// active constraint rows B and a spring of stiffness rho in each.
+  /// active constraints. Bodies need it that would buckle without their contact
+  /// with obstacles (a column behind a stop). S = K + rho B^T B is definite,
+  /// with the active constraint rows B and a spring of stiffness rho in each.
   ///
   /// With the gaps g, penalty eps, contact forces lambda and shifted forces
   /// lambda' = lambda + rho g, the increment x from a state (index 0) with

@@ -8,7 +8,6 @@
 #include <lamella/solve/structure.h>
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace lamella

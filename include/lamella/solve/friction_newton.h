@@ -6,7 +6,6 @@
 #include <lamella/solve/coulomb.h>
 #include <lamella/solve/penalty_matrix.h>
 
-#include <utility>
 #include <vector>
 
 namespace lamella

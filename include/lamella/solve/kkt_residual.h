@@ -47,7 +47,7 @@ namespace lamella
     /// active constraint [length]. It is large if the mesh is too coarse for
     /// the curvature of the surfaces.
     double unresolved_curvature = 0.;
-    /// Resultant shear force on the second side, scene axes.
+    /// Resultant shear force on the second body of the contact, scene axes.
     dealii::Tensor<1, 3> shear;
     double               sticking = 0.; ///< Area of sticking points [length^2].
     double               slipping = 0.; ///< Area of slipping points [length^2].

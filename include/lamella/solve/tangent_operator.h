@@ -126,7 +126,8 @@ namespace lamella
     condition_estimate() const;
 
   private:
-    /// Creates the support equations of bodies with finite rotations.
+    /// Linearizes the support equations of bodies with finite rotations about
+    /// the displacements of this tangent.
     void
     move_supports();
 
@@ -149,8 +150,8 @@ namespace lamella
     const BlockVector                          state;
     const LoadFactor                           factor;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
-    /// Support equations at the state for finite rotations, their values and
-    /// the resulting elimination of DoFs; empty for small rotations.
+    /// Support equations linearized about the displacements, their values, and
+    /// the elimination of DoFs by them. Empty for small rotations.
     std::vector<PrescribedFunctional>          moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;

@@ -31,7 +31,8 @@ namespace lamella
     std::string theory; ///< Theory of the variant (TradeVariant::theory).
     /// Reason of the failure; empty if the variant succeeded.
     std::string failure;
-    /// Wall time of the process [s], without error bars that it does not need.
+    /// Wall time of the process [s], without that of error bars which only the
+    /// study needs.
     double seconds = 0.;
     /// Wall time [s] of each Phase by name, and `total`. For a solution to a
     /// tolerance, those of the last refinement pass.

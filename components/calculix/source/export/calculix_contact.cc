@@ -142,8 +142,8 @@ namespace lamella
         throw InputError(
           path + "/Overclosure",
           name_of(pair.overclosure),
-          "export.overclosure-adjust: adjust (gaps without the overlap) has no "
-          "counterpart in CalculiX",
+          "export.overclosure-adjust: adjust subtracts the initial overlap "
+          "from the gaps without moving nodes, which CalculiX cannot do",
           "Move the bodies apart, or write Overclosure = resolve.");
       if (pair.discretization == Discretization::edge_to_surface)
         throw InputError(
