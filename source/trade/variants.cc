@@ -99,8 +99,8 @@ namespace lamella
             file.what + "/File",
             file.path,
             "trade.mesh-not-coarser: a section mesh from a file can be refined "
-            "but not coarsened, so section FACTOR is too small",
-            "Write Section NAME/File = coarse.msh in the variant.");
+            "but not coarsened, so the factor of 'section' must be at least 1",
+            "Name a coarser mesh in the variant: Section NAME/File = coarse.msh.");
         return {{"Cells divided", std::to_string(times)}};
       }
     };
