@@ -10,17 +10,16 @@
 
 namespace lamella
 {
-  /// Returns true if the boundary-layer modes @p zones are accurate enough for
-  /// the constrained section @p held: if stresses are requested near this
-  /// section, no modes may be from a lower degree
-  /// (BoundaryLayerZone::is_embedded).
+  /// Returns true if the boundary-layer modes @p zones are accurate enough near
+  /// the constrained section @p held. Modes of a lower degree
+  /// (BoundaryLayerZone::is_embedded) are not if stresses are requested there.
   bool
   are_sufficient(const std::vector<BoundaryLayerZone> &zones,
                  const ConstrainedSection             &held);
 
   /// Converts the boundary-layer modes @p zones from the section functions of
-  /// @p from to those of @p section, with the same cells and a higher degree,
-  /// and makes them independent of its Saint-Venant @p warpings.
+  /// @p from to those of @p section, which has the same cells and a higher
+  /// degree. Removes parts that its Saint-Venant @p warpings contain.
   std::vector<BoundaryLayerZone>
   embedded(const std::vector<BoundaryLayerZone> &zones,
            const Section                        &from,
@@ -39,9 +38,9 @@ namespace lamella
     /// Constructs an empty cache of modes for the parameters @p rules.
     explicit BoundaryLayerModes(const BoundaryLayerRules &rules = {});
 
-    /// Returns the boundary-layer modes of the constrained section @p held:
-    /// from the cache for a section with the same stiffness, warpings and
-    /// constraints, or of lower degree (embedded()), else from
+    /// Returns the boundary-layer modes of the constrained section @p held.
+    /// Reuses cached modes of an equal section with equal constraints, or else
+    /// those of a lower degree (embedded()), or else calls
     /// boundary_layer_modes(). Collective.
     std::vector<BoundaryLayerZone>
     zones(const std::shared_ptr<const Section> &section,
@@ -75,8 +74,9 @@ namespace lamella
       std::vector<BoundaryLayerZone> zones;
     };
 
-    /// Returns the index in `known` of modes of the highest degree below that
-    /// of @p section, for equal body, cells, constraints; known.size() if none.
+    /// Returns the index in `known` of the highest degree below that of @p
+    /// section for equal body, cells and constraints; known.size() if there is
+    /// none.
     std::size_t
     poorer(const Section &section, const ConstrainedSection &held) const;
 

@@ -109,7 +109,7 @@ namespace lamella
   };
 
   /// Returns the axis element length at the constrained end of a segment: @p
-  /// held.element within the bounds of @p rules [length].
+  /// held.element, clipped to the smallest and largest length in @p rules.
   double
   first_element(const Section            &section,
                 const ConstrainedSection &held,
@@ -120,21 +120,22 @@ namespace lamella
   /// (doc/theory/saint-venant-fields.md). A short end segment of the body with
   /// all section functions is constrained by @p held and loaded at its other
   /// end by the tractions of the six Saint-Venant states @p states, which cause
-  /// no boundary layer there. The loads are combined such that the section
-  /// forces s at the constrained end are orthonormal in the section compliance
-  /// C, s_i^T C s_j = delta_ij, without work on free rigid motions.
+  /// no boundary layer there. The loads are combined so that they do no work on
+  /// rigid motions that @p held leaves free, and that the section forces s at
+  /// the constrained end are orthonormal, s_i^T C s_j = delta_ij, section
+  /// compliance C.
   ///
-  /// The displacements u_i at node i, without rigid fields and Saint-Venant @p
-  /// warpings, are multiplied by sqrt(int N_i dy / H) with the shape function
-  /// N_i and the smaller section side H, and reduced to a basis by proper
-  /// orthogonal decomposition in the metric of @p warping. Nodes are divided
-  /// into zones by their distance from the end, since few modes decay slowly.
-  /// Modes of an inner zone are independent of those of outer zones.
+  /// The displacements u_i at node i, less their rigid parts and Saint-Venant
+  /// @p warpings, are multiplied by sqrt(int N_i dy / H) with the shape
+  /// function N_i and the smaller section side H, and reduced to a basis by
+  /// proper orthogonal decomposition in the metric of @p warping. Each zone of
+  /// nodes has its own basis, since few modes reach far from the end. Modes of
+  /// an inner zone are independent of those of outer zones.
   ///
-  /// Each entry of @p heat adds a load case, the constant thermal load without
-  /// the end traction of HeatedSection. The solution less the displacement of
-  /// HeatedSection is scaled to the energy of a Saint-Venant state along H.
-  /// Sections whose constraints leave rigid motions free have no thermal loads.
+  /// Each entry of @p heat adds a load case, its constant thermal load without
+  /// end traction. The solution less the displacement of HeatedSection is
+  /// scaled to the energy of a Saint-Venant state along H. Sections whose
+  /// constraints leave rigid motions free have no thermal loads.
   ///
   /// Returns the zones, outermost first, without empty zones. Returns none if
   /// no load acts on the segment or if it has too many DoFs. Throws
@@ -148,16 +149,16 @@ namespace lamella
                        const std::vector<HeatedSection>     &heat  = {},
                        const BoundaryLayerRules             &rules = {});
 
-  /// Returns the number of nodes of the end segments for boundary_layer_modes()
-  /// of @p beam with @p interactions, mirror images included, to estimate cost.
+  /// Returns an upper bound of the number of nodes of all end segments that are
+  /// solved for @p beam, to estimate cost; mirrored() may replace solutions.
   unsigned int
   nodes_of_pieces(const Beam                          &beam,
                   const std::vector<LocalInteraction> &interactions,
                   const BoundaryLayerRules            &rules = {});
 
   /// Returns the boundary-layer modes of an equal support at the other end: @p
-  /// zones mirrored along the axis (u_y changes its sign). Empty unless @p
-  /// section (e.g. of cross plies) and the constraint @p held are symmetric.
+  /// zones mirrored along the axis (u_y changes its sign). Returns no zones
+  /// unless @p section (e.g. cross plies) and constraint @p held are symmetric.
   std::vector<BoundaryLayerZone>
   mirrored(const std::vector<BoundaryLayerZone> &zones,
            const Section                        &section,

@@ -20,7 +20,7 @@ namespace lamella
   /// boundary_layer_modes(): tractions of Saint-Venant states at the axis node
   /// @p far_node, at the signed distance @p arm along y from the constrained
   /// end. They do no work on the free rigid motions @p motions. Their section
-  /// forces are orthonormal in the section compliance.
+  /// forces at the constrained end are orthonormal in the section compliance.
   std::vector<Vector>
   end_loads(const SaintVenant         &states,
             const Beam                &piece,

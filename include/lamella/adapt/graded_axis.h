@@ -34,21 +34,21 @@ namespace lamella
     double growth = 0.6;
     /// Smallest number of elements on an axis.
     unsigned int least = 4;
-    /// Number of elements in a span with distributed load, between supports or
-    /// changes of the load's sign. B4 elements are exact at their ends. Within
-    /// an element of length h, a uniform load q causes the error q h^4 / (384 E
-    /// I), which is 0.01 % of the deflection between clamps for 10 elements.
+    /// Number of elements in a span with distributed load (LoadedPart::span).
+    /// B4 elements have exact deflections at their ends. Inside an element of
+    /// length h, the deflection under a uniform load q has the error q h^4 /
+    /// (384 E I): 0.01 % of that of a clamped span for 10 elements.
     double elements_per_span = 10.;
-    /// Multiple of the element length below which refinement points merge.
+    /// Refinement points closer than this fraction of the element length merge.
     double merge_distance = 0.5;
     /// Number of intervals of the trapezoidal rule for elements per length.
     unsigned int samples = 400;
-    /// Excess of the number of elements over an integer that is rounded down.
+    /// Excess over an integer below which a number of elements is rounded down.
     double rounding_allowance = 0.05;
-    /// A contact area has all points whose gap exceeds the smallest gap by less
-    /// than this multiple of the smaller section side.
+    /// Points belong to the contact area if their gap exceeds the smallest gap
+    /// by less than this multiple of the smaller section side.
     double gap_tolerance = 1e-3;
-    /// Elements of the contact search per length of the smaller section side.
+    /// Equal elements of the contact search per length of smaller section side.
     double search_elements     = 2.;
     double min_search_elements = 12.;  ///< Smallest number for the search.
     double max_search_elements = 240.; ///< Largest number for the search.
@@ -60,10 +60,10 @@ namespace lamella
   ///   s(y) = min_k (c size_k + growth |y - y_k|),
   ///   c = growth / (exp(growth) - 1),
   /// at most length / least and, in the segments @p loaded, at most span /
-  /// elements_per_span. Between two refinement points there are
-  /// N elements, each with 1 / N of the integral of dy / s. N is this integral,
-  /// rounded up (to an even number if loaded, for halved()), times @p
-  /// refinement_factor. Points closer than merge_distance are merged.
+  /// elements_per_span. Between two refinement points there are N elements,
+  /// each with 1 / N of the integral of dy / s. N is this integral, rounded up
+  /// (to an even number if loaded, for halved()), times @p refinement_factor.
+  /// Points closer than merge_distance are merged.
   std::vector<double>
   graded_breaks(const double                     length,
                 const std::vector<ShortElement> &given,
@@ -83,13 +83,13 @@ namespace lamella
 
   /// Creates the axis meshes of all @p bodies with `Axis elements = auto`,
   /// graded to loads, supports and contacts. The number of elements is
-  /// multiplied by AxisMesh::refinement_factor, which is then set to 0.
-  /// Contacts are searched on equal elements, then on the graded ones. A
-  /// contact shorter than the smaller section side is refined at its smallest
-  /// gap, interpolated by a parabola through three gaps. Supports of body ends
-  /// count as clamps. Bodies on one line with node-to-node contact have the
-  /// same element lengths. Distributed loads on sides and lines, weight under
-  /// @p gravity, and nonlinear temperature limit element lengths
+  /// multiplied by AxisMesh::refinement_factor, which is then set to 0. Contact
+  /// areas are searched on equal elements, then on the graded ones. A contact
+  /// area shorter than the smaller section side is refined at its smallest gap,
+  /// found by a parabola through three gaps. Supports of body ends count as
+  /// clamps. Bodies on one line with node-to-node contact have the same element
+  /// lengths. Distributed loads on sides and lines, weight under @p gravity,
+  /// and nonlinear temperature limit element lengths
   /// (GradingRules::elements_per_span). Throws the exceptions of loads,
   /// supports and contacts. Collective if @p bodies are distributed.
   void

@@ -19,8 +19,8 @@ namespace lamella
                           std::vector<std::string>            &notes);
 
   /// Adds to @p notes a message for each of @p interactions that constrains
-  /// only some displacements of a section of a heated @p beam: boundary-layer
-  /// modes then exclude thermal loads, so thermal stresses are inaccurate.
+  /// only some displacements of a section of a heated @p beam. There,
+  /// boundary-layer modes exclude thermal loads, so stresses are inaccurate.
   void
   add_guide_heat_notes(const Beam                          &beam,
                        const std::vector<LocalInteraction> &interactions,

@@ -32,8 +32,8 @@ namespace lamella
 
   /// Returns the segments of the axis of the beam number @p body with
   /// distributed transverse loads: @p loads on sides and lines, weight under @p
-  /// gravity, and nonlinear temperature. Spans end at axis ends and at
-  /// supported points of @p places (ShortElement::holds). Collective.
+  /// gravity, and nonlinear temperature. Spans also end at axis ends and at
+  /// points of @p places with ShortElement::holds. Collective.
   std::vector<LoadedPart>
   loaded_parts(const unsigned int               body,
                const Bodies                    &bodies,

@@ -16,17 +16,17 @@ namespace lamella
   /// A load, a support or one side of a contact on a beam. It acts on the DoFs
   /// u_(i,alpha) of axis node i and section function alpha by
   ///   r(u) = sum_i sum_alpha w_i f_alpha u_(i,alpha),
-  /// with weights w_i along the axis and section load vectors f. The section
-  /// functions must represent only the deformation due to these load vectors,
-  /// which are computed for a beam with all section functions at all nodes.
+  /// with weights w_i along the axis and section load vectors f. The load
+  /// vectors refer to all functions of the section. Fewer functions suffice if
+  /// they represent the deformation due to these vectors.
   struct LocalInteraction
   {
     /// Name, for example "contact nose".
     std::string name;
     /// Linearly independent section load vectors f, of unit length.
     std::vector<Vector> loads;
-    /// Load vectors for distant nodes, which replace `loads`: the mean over the
-    /// loaded area, and the component linear in the section coordinates.
+    /// Load vectors that replace `loads` at distant nodes: their mean over the
+    /// loaded area and their component linear in the section coordinates.
     std::vector<Vector> smooth;
     double begin = 0.; ///< Start of the loaded axis elements, y [length].
     double end   = 0.; ///< End of the loaded axis elements, y [length].
@@ -46,8 +46,8 @@ namespace lamella
 
   /// Returns the interactions on body number @p body, @p beam with all section
   /// functions at all nodes, in the order of supports, loads, temperature,
-  /// contacts. Each contact is followed by its friction along both tangents.
-  /// The axial component of contact normals is omitted if it is small. A
+  /// contacts. Each contact is followed by its friction along both tangents. A
+  /// small axial component of contact normals is omitted (InteractionRules). A
   /// temperature that varies along the axis is a load with the name "heat".
   std::vector<LocalInteraction>
   find_interactions(const Beam                          &beam,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The room `adapt`: the choice of fields for each node of a beam from the
-// supports, loads and contacts of the bodies, which are made anew. It solves
-// sections (their states and responses) and short pieces of a beam at an end
-// (boundary_layer_modes()), never the scene.
+// The room `adapt`: the choice of section functions for each axis node of a
+// beam from supports, loads and contacts. It solves equations of sections
+// (their states and responses) and of short end segments of beams
+// (boundary_layer_modes()), never those of the scene.
 
 #ifndef lamella_adapt_node_fields_h
 #define lamella_adapt_node_fields_h
@@ -41,8 +41,8 @@ namespace lamella
     double far_tolerance  = 1e-2; ///< Tolerance of Warping::basis() elsewhere.
     /// Number of wave numbers for which near_tolerance was found.
     unsigned int reference_waves = 6;
-    /// A thermal load vector of unit length is omitted if its component
-    /// orthogonal to the other thermal load vectors is smaller.
+    /// Length below which the component of a thermal load vector of unit length
+    /// orthogonal to the other thermal load vectors counts as zero.
     double heat_tolerance = 1e-3;
     /// Parameters of find_interactions().
     InteractionRules interactions = {};
@@ -57,7 +57,7 @@ namespace lamella
       std::make_shared<BoundaryLayerModes>();
     /// Parameters of plan(), which chooses the model of each body.
     PlanRules plan = {};
-    /// Names of bodies that need all section functions, as fewer failed.
+    /// Names of bodies that could be solved only with all section functions.
     std::vector<std::string> unsolved = {};
   };
 
@@ -91,15 +91,15 @@ namespace lamella
   ///
   /// All nodes have the rigid displacements, Saint-Venant warpings, and section
   /// functions for heat and weight under @p gravity (scene axes, length / s^2).
-  /// - Nodes near interactions also have section functions from harmonic loads
-  ///   (SectionResponse): their section load vectors at N wave numbers.
-  /// - Nodes elsewhere also have section functions from the mean and linear
-  ///   component of all load vectors, harmonic and constant.
+  /// - Nodes near interactions also have the responses (SectionResponse) to
+  ///   their section load vectors, harmonic along y with N wave numbers.
+  /// - Nodes elsewhere also have the responses to LocalInteraction::smooth of
+  ///   all interactions, harmonic and constant along y.
   /// - Nodes near clamps and heated free ends also have boundary-layer modes.
   /// In segments of `Theories`, nodes of SV have rigid displacements and
-  /// warpings only, and nodes of LE-q have section functions up to degree q.
-  /// If stresses are @p requested in an element, each of its nodes has the
-  /// functions of all its nodes: the fewest determine the accuracy of stresses.
+  /// warpings only, and nodes of LE-q have section functions up to degree q. If
+  /// stresses are @p requested in an element, each of its nodes has the
+  /// functions of all, as the node with the fewest limits the accuracy.
   ///
   /// Returns notes for the user. If @p why is not null, sets it to the reason
   /// for the section functions of each body of SV or SV-N. Throws NumericsError

@@ -60,7 +60,7 @@ namespace lamella
     bool has_pieces              = false; ///< True if `Theories` are given.
     /// True if a model of this body with fewer section functions failed.
     bool is_unsolved = false;
-    /// Mean number per node of load vectors of supports; empty if unknown.
+    /// Number of load vectors of supports, mean per node; empty if unknown.
     std::optional<double> held;
     /// Mean number of section functions per node for SV-N; empty if unknown.
     std::optional<unsigned int> wanted;
@@ -76,7 +76,7 @@ namespace lamella
     bool all_fields = true;
     /// Reason for replacing the default theory; empty if it is not replaced.
     std::string theory_reason;
-    /// Reason why a body of SV-N has all section functions; empty if unneeded.
+    /// Reason why a body of SV-N has all section functions; empty for others.
     std::string fields_reason;
   };
 
@@ -84,14 +84,15 @@ namespace lamella
   /// rules (PlanRules). Criteria with unknown data are skipped.
   /// - Theory: as requested. In a scene with contacts, LE-3 replaces a default
   ///   theory if LE-2 has at most cheap_dofs DoFs, or if contacts may be active
-  ///   along more than max_contact_share of the body. In the latter case, a
-  ///   graded axis is replaced by equal elements: one if a support acts on the
-  ///   whole body, else length over section extent, from 2 to equal_elements.
-  /// - Section functions: chosen functions for SV and `Theories`, else all.
-  ///   SV-N has chosen functions unless a model with these could not be solved,
-  ///   a support acts on the whole body, the body has at most min_nodes nodes,
-  ///   or, as a fraction of all functions, more than max_held_share are
-  ///   constrained or more than max_fields_share are needed.
+  ///   along more than max_contact_share of the body. In the latter case, equal
+  ///   elements replace a graded axis: one if a support acts on the whole body,
+  ///   else BodySize::slenderness, from 2 to equal_elements.
+  /// - Section functions: those of choose_fields() for SV, SV-N and `Theories`,
+  ///   else all. But SV-N has all functions if a model with fewer could not be
+  ///   solved, if a support acts on the whole body, if the axis has at most
+  ///   min_nodes nodes, or if supports constrain more than the fraction
+  ///   max_held_share, or nodes need more than max_fields_share, of the
+  ///   functions.
   BodyPlan
   plan(const PlanInput &facts, const PlanRules &rules = {});
 
@@ -121,10 +122,10 @@ namespace lamella
   /// Returns the cost of each of @p bodies, predicted from its DoFs
   /// (doc/verification/model-costs.md). A beam's factor has sum_i m_i b_i
   /// nonzeros. Here m_i is the number of section functions of node i, and b_i
-  /// half of m_i plus those of the nodes to which node i is coupled at its
-  /// elimination: first inner nodes of an element (with its remaining nodes and
-  /// both ends), then element ends along the axis (with the next end). For n
-  /// DoFs, LE has at most of_layers n^(4/3) nonzeros and a solid of_solid
+  /// is m_i / 2 plus the functions of the nodes coupled to node i when it is
+  /// eliminated. Inner nodes are eliminated first (coupled to the remaining
+  /// nodes of their element), then element ends (coupled to the next end). For
+  /// n DoFs, LE has at most of_layers n^(4/3) nonzeros and a solid of_solid
   /// n^(4/3), as for nested dissection of a cube (George and Liu, Computer
   /// Solution of Large Sparse Positive Definite Systems, 1981, ch. 8).
   std::vector<Cost>

@@ -50,8 +50,8 @@ namespace lamella
   /// counts of operations (doc/verification/model-costs.md).
   struct CostRules
   {
-    /// Number of axis nodes of all models for an error estimate, over those of
-    /// the model: two models on bisected elements, one on quarters.
+    /// Axis nodes of all models for an error estimate, over those of the model:
+    /// two models with bisected elements and one with quartered ones.
     double axes = 8.;
     /// Multiplications to factorize one node of m section functions, over m^3.
     double of_block = 5.;

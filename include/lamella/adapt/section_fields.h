@@ -40,7 +40,7 @@ namespace lamella
 
     /// Returns the groups of boundary-layer modes of a clamp or free end @p
     /// interaction with the constrained sections @p held. A clamp without modes
-    /// has a group of tractions instead.
+    /// has one group of section load vectors instead.
     std::vector<unsigned int>
     groups_of(const LocalInteraction                &interaction,
               const std::vector<ConstrainedSection> &held);
@@ -137,8 +137,8 @@ namespace lamella
     /// Computes the functions of all groups, one factorization per wave number.
     void
     find_responses();
-    /// Returns load vectors for a clamp without modes: tractions of each
-    /// Saint-Venant warping, as a value and as an axial derivative.
+    /// Returns load vectors for a clamp without modes: the tractions S_10 w and
+    /// S_11 w of each Saint-Venant warping w.
     std::vector<Vector>
     tractions_of_warpings() const;
     /// Returns a basis of the functions from smooth loads, for distant nodes.

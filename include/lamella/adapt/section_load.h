@@ -13,15 +13,15 @@ namespace lamella
   /// (doc/theory/saint-venant-fields.md).
   struct InteractionRules
   {
-    /// A unit load vector is omitted if its component orthogonal to the other
-    /// load vectors of the interaction is smaller.
+    /// Length below which the component of a unit load vector orthogonal to the
+    /// other load vectors of the interaction counts as zero.
     double independent = 0.02;
     /// Nodes with less than this fraction of the largest load are ignored.
     double min_weight_share = 0.05;
     /// The axial component of a contact normal below this fraction is omitted.
     double along_axis = 0.7;
-    /// A relative change of temperature along the smaller section side H below
-    /// this value is no load; equal to FieldRules::far_tolerance.
+    /// Relative change of temperature per axial length H (smaller section side)
+    /// below which it counts as constant; equal to FieldRules::far_tolerance.
     double heat_change_tolerance = 1e-2;
   };
 

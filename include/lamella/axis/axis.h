@@ -2,8 +2,8 @@
 
 // The room `axis`: the mesh of a beam's axis, the elements B2, B3, B4 with
 // their shape functions N_i(y) in u = F_tau N_i u_(tau i) (Eq. 7), and the
-// matrices A_pq, integrals of N_i^(p) N_j^(q). The section functions
-// F_tau(x, z) are in the room `section`. It is independent of the section.
+// matrices A_pq, integrals of N_i^(p) N_j^(q). It is independent of the section
+// functions F_tau(x, z), which are in the room `section`.
 
 #ifndef lamella_axis_axis_h
 #define lamella_axis_axis_h
@@ -74,8 +74,8 @@ namespace lamella
   /// B2 and B3 lock in shear: in gamma_yz = w' + a with deflection w and
   /// rotation a, w' has one degree less than a. Assumed shear strains (MITC,
   /// Dvorkin and Bathe) replace N_i by polynomials N^_i of one degree less that
-  /// interpolate N_i at the degree() Gauss points of an element. They need only
-  /// A_shear = int N^_i N^_j in addition, as int N^_i N_j' = int N_i N_j'.
+  /// interpolate N_i at the degree() Gauss points of an element. Only A_shear =
+  /// int N^_i N^_j is additional, as int N^_i N_j' = int N_i N_j'.
   ///
   /// Every process stores the whole axis. Each owns contiguous ranges of
   /// elements for loops and of nodes for stiffness matrices. Immutable.
@@ -170,7 +170,7 @@ namespace lamella
 
     /// Returns the elements that contain @p y within @p tolerance [length],
     /// with the reference coordinate eta in [0, 1] of @p y, exactly 0 or 1 at
-    /// element ends. There are two at a common end, none outside of the axis.
+    /// element ends. Returns two at a common end, none outside of the axis.
     std::vector<std::pair<unsigned int, double>>
     locate(const double y, const double tolerance) const;
 

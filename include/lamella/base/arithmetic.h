@@ -27,7 +27,8 @@ namespace lamella
     /// and of energies computed from these solutions.
     constexpr double rounding_of_solutions = 1e-10;
     /// Numbers below this fraction of the largest in the same table or message
-    /// are printed as zero. Computed values that differ less are equal.
+    /// are printed as zero. Computed values with a smaller relative difference
+    /// are equal.
     constexpr double negligible = 1e-9;
 
     // ---- distances of points, relative to a length

@@ -42,7 +42,7 @@ namespace lamella
   /// Runs @p work in a child process created by fork() and waits for its end.
   /// Output files, time limit and lifetime are as for run_process(); exit
   /// status and error message are those of outcome_of(), ProcessEnd::result is
-  /// the return value of @p work. Saves 0.3 s, since libraries are already
+  /// the return value of @p work. Starts 0.3 s faster, since libraries are
   /// loaded. MPI must not have been started before; @p work starts MPI in the
   /// child. The child ends by _exit() without calling destructors. Throws
   /// InputError if fork() fails. Resets the handling of SIGCHLD to the default.

@@ -45,8 +45,8 @@ namespace lamella
     return this_process() == 0;
   }
 
-  /// Returns true if @p here is true on all processes. Must be called by all
-  /// processes. With the result, either all throw an exception or none.
+  /// Returns true if @p here is true on all processes, so that all of them can
+  /// throw an exception together. Must be called by all processes.
   inline bool
   true_on_all_processes(const bool here)
   {

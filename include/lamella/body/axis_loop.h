@@ -14,12 +14,12 @@
 
 namespace lamella
 {
-  /// Integration along the axis of a beam by sum factorization. With nodal DoFs
-  /// u_(i,alpha) of section functions alpha and shape functions N_i of axis
-  /// nodes, amplitudes at an integration point (station) of an element,
+  /// Integration along the axis of a beam by sum factorization. The DoFs
+  /// u_(i,alpha) of axis nodes i and section functions alpha give the
+  /// amplitudes at an integration point (station),
   ///   q_alpha = sum_i N_i u_(i,alpha),   q_alpha' = sum_i N_i' u_(i,alpha),
-  /// determine section forces W_0 (conjugate to q) and W_1 (to q') and nodal
-  /// forces
+  /// with shape functions N_i. From the section forces W_0 (conjugate to q) and
+  /// W_1 (conjugate to q'), the nodal forces are
   ///   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy.
   /// An element has all section functions of its nodes. The DoF of a function
   /// that a node lacks is zero. Each process integrates Axis::own_cells().

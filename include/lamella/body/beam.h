@@ -16,15 +16,15 @@ namespace lamella
   /// Eqs. 1 and 7 of Nagaraj et al. 2020. With the derivatives D_s by x and z,
   /// and D_y by y, the strain is
   ///   epsilon = sum (N_i D_s Phi_alpha + N_i' D_y Phi_alpha) u_(i,alpha).
-  /// The stiffness is a sum of Kronecker products (x) of integrals over the
-  /// axis of products of N_i or N_i', and integrals S_pq over the section,
+  /// The stiffness matrix is a sum of Kronecker products (x) of the axis
+  /// matrices A (see Axis) and the section matrices S_pq (see Section),
   ///   K = A_NN (x) S_00 + A_NdN (x) S_01 + A_dNN (x) S_10 + A_dNdN (x) S_11
   /// (and, for assumed transverse shear strains, (A_shear - A_NN) (x) S_shear).
   /// Its 3 x 3 blocks are the fundamental nuclei of Carrera. EBBT
   /// (Euler-Bernoulli) is TBT (Timoshenko) with Kirchhoff's constraint.
   ///
-  /// Processes share rows of K by axis nodes, volume integrals by axis
-  /// elements. Elements of the body are numbered axis element * (number of
+  /// Each process owns the rows of K of its axis nodes, and integrates over its
+  /// axis elements. Elements of the body are numbered axis element * (number of
   /// section cells) + section cell, with unit coordinates (xi, along the axis
   /// element, eta).
   class Beam : public Body
@@ -115,8 +115,9 @@ namespace lamella
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
     /// Returns the solver of factorize_blocks(), with a block per axis node, if
-    /// @p requested is `automatic`, on one process, with dense functions at all
-    /// nodes (SectionSpace). Otherwise returns that of Body::solver_of().
+    /// @p requested is `automatic`, there is one process, and the functions of
+    /// all nodes are dense (SectionSpace). Otherwise returns that of
+    /// Body::solver_of().
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
@@ -171,7 +172,7 @@ namespace lamella
     Cells
     cells() const override;
     /// Returns the degree of displacements along the axis (for EBBT one less,
-    /// as the rotation is -w'), and in the section, N of LE-N, else zero.
+    /// as the rotation is -w'); in the section N for LE-N, else zero.
     std::array<unsigned int, 3>
     recovery_degrees() const override;
     /// Returns recovery_degrees(), but in the section the lowest degree of LE
@@ -216,8 +217,8 @@ namespace lamella
     cut(const double       position,
         const unsigned int n,
         const Vector      &u) const override;
-    /// Returns in the section min(trace_degree(), max(degree(), 3)) intervals,
-    /// with the degrees of CrossSectionElement.
+    /// Returns the degree along the axis and min(trace_degree(), max(degree(),
+    /// 3)) of CrossSectionElement in the section.
     GridIntervals
     output_degrees() const override;
     /// Calls @p use with each output element, numbered (index among this

@@ -16,10 +16,9 @@ namespace lamella
   /// v and w in body axes,
   ///   v . K_G w = int s_ij v_k,i w_k,j dV.
   /// Stresses and displacement gradients are evaluated at Barlow points, where
-  /// stresses are most accurate: Gauss points, as many as the degree along each
-  /// axis element ("stations") and one fewer per direction than for the
-  /// stiffness in each section cell. Section functions Phi_a with amplitudes
-  /// q_a give
+  /// stresses are most accurate: as many Gauss points along an axis element as
+  /// its degree ("stations"), and one fewer per direction of a section cell
+  /// than for the stiffness. Section functions Phi_a with amplitudes q_a give
   ///   u_,x = sum_a q_a Phi_a,x,  u_,y = sum_a q_a' Phi_a,
   ///   u_,z = sum_a q_a Phi_a,z.
   /// The forces K_G u apply the transpose of this map to s_ij u_,j. The beam

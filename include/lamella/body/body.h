@@ -371,9 +371,9 @@ namespace lamella
     virtual void
     add_internal_forces(const Vector &u, Vector &f) const = 0;
 
-    /// Returns strain energy and largest rotation of @p u. This default
-    /// implementation uses the work of internal forces, and curl u of the
-    /// interpolant of degrees output_degrees() in each element. Collective.
+    /// Returns strain energy and largest rotation of @p u. By default, uses the
+    /// work of internal forces for the energy, and curl u of an interpolant
+    /// with output_degrees() for the rotation. Collective.
     virtual Deformation
     deformation(const Vector &u) const;
 
@@ -438,8 +438,8 @@ namespace lamella
     // ---- points, rows and samples
 
     /// Returns for each of @p points (undeformed, scene axes) one location per
-    /// ply that contains the point, in the order of plies; none if the body
-    /// does not. The tolerance is 1e-6 of the smaller extent of the section, at
+    /// ply that contains the point, in the order of plies; none for a point
+    /// outside. The tolerance is 1e-6 of the smaller extent of the section, at
     /// curved edges 2 % of the element size.
     virtual std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const = 0;
@@ -537,8 +537,8 @@ namespace lamella
     cells() const = 0;
 
     /// Returns for each unit coordinate the degree p for strain recovery:
-    /// strains are superconvergent at p Gauss points. 0 along coordinates with
-    /// smooth strains across elements (section coordinates of Taylor theories).
+    /// strains are superconvergent at p Gauss points. 0 along coordinates in
+    /// which strains are smooth across elements (section, Taylor theories).
     virtual std::array<unsigned int, 3>
     recovery_degrees() const
     {

@@ -29,9 +29,9 @@ namespace lamella
   /// estimates its effect.
   ///
   /// In a displacement vector u, a node has r and a rotation vector of angle 0
-  /// to pi, scaled as RigidField. In increments du, the rotation vector is a
-  /// spin about body axes after the rotation in u, and forces have conjugate
-  /// moments; retract() computes u updated by du. Functionals of displacements
+  /// to pi, scaled as RigidField. In an increment du, it is a spin about body
+  /// axes that follows the rotation in u; retract() computes u updated by du.
+  /// Moments in forces are conjugate to spins. Functionals of displacements
   /// depend on u (rows_at()).
   ///
   /// Nodal quaternions are interpolated along an element. Reduced integration,
@@ -41,9 +41,9 @@ namespace lamella
   class GeometricallyExactBeam : public Beam
   {
   public:
-    /// Constructs a beam with all functions of @p section, of a theory from
-    /// Theory::of_rotating(), at all nodes. @p keeps_normal is true for EBBT
-    /// (no shear strain). theory() returns @p theory unless it is empty.
+    /// Constructs a beam with all functions of @p section at all nodes, of a
+    /// theory from Theory::of_rotating(). @p keeps_normal is true for EBBT (no
+    /// shear strain). If not empty, @p theory is the text of theory().
     GeometricallyExactBeam(const std::string                    &name,
                            const std::shared_ptr<const Section> &section,
                            const std::shared_ptr<const Axis>    &axis,
@@ -52,7 +52,7 @@ namespace lamella
                            const bool keeps_normal = false);
 
     /// Constructs a beam with the functions @p fields_of_node at each node.
-    /// Throws InputError for functions that are not rigid or modes of @p space.
+    /// Throws InputError if a function is neither rigid nor a mode of @p space.
     GeometricallyExactBeam(
       const std::string                            &name,
       std::shared_ptr<const SectionSpace>           space,
@@ -298,8 +298,9 @@ namespace lamella
     /// Returns by_node() for all nodes of an element at @p station.
     static std::vector<ByNode>
     by_nodes(const Station &station, const Element &element);
-    /// Returns the diagonal entry of a spin due to the second derivative of the
-    /// unit quaternion @p q. @p by_q is the derivative of the energy by q.
+    /// Returns the part of a spin's diagonal entry from the second derivative
+    /// of the unit quaternion @p q. @p by_q is the derivative of the energy by
+    /// q.
     static double
     along_geodesic(const Quaternion &by_q, const Quaternion &q)
     {
@@ -385,7 +386,7 @@ namespace lamella
               dealii::LAPACKFullMatrix<double> &K);
 
     /// Adds the row of the spin component @p spin in add_force(). @p row has
-    /// the derivatives of its moment by Q and by the rotated vector.
+    /// the derivatives of the conjugate moment by Q and by the rotated vector.
     static void
     add_force_row(const PointFields                &at,
                   const Element                    &element,
@@ -403,7 +404,8 @@ namespace lamella
 
     /// Reference length of the section [length].
     double h;
-    /// The section, or an LE-2 section of its mesh for EBBT and TBT.
+    /// The section, or for EBBT and TBT an LE-2 section of its mesh, whose
+    /// Saint-Venant states give TwistStretch and Deformation::shape_change.
     std::shared_ptr<const Section>      deformable_section;
     std::unique_ptr<const TwistStretch> twist_stretch;
     /// Shape change (stiffening_by_shape()) minus the part in TwistStretch.

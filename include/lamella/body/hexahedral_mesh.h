@@ -34,7 +34,7 @@ namespace lamella
       unsigned int     times  = 0;  ///< Number of refinements.
     };
     std::vector<Ball> balls; ///< Balls for local refinement; may be empty.
-    /// Memory limit of the mesh [bytes]; 0 sets that of the machine.
+    /// Memory limit of the mesh [bytes]; 0: the memory of the machine.
     double memory_limit = 0.;
   };
 
