@@ -40,7 +40,7 @@ namespace lamella
   /// Incompatible modes of a trilinear hexahedron, with nine amplitudes a.
   struct IncompatibleModes
   {
-    /// Matrix A (9 x 24) of a = A u, u the nodal displacements; may be empty.
+    /// Matrix A (9 x 24) of a = A u, u nodal displacements; empty for degree 2.
     dealii::FullMatrix<double> A;
     /// Matrix det(J_0) J_0^-T with the Jacobian J_0 at the element center.
     dealii::Tensor<2, 3> middle;
@@ -54,8 +54,8 @@ namespace lamella
   ///   u = sum N_i u_i + sum_k (1 - xi_k^2) a_k.
   /// Gradients of the modes are (det J_0 / det J) J_0^-T grad (1 - xi_k^2) with
   /// the Jacobian J_0 at the center. The nine amplitudes a are condensed on
-  /// each element: a = A u with A = -K_aa^-1 K_au. Functions map one cell of
-  /// deal.II to the given nodes: not thread-safe.
+  /// each element: a = A u with A = -K_aa^-1 K_au. Not thread-safe: all
+  /// functions use the same cell of deal.II.
   class Hexahedron
   {
   public:
@@ -86,8 +86,8 @@ namespace lamella
       return fe.get_unit_support_points()[i];
     }
 
-    /// Returns deal.II's cell after setting mapping() to @p nodes, relative to
-    /// the first of them to avoid loss of digits far from the origin.
+    /// Sets mapping() to @p nodes, with the first node as origin to avoid loss
+    /// of digits. Returns the mapped cell of deal.II.
     dealii::Triangulation<3>::active_cell_iterator
     cell(const Nodes &nodes) const;
 

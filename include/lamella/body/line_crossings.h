@@ -26,8 +26,8 @@ namespace lamella
                      std::vector<double>        &crossings);
 
   /// Adds to @p crossings the parameters t at which the line a + t d intersects
-  /// the curved edge @p x(s), s in [0, 1], within @p tolerance [length]. Of two
-  /// intersections within a quarter of the edge, both may be missed.
+  /// the curved edge @p x(s), s in [0, 1], within @p tolerance [length]. Two
+  /// intersections less than a quarter of the edge apart may both be missed.
   void
   add_curve_crossings(const std::function<dealii::Point<2>(const double)> &x,
                       const dealii::Point<2>                              &a,
@@ -35,8 +35,8 @@ namespace lamella
                       const double         tolerance,
                       std::vector<double> &crossings);
 
-  /// Returns 0, those of the parameters @p breaks that are in (0, 1), and 1,
-  /// ascending and without duplicates (within 1e-9).
+  /// Returns 0, 1 and the parameters @p breaks that are between them, in
+  /// ascending order and without duplicates (within 1e-9).
   std::vector<double>
   merge_breaks(std::vector<double> breaks);
 } // namespace lamella

@@ -74,9 +74,9 @@ namespace lamella
   /// Solids may use @p memory_limit bytes (0: memory of the machine). Beams
   /// with the same mesh and theory share a Section. In Saint-Venant theory and
   /// with several theories along the axis, all nodes have all section functions
-  /// until choose_fields() selects some. Throws InputError for a body longer
-  /// than 1e7 times its section (beyond double precision), for a beam with
-  /// fewer axis nodes than processes, and as HexahedralMesh. Collective.
+  /// until choose_fields() selects some per node. Throws InputError for a body
+  /// longer than 1e7 times its section (beyond double precision) or a beam with
+  /// fewer axis nodes than processes, and as HexahedralMesh does. Collective.
   Bodies
   make_bodies(const std::vector<BodyDescription> &descriptions,
               const SectionMeshes                &meshes,

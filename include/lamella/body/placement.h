@@ -66,8 +66,8 @@ namespace lamella
       return transpose(axes) * R * axes;
     }
 
-    /// Returns the matrix T from body to scene axes of strains xx, yy, zz, xy,
-    /// xz, yz with engineering shears; for stresses the matrix is T^-T.
+    /// Returns the matrix T that transforms strains (xx, yy, zz, engineering
+    /// shears xy, xz, yz) from body to scene axes. Stresses need T^-T.
     ElasticTensor
     strain_to_scene() const
     {

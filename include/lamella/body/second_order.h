@@ -38,8 +38,8 @@ namespace lamella
     virtual void
     add_load(Vector &f) const = 0;
 
-    /// Computes the total stress from the displacement @p v under the load of
-    /// add_load(). Returns the strain energy of the membrane stress.
+    /// Computes the total stress; @p v is the displacement due to add_load().
+    /// Returns the strain energy of the membrane stress.
     virtual double
     solve(const Vector &v) = 0;
 
@@ -52,10 +52,10 @@ namespace lamella
     largest_short_wave_ratio() const = 0;
   };
 
-  /// Returns the largest compressive stress along an axis x, y or z, divided by
-  /// the lower shear modulus of @p C in the two planes with this axis; 0
-  /// without compression. Its inverse is the load factor of shear microbuckling
-  /// (Rosen), the shortest buckling mode.
+  /// Returns the largest ratio, over the axes x, y and z, of the compressive
+  /// stress along the axis to the lower shear modulus (from @p C) of the two
+  /// planes that contain it; 0 without compression. Its inverse is the load
+  /// factor of shear microbuckling (Rosen), the shortest buckling mode.
   double
   short_wave_ratio(const Voigt &stress, const ElasticTensor &C);
 } // namespace lamella

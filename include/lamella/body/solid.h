@@ -21,10 +21,10 @@ namespace lamella
   struct StrainMap;
   class SurfaceNode;
 
-  /// A body of hexahedra (a section mesh extruded along the axis), the
-  /// reference of beam theories: Q1 with incompatible modes or Q2, with hanging
-  /// nodes in local refinement. DoF 3 i + c is displacement component c, in
-  /// body axes, at node i. Hexahedra of equal ply and shape share their
+  /// A body of hexahedra (a section mesh extruded along the axis), a reference
+  /// for beam theories. Elements are Q1 with incompatible modes or Q2. Local
+  /// refinement creates hanging nodes. DoF 3 i + c is displacement component c,
+  /// in body axes, at node i. Hexahedra of equal ply and shape share their
   /// matrices.
   class Solid : public Body
   {
@@ -183,8 +183,8 @@ namespace lamella
     std::vector<double>
     relative_displacements(const unsigned int cell, const Vector &u) const;
 
-    /// Returns the elastic law with the thermal strain at @p x, @p unit in unit
-    /// coordinates. Degree 1 uses the temperature at the element center.
+    /// Returns the law with thermal strain at @p x (unit coordinates @p unit).
+    /// Degree 1 uses the temperature at the element center.
     ElasticLaw
     law_at(const unsigned int      cell,
            const dealii::Point<3> &unit,
@@ -225,11 +225,11 @@ namespace lamella
     std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>>
     cells_near(dealii::BoundingBox<3> around, const double tolerance) const;
 
-    /// Returns the locations of the scene point @p point, one per ply.
+    /// Returns the locations of the scene point @p point, one per adjacent ply.
     std::vector<Location>
     locate(const dealii::Point<3> &point, const double tolerance) const;
 
-    /// Returns unit coordinates and distance of the point in @p cell near @p x.
+    /// Returns unit coordinates and distance of the cell point nearest to @p x.
     std::pair<dealii::Point<3>, double>
     nearest_in_cell(const unsigned int cell, const dealii::Point<3> &x) const;
 

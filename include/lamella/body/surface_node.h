@@ -13,7 +13,8 @@ namespace lamella
   {
   public:
     /// Sets the location of the node to that of @p at, a facet point at the
-    /// node. Marks a corner if normals of facets differ by 20 degrees or more.
+    /// node. Marks a corner if its facets' normals differ by 20 degrees or
+    /// more.
     void
     meet(const SurfacePoint &at);
 

@@ -12,13 +12,13 @@
 
 namespace lamella
 {
-  /// Facets (element faces) of a surface and numbers of their nodes, for
+  /// Facets (element faces) of a surface and the indices of their nodes, for
   /// continuous functions on the surface such as mortar multipliers. Facets
   /// share a node if their elements do, not if nodes merely coincide.
   ///
   /// Each facet has two Gauss-Lobatto grids, s running fastest: `grid` with
-  /// (degree_s + 1) x (degree_t + 1) nodes, used by contact, and `trace` of the
-  /// trace degrees, for displacements. Node numbers of each grid begin at 0.
+  /// (degree_s + 1) x (degree_t + 1) nodes, used by contact, and `trace`, whose
+  /// nodes determine displacements. Node numbers of each grid begin at 0.
   struct SurfaceTopology
   {
     /// A facet with the numbers of its nodes.
@@ -53,7 +53,7 @@ namespace lamella
         const std::vector<std::uint64_t> &grid,
         const std::vector<std::uint64_t> &trace);
 
-    /// Returns the number of the contact node at @p place; empty if not found.
+    /// Returns the index of the contact node at @p place, or an empty optional.
     std::optional<unsigned int>
     grid_node(const Location::Place &place) const;
 

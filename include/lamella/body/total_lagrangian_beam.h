@@ -10,10 +10,12 @@ namespace lamella
 {
   /// A beam with finite rotations in the total Lagrangian formulation, with the
   /// kinematics of Beam. Green's strain and the second Piola-Kirchhoff stress
-  /// give section forces W (FiniteStrainSectionOperator) and nodal forces
+  /// give generalized forces W_0,alpha and W_1,alpha of a section
+  /// (FiniteStrainSectionOperator), conjugate to the amplitude of section
+  /// function alpha and its axial derivative. Nodal forces are
   ///   f_(i,alpha) = int N_i W_0,alpha + N_i' W_1,alpha dy,
-  /// over the undeformed axis, for node i and section function alpha. Supports
-  /// and dead loads are those of a Beam: displacements are linear in the DoFs.
+  /// over the undeformed axis, for node i. Supports and dead loads are those of
+  /// a Beam: displacements are linear in the DoFs.
   ///
   /// Output has Green's strain E and as stress R^T sigma R, the Cauchy stress
   /// in axes that rotate with the material. For output, E_yy and transverse
@@ -52,8 +54,8 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
 
-    /// Calls @p use with a block per locally owned axis element and section
-    /// cell.
+    /// Calls @p use with the tangent stiffness of each locally owned axis
+    /// element, one block per section cell.
     void
     for_each_tangent_block(
       const Vector                                      &u,
@@ -62,7 +64,7 @@ namespace lamella
       const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
-    /// Returns the amplitudes of section functions in the cell of @p point.
+    /// Returns amplitudes (at @p on_axis) of functions in the cell of @p point.
     FieldParts
     parts_at(const SectionPoint &point,
              const AxisPoint    &on_axis,
@@ -80,8 +82,8 @@ namespace lamella
     double
     rotation_along(const unsigned int cell, const Vector &u) const;
 
-    /// Return a matrix block per section cell for the axis element @p cell,
-    /// without values or with zeros.
+    /// Return one matrix block per section cell for the axis element @p cell:
+    /// empty_blocks() without values, zero_blocks() with zeros.
     std::vector<StiffnessBlock>
     empty_blocks(const unsigned int cell) const;
     std::vector<StiffnessBlock>

@@ -21,7 +21,7 @@ namespace lamella
   struct Moments
   {
     /// A cell with its integrand f. On a facet, f is the traction times the
-    /// area per unit square.
+    /// area element dA / (ds dt).
     struct Cell
     {
       /// Force per unit interval or square; must be finite inside the cell.
@@ -39,9 +39,8 @@ namespace lamella
     double size = 0., error = 0.; ///< Estimated error of the integrals [force].
     /// Integral of f over all cells by the midpoint rule with 2e4 points.
     dealii::Tensor<1, 3> independent;
-    /// Largest difference between `independent` and midpoint rules on three
-    /// finer grids; 0 if `independent` agrees with the moments to 1 % of
-    /// `size`.
+    /// Error of `independent`: its largest difference from midpoint rules on
+    /// three finer grids; 0 if it agrees with the moments to 1 % of `size`.
     double independent_error = 0.;
     /// Largest number of bisections of a cell along one of its parameters.
     unsigned int bisections = 0,
@@ -53,14 +52,14 @@ namespace lamella
   /// parameter. Each cell is a box at first. The box of largest error is
   /// bisected, along the parameter that reduces the error most, until the sum
   /// of errors is below 1e-9 of Moments::size. A box is also bisected if values
-  /// on a finer midpoint grid are outside the range of values at its Gauss
-  /// points. The integration ends after 1e6 evaluations, with the remaining
-  /// error in Moments::error. If @p constant is true, all f are assumed smooth:
-  /// no midpoint grid is evaluated and no box is bisected.
+  /// of f on a regular grid of midpoints are outside the range of its values at
+  /// the Gauss points of the box. The integration ends after 1e6 evaluations,
+  /// with the remaining error in Moments::error. If @p constant is true, all f
+  /// are assumed smooth: no midpoint grid is evaluated and no box is bisected.
   ///
   /// The error of a box is estimated by Gauss rules of degree + 3 and degree +
   /// 4 points, by the halves of the box if these rules differ, and by values
-  /// just inside its edges. Peaks of f between all evaluation points are
+  /// just inside its edges. Peaks of f that no evaluation point hits are
   /// missed. A box is bisected at most 45 times along a parameter (resolution
   /// of doubles).
   template <int dim>

@@ -43,15 +43,16 @@ namespace lamella
     /// Derivative of the forces of a couple by displacements u of its points.
     /// Its symmetric part, for virtual displacements v, is
     ///   df . v = -(spin(u) . stretch(v) + stretch(u) . spin(v)) / 2
-    /// with two vectors linear in u. Entry [k][p] of their coefficients is for
-    /// component k and u at point p. The skew part is omitted: a moment of
-    /// fixed direction is not conservative for spatial rotations.
+    /// with two vectors linear in u. Entry [k][p] has the coefficients of u at
+    /// point p in component k of the vector. The skew part is omitted: a moment
+    /// of fixed direction is not conservative for spatial rotations.
     struct CoupleRotation
     {
       /// Mean rotation J^-1 integral of r x u dA of the surface, r = x - c.
       std::array<std::vector<dealii::Tensor<1, 3>>, 3> spin,
-        /// Change dJ theta = integral of 2 (r . u) theta - (r . theta) u
-        /// - (u . theta) r dA of the area tensor J times theta (Couple).
+        /// Vector dJ theta, dJ the change of the tensor J (Couple) due to u:
+        /// integral of 2 (r . u) theta - (r . theta) u
+        /// - (u . theta) r dA.
         stretch;
     };
     /// Returns spin and stretch for points() moved to the positions @p x.

@@ -55,9 +55,9 @@ namespace lamella
   bool
   is_follower_load(const Load &load);
 
-  /// Returns true if @p load, not a temperature, must be applied to @p body as
-  /// a FollowerLoad: if the body has finite rotations and @p load is a couple
-  /// or a follower pressure, or if the body has rotational DoFs.
+  /// Returns true if @p load (not a temperature) must be applied to @p body as
+  /// a FollowerLoad: any load if the body has rotational DoFs; a couple or a
+  /// follower pressure if the body has finite rotations.
   bool
   depends_on_state(const Load &load, const Body &body);
 

@@ -37,7 +37,7 @@ namespace lamella
 
   private:
     /// A Gauss point at (s, t) with p times its weight, the values of the shape
-    /// functions on the facet (trace functions) and their derivatives.
+    /// functions on the facet, and their derivatives by s and t.
     struct GaussPoint
     {
       dealii::Point<2>    st;

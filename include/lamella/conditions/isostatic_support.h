@@ -33,7 +33,7 @@ namespace lamella
   };
 
   /// Returns the normal displacement at the contact point @p place as a
-  /// functional of the DoFs; empty if the body does not contain the point.
+  /// functional of the DoFs; an empty optional if the point is not in the body.
   std::optional<BodyFunctional>
   row_of(const PotentialContact &place, const Bodies &bodies);
 

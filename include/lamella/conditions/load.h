@@ -58,7 +58,7 @@ namespace lamella
 
     dealii::Tensor<1, 3> force, ///< Resultant force [force].
       moment; ///< Moment of the forces about the scene's origin [force length].
-    /// True if the load is not constant; otherwise members below are not set.
+    /// True if the load varies; otherwise the members below are not set.
     bool checked = false;
     /// Integral of |load| [force]; 0 if it vanished at all integration points.
     double               size = 0.;
@@ -70,10 +70,10 @@ namespace lamella
     dealii::Point<3> place; ///< Point in the scene with most bisections.
   };
 
-  /// Returns the point forces of @p load at load factor 1 on @p region of
-  /// @p body, by adaptive integration on lines and surfaces
-  /// (adaptive_moments()). Throws InputError as add_load(), and for pressures
-  /// on points or lines.
+  /// Returns the point forces of @p load at load factor 1 on @p region of @p
+  /// body, by adaptive integration on lines and surfaces (adaptive_moments()).
+  /// Throws InputError as add_load() does, and for a pressure on a point or
+  /// line.
   PointForces
   point_forces(const Load &load, const Region &region, const Body &body);
 
@@ -89,8 +89,8 @@ namespace lamella
       moment; ///< Moment about the scene's origin, of all regions.
     /// True if the load is a temperature, without force and moment.
     bool is_temperature = false;
-    /// Notes on the integration, and on load components on which the
-    /// displacements of the theory do no work.
+    /// Notes for the user on the integration, and on load components that do no
+    /// work, since the theory has no displacement along them.
     std::vector<std::string> notes;
   };
 

@@ -33,8 +33,8 @@ namespace lamella
       return kept;
     }
 
-    /// Returns the largest distance of the load in @p box from the @p range of
-    /// values at Gauss points (ForceRange::beyond()).
+    /// Returns the largest value of ForceRange::beyond() at grid points in @p
+    /// box; @p range are the values of the load at the Gauss points of the box.
     double
     beyond(const ParameterBox<dim> &box, const ForceRange &range) const;
 

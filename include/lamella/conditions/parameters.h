@@ -39,9 +39,9 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Adds number k in `Factors` of @p in to @p steps[k], the factors of load
-    /// step k. Returns the argument of LoadFactor::of() that selects these
-    /// numbers; 0, the load factor of the scene, if the entry is empty. Throws
-    /// InputError if there is not one number per load step.
+    /// step k. Returns the index of this factor for LoadFactor::of(), or 0
+    /// (load factor of the scene) if the entry is empty. Throws InputError if
+    /// there is not one number per load step.
     static unsigned int
     parse(const Entries &in, std::vector<LoadFactor> &steps);
   };

@@ -2,8 +2,8 @@
 
 // The room `conditions`: supports and loads of single bodies. It owns regions
 // (surfaces, lines, points), supports, loads and their integration, stabilizing
-// springs, and the elimination of what supports prescribe, all as rows of Body.
-// It does not depend on contact.
+// springs, and the elimination of support constraints, which are functionals of
+// Body. It does not depend on contact.
 
 #ifndef lamella_conditions_region_h
 #define lamella_conditions_region_h

@@ -46,8 +46,8 @@ namespace lamella
     std::vector<unsigned int> rows;
     /// DoF that constraint rows[k] eliminates, for each k.
     std::vector<DofIndex> pivots;
-    /// LU factors of the transpose of the square matrix of these constraints
-    /// with the columns of the eliminated DoFs.
+    /// LU factors of the transpose of the square matrix whose rows are these
+    /// constraints and whose columns are the eliminated DoFs.
     std::shared_ptr<const dealii::SparseDirectUMFPACK> transposed;
   };
 
@@ -70,8 +70,8 @@ namespace lamella
       return pivot != dealii::numbers::invalid_dof_index;
     }
 
-    /// Returns true if the equation eliminates no DoF yet and is not
-    /// negligible, compared with its coefficients before the elimination.
+    /// Returns true if the equation eliminates no DoF yet and its coefficients
+    /// are not negligible relative to those before the elimination.
     bool
     is_open() const;
 
@@ -90,7 +90,7 @@ namespace lamella
   };
 
   /// Gauss-Jordan elimination of one group of support constraints with common
-  /// DoFs. Equations that eliminate a DoF have unscaled DoFs as unknowns.
+  /// DoFs. Afterwards, equations with a pivot have unscaled DoFs as unknowns.
   class RowElimination
   {
   public:
@@ -99,8 +99,9 @@ namespace lamella
     RowElimination(const std::vector<unsigned int> &group,
                    const BodyConstraints           &held);
 
-    /// Returns s if the constraints @p group equal the eliminated ones with
-    /// each DoF i replaced by i + s (as at successive axis nodes), else empty.
+    /// Returns the s, if any, for which the constraints @p group equal the
+    /// eliminated ones with each DoF i replaced by i + s (as at successive axis
+    /// nodes).
     std::optional<DofIndex>
     find_shift(const std::vector<unsigned int> &group,
                const BodyConstraints           &held) const;

@@ -26,8 +26,9 @@ namespace lamella
   ///
   /// A row of R is linearly dependent if all entries that remain after
   /// elimination are below 1e-6 of its largest original entry, with DoFs scaled
-  /// by Body::dof_scales(). Its remaining right-hand side must be below 1e-6 of
-  /// the largest value. Keeps a reference to the body's kinematic constraints.
+  /// by Body::dof_scales(). It is contradictory if its remaining right-hand
+  /// side exceeds 1e-6 of the largest value. Keeps a reference to the body's
+  /// kinematic constraints.
   class RowReduction
   {
   public:
@@ -47,7 +48,7 @@ namespace lamella
       return homogeneous;
     }
 
-    /// Returns DoFs that satisfy the supports, with zero unconstrained DoFs.
+    /// Returns u_p, which satisfies the supports with zero unconstrained DoFs.
     const Vector &
     particular() const
     {
@@ -58,7 +59,7 @@ namespace lamella
     /// independent constraints, pairs (index of the constraint, force on the
     /// body). Of @p residual, internal minus external forces, only entries at
     /// eliminated DoFs are used, after condensation of kinematic constraints.
-    /// Dependent constraints have no reaction; resultants are unique.
+    /// Dependent constraints get no reaction; the total resultant is unique.
     std::vector<std::pair<unsigned int, double>>
     multipliers(const Vector &residual) const;
 
@@ -77,7 +78,7 @@ namespace lamella
          const std::vector<PrescribedFunctional> &rows,
          const std::vector<std::string>          &support_names);
 
-    /// Constraints of the theory alone, and together with supports; u_p.
+    /// Constraints of the theory alone; then together with those of supports.
     const Constraints           &kinematic;
     Constraints                  homogeneous;
     Vector                       particular_solution;

@@ -39,7 +39,7 @@ namespace lamella
   centroid_of(const std::vector<SurfacePoint> &points);
 
   /// Returns the nodes of the surface @p surface of @p body that are farthest
-  /// from its centroid; if only one, also those farthest from that node.
+  /// from its centroid; if this is one node, also those farthest from it.
   std::vector<SurfacePoint>
   farthest_points(const Body &body, const std::string &surface);
 

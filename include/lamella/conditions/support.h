@@ -77,7 +77,7 @@ namespace lamella
     std::optional<double> normal = std::nullopt;
     /// Rotation vector [rad] of a RigidRotation with translation `u`, or empty.
     std::optional<dealii::Tensor<1, 3>> rotation = std::nullopt;
-    /// Center of the rotation; if empty, of the bounding box of the points.
+    /// Center of rotation; if empty, center of the bounding box of the regions.
     std::optional<dealii::Point<3>> about = std::nullopt;
     /// Set for an isostatic support, which has no regions and no values.
     std::optional<IsostaticSupport> isostatic = std::nullopt;
@@ -101,9 +101,8 @@ namespace lamella
     dealii::Tensor<1, 3> direction;
     /// Undeformed point at which the reaction acts, scene axes.
     dealii::Point<3> position;
-    /// Moment about `position` of the reaction for a unit value of this
-    /// support. Nonzero only for isostatic supports, whose reactions are
-    /// distributed.
+    /// Moment about `position` of the reaction, for a unit Lagrange multiplier.
+    /// Nonzero only for isostatic supports, whose reactions are distributed.
     dealii::Tensor<1, 3> couple = {};
     /// Copy of Support::history, the index of the history of load factors.
     unsigned int history = 0;

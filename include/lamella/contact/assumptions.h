@@ -13,9 +13,10 @@ namespace lamella
   /// Throws InputError of `Contact NAME` if two of the contacts @p interfaces
   /// constrain the same points of the same two bodies, so that their forces
   /// would be counted twice. Contacts with weighted gaps may share a line of
-  /// nodes, since their areas lie on either side. Two points coincide if they
-  /// are within 1e-9 of the body size, their opposite points within the root of
-  /// the tributary area, and their normals within 60 degrees.
+  /// nodes if their areas are on different sides. Points are the same if they
+  /// differ by at most 1e-9 of the body size, their opposite points by less
+  /// than the root of the tributary area, and their normals by at most 60
+  /// degrees.
   void
   check_conflicts(const std::vector<ContactInterface> &interfaces,
                   const Bodies                        &bodies);
@@ -26,9 +27,9 @@ namespace lamella
   void
   check_node_matching(const std::vector<ContactInterface> &interfaces);
 
-  /// Sliding of the contact points that slide most relative to their spacing:
-  /// tangential displacement of the second surface relative to the first.
-  /// Small-sliding contact assumes that it is small.
+  /// Sliding of the contact point that slides most relative to the point
+  /// spacing: tangential displacement of the second surface relative to the
+  /// first. Small-sliding contact assumes that it is small.
   struct Sliding
   {
     /// Sliding distance [length].
@@ -50,12 +51,12 @@ namespace lamella
                   const LoadFactor                &factor,
                   const std::vector<unsigned int> &active);
 
-  /// Returns warnings, one sentence each, if the displacements @p u violate
-  /// assumptions of small-sliding contact, which pairs initially facing points
-  /// along initial normals. For constraints with the numbers @p active within
-  /// @p interface, normals should be nearly collinear (at 5 degrees the gap is
-  /// off by 1e-3) and sliding at most a tenth of the point spacing. The load
-  /// factor @p factor moves an obstacle.
+  /// Returns warnings if the displacements @p u, with an obstacle at load
+  /// factor @p factor, violate assumptions of small-sliding contact, which
+  /// pairs initially facing points along initial normals. The constraints @p
+  /// active (numbers within @p interface) are checked. A warning is given if
+  /// the normals of the two surfaces differ by more than 5 degrees, or if
+  /// sliding exceeds a tenth of the point spacing.
   std::vector<std::string>
   assumption_warnings(const ContactInterface          &interface,
                       const Bodies                    &bodies,

@@ -14,7 +14,7 @@ namespace lamella
   ///   X_,a . (x - X(s, t)) = 0,   a = s, t,
   /// with X_,a the derivative of X. Newton's method from @p start uses the
   /// matrix X_,a . X_,b - (x - X) . X_,ab; X_,ab is from differences of X_,a.
-  /// The map is continued outside the unit square. Empty without convergence.
+  /// The map is continued outside the unit square. Empty if not converged.
   std::optional<dealii::Point<2>>
   projection_on(const FacetMap         &map,
                 const dealii::Point<3> &x,
@@ -26,13 +26,13 @@ namespace lamella
   /// cosine of the angle between n1 and -n_2. The result has n_2 as normal and
   /// the gap g = n_2 . (x - X_2) as distance, negative for penetration. The
   /// motion of X_2 on the facet does not enter the gradient, as tangents are
-  /// normal to n_2: delta g = n_2 . (delta x - delta X_2). Empty if there is no
-  /// projection.
+  /// normal to n_2: delta g = n_2 . (delta x - delta X_2). The result is empty
+  /// if there is no projection.
   ///
-  /// If the previous projection @p last is known, its facet is used again as
-  /// long as the projection is at most 5 % of the facet length outside a side
-  /// with an adjacent facet. Beyond a side without an adjacent facet there is
-  /// no projection, except within 1 % in the direction of the beam axis.
+  /// If the previous projection @p last is known, its facet is kept while the
+  /// projection lies on it, or beyond a side with an adjacent facet by at most
+  /// 5 % of the facet length. Beyond a side without an adjacent facet there is
+  /// no projection, except up to 1 % of this length along the beam axis.
   std::optional<SurfaceHit>
   closest_point_projection(const MeshSurface          &surface,
                            const dealii::Point<3>     &x,

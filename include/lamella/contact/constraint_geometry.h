@@ -17,11 +17,11 @@ namespace lamella
   /// for a displacement field u and points X_k. Its row in the constraint
   /// matrix is the product of the weights w_rk and the displacement rows of
   /// Body::rows(), so another discretization of the same body, or the deformed
-  /// body, can use the same gaps and contact forces. A node pair has one point,
-  /// with the weight -n on First or n on Second (normal n). A weighted gap has
-  /// the trace nodes of the facets in its support, with weights 1/A_i int phi_i
-  /// psi_k n dA, multiplier functions phi_i of integral A_i and trace functions
-  /// psi_k.
+  /// body, can use the same gaps and contact forces. A node pair has one point
+  /// per side, with the weight -n on the first and n on the second, n the
+  /// normal. A weighted gap has the trace nodes of its facets, with weights
+  /// 1/A_i int phi_i psi_k n dA: phi_i is the multiplier function, A_i its
+  /// integral, psi_k the displacement shape function of the node.
   struct ConstraintGeometry
   {
     /// Pairs (index in `places`, weight vector) of one constraint, scene axes.

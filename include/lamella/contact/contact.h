@@ -17,12 +17,12 @@
 
 namespace lamella
 {
-  /// Numbers of constraints due to which the pairing of a contact is invalid at
-  /// the present displacements (Contact::pairing_is_valid()).
+  /// How many constraints make the pairing of a contact invalid at the present
+  /// displacements (Contact::pairing_is_valid()), by reason.
   struct PairingChange
   {
-    /// Constraints in contact that a new search finds, and that are missing or
-    /// have at most 90 % of their area in the present pairing.
+    /// Constraints in contact that a new search finds, but that the present
+    /// pairing lacks or has with at most 90 % of their area.
     unsigned int missing_constraints = 0;
     /// Constraints in contact whose projection has moved by more than a tenth
     /// of the point spacing, or whose normal has rotated by more than 0.1 rad.
@@ -81,8 +81,8 @@ namespace lamella
             const Bodies      &bodies,
             ContactInterface  &interface);
 
-    /// Searches again which points face each other at the displacements @p u,
-    /// with an obstacle at load factor @p factor, and creates the constraints
+    /// Searches again which points face each other at the displacements @p u
+    /// and load factor @p factor (of an obstacle), and creates the constraints
     /// anew. Throws InputError if no points face each other.
     void
     pair(const BlockVector &u, const LoadFactor &factor);
@@ -150,8 +150,8 @@ namespace lamella
     /// Compares the pairing with a new search of the surfaces at the
     /// displacements @p u and load factor @p factor: each constraint in contact
     /// must exist with the same contact points. A constraint is in contact if
-    /// its gap is below zero by more than 1e-9 of the displacements, or if it
-    /// is in @p active, the ascending numbers of constraints with a force.
+    /// its gap is below -1e-9 times the largest DoF of @p u, or if it is in @p
+    /// active, the ascending numbers of constraints with a force.
     PairingChange
     pairing_is_valid(const BlockVector               &u,
                      const LoadFactor                &factor,
@@ -198,8 +198,8 @@ namespace lamella
     end_penetration(const BlockVector &u, const LoadFactor &factor) const;
 
     /// Returns the deepest penetration at @p u and load factor @p factor, also
-    /// between contact points: of the body into a roller, or of one body into
-    /// the other. Empty for line contact and planes, and if there is none.
+    /// of points between contact points, into a roller or the other body. Empty
+    /// for line contact and planes, and if there is none.
     std::optional<CylinderPenetration>
     cylinder_penetration(const BlockVector &u, const LoadFactor &factor) const;
 
@@ -282,14 +282,14 @@ namespace lamella
     /// Sets the slip functionals from the integrals on @p sides.
     void
     assemble_slips(const ContactSides &sides);
-    /// Sets SlipConstraint::initial so that slips count from the load step on.
+    /// Sets SlipConstraint::initial so that slips are zero when a step begins.
     void
     offset_slips(const BlockVector &u, const LoadFactor &factor);
     /// Returns the index of the first point of each constraint.
     std::vector<unsigned int>
     first_points() const;
-    /// Returns the tangents for the normal @p n on @p sides: tangents_of() if
-    /// undeformed, else convected_tangents() of @p point.
+    /// Returns the tangents for the normal @p n on @p sides. On deformed sides,
+    /// they move with the facet of @p point (convected_tangents()).
     Tangents
     tangents_at(const ContactSides         &sides,
                 const GapPoint             &point,
@@ -312,8 +312,8 @@ namespace lamella
     /// master points in @p now and in `points`.
     std::vector<double>
     projection_drift(const std::vector<GapPoint> &now) const;
-    /// Returns the number of constraints with gaps below @p touching of a new
-    /// search on @p sides that are missing here or lack 10 % of the area.
+    /// Returns how many constraints with gaps below @p touching a new search on
+    /// @p sides finds that are missing here or have at most 90 % of the area.
     unsigned int
     count_missing_constraints(const ContactSides &sides,
                               const double        touching) const;

@@ -114,8 +114,8 @@ namespace lamella
     /// `surface to surface` once contact extends beyond a line, and an `edge to
     /// surface` contact is added at body ends. False if the scene gives it.
     bool is_automatic = false;
-    /// For a contact that was added at body ends: number of the contact between
-    /// the surfaces, which reports both; else empty.
+    /// For an `edge to surface` contact added at body ends: index of the
+    /// contact of the surfaces, in whose output it is included; else empty.
     std::optional<unsigned int> part_of;
   };
 

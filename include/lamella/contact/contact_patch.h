@@ -26,7 +26,7 @@ namespace lamella
   /// from the forces lambda_i and areas A_i of the contact points.
   ///
   /// Points are grouped into lines along one of the two axes normal to
-  /// facing_axis(), chains of neighbors on the grid of the slave surface
+  /// facing_axis(): chains of neighbors on the grid of the slave surface
   /// (SlaveSurface::lines()). A loaded interval consists of adjacent points
   /// with a force. On either side it ends at
   /// - the last point with a force if the contact ends there;
@@ -35,12 +35,11 @@ namespace lamella
   ///   sum lambda_i max(0, s_i - s_b) about points s_b then grow as (s* -
   ///   s_b)^(5/2). M_2 and M_4 about the points two and four inside the edge
   ///   give s* = (r s_2 - s_4) / (r - 1), r = (M_4 / M_2)^(2/5);
-  /// - midway between the last loaded and the first open point if there are
-  /// fewer
-  ///   than four loaded points or the pressure does not fall towards the edge.
+  /// - but midway between the last loaded and the first open point for less
+  ///   than four loaded points, or if the pressure does not fall to the edge.
   ///
-  /// If lines have on average fewer than three points, widths are the extent of
-  /// the loaded points, each taken as a square of its area.
+  /// If lines have on average fewer than three points, the width is the extent
+  /// of the loaded points, each with a square of its area around it.
   class ContactPatch
   {
   public:

@@ -25,8 +25,9 @@ namespace lamella
   /// meshes. With friction, shear forces give a shear traction in the same way.
   ///
   /// For nodal contact, the moment of p n_i differs from that of the nodal
-  /// forces by O(h^2); the difference is added as a distributed couple. Contact
-  /// points that are not on the slave surface have point forces.
+  /// forces by O(h^2) (element size h). The difference is added as a
+  /// distributed couple. Contact points off the slave surface have point
+  /// forces.
   class ContactTraction
   {
   public:
@@ -114,9 +115,9 @@ namespace lamella
     }
 
   private:
-    /// Returns for each contact point the fraction of its function phi_i in @p
-    /// strip, and that fraction times the vector from the centroid of phi_i to
-    /// the centroid of its restriction to the strip.
+    /// Returns for each contact point the fraction of the integral of phi_i in
+    /// @p strip, and that fraction times the vector from the centroid of phi_i
+    /// to the centroid of its restriction to the strip.
     std::vector<SlaveSurface::Integrals>
     inside(const ContactStrip &strip) const;
     /// Returns true if contact point @p k is not on the slave surface.

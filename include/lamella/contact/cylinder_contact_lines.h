@@ -22,8 +22,8 @@ namespace lamella
   };
 
   /// Returns true if contact points at the distance @p spacing along a beam are
-  /// too coarse for contact with a roller of @p radius [both lengths]. Half a
-  /// spacing off the contact line, the normal has the error spacing / 2 radius.
+  /// too far apart for contact with a roller of @p radius [both lengths]. Half
+  /// a spacing off the line, the normal is wrong by spacing / (2 radius).
   inline bool
   are_too_coarse_for(const double spacing, const double radius)
   {
@@ -38,8 +38,8 @@ namespace lamella
     double spacing = 0., ///< Distance of adjacent contact points [length].
       length       = 0.; ///< Length of the arc [length].
 
-    /// Returns true if the arc is so short that the contact is a line: two
-    /// points share its force, and weighted gaps may activate a third.
+    /// Returns true if the arc is at most two spacings long. Then the contact
+    /// can be a line, whose force two or three points share.
     bool
     is_line() const
     {
@@ -58,8 +58,8 @@ namespace lamella
   /// the beam bends. At this point the gap
   ///   g = |r| - R,   r the component of x - c normal to the axis through c,
   /// with the roller radius R is stationary along the line, so the gradient of
-  /// g omits the motion of the point. At a distance d, the normal turns by d /
-  /// R.
+  /// g omits the motion of the point. At a distance d from it, the normal is
+  /// off by the angle d / R.
   class CylinderContactLines
   {
   public:

@@ -22,9 +22,9 @@ namespace lamella
 
   /// Returns the node of either body with the deepest penetration into the
   /// other surface in the configuration @p now; empty if none penetrates. If @p
-  /// of_ends, only nodes at body ends are considered: a surface that slides
-  /// over an end has no constraint at its nodes. Projections are at most @p
-  /// search_radius away [length]. @p paired are the surfaces when paired.
+  /// of_ends is true, only nodes at body ends are considered, since they have
+  /// no constraint if a surface slides over them. Projections are at most @p
+  /// search_radius away [length]. @p paired are the surfaces that were paired.
   std::optional<EndPenetration>
   deepest_node(const ContactSides &paired,
                const ContactSides &now,

@@ -71,7 +71,7 @@ namespace lamella
   ///   per_node    value
   ///   per_area    value * A, A that of @p first (both sides have the same)
   /// with the members of @p penalty, and the normal modulus E_n, tributary area
-  /// A and cell depth h > 0 of @p first and @p second. No support is needed.
+  /// A and cell depth h > 0 of @p first and @p second. Supports do not enter.
   double
   row_penalty(const Penalty        &penalty,
               const LocalStiffness &first,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The room `contact`: search, pairing, and the contact law. It owns the gap
-// rows with their geometry, rigid obstacles, penalties and other
-// enforcements, the traction of the row forces, and checks of the pairing.
-// It formulates the contact problem; `solve` determines the active set. It
-// does not solve it.
+// constraints with their geometry, rigid obstacles, penalties and other
+// enforcements, the contact traction, and checks of the pairing. It formulates
+// the contact problem; `solve` solves it.
 
 #ifndef lamella_contact_gap_constraints_h
 #define lamella_contact_gap_constraints_h
@@ -235,15 +234,15 @@ namespace lamella
       return 3 * size();
     }
 
-    /// Returns the constraint of index @p number in a list of all gaps, then
-    /// all slips (two per constraint).
+    /// Returns the index of the constraint to which entry @p number belongs in
+    /// a list of all gaps, then all slips (two per constraint).
     unsigned int
     row_of(const unsigned int number) const
     {
       return number < size() ? number : (number - size()) / 2;
     }
 
-    /// Returns the functional of index @p number in a list of all gaps, then
+    /// Returns the functional of entry @p number in a list of all gaps, then
     /// all slips (two per constraint).
     const ContactConstraint &
     constraint(const unsigned int number) const
@@ -276,7 +275,7 @@ namespace lamella
     std::pair<unsigned int, unsigned int>
     contact_of_row(const unsigned int row) const;
 
-    /// Returns the entries of @p values, one per constraint, of @p contact.
+    /// Returns the entries for @p contact of @p values, one per constraint.
     template <typename T>
     dealii::ArrayView<const T>
     of_contact(const unsigned int contact, const std::vector<T> &values) const
@@ -318,15 +317,15 @@ namespace lamella
   ///      face each other (count_facing_cells()), if equal the first body;
   ///   4. gaps, normals, areas and weights: pair_node_to_node(),
   ///      pair_node_to_surface() or weighted_gaps();
-  ///   5. weights times displacement rows; penalties from local stiffnesses;
-  ///   6. overlaps by Overclosure; gaps within rounding become zero.
+  ///   5. functionals of the DoFs with these weights; penalty parameters;
+  ///   6. overlaps treated as Overclosure; gaps within rounding set to zero.
   ///
   /// Throws InputError if a surface does not exist, if no points face each
   /// other within the search distance (the message gives the nearest distance),
   /// if the surfaces face away from each other or overlap by more than the
   /// depth of the cells, and for any overlap under Overclosure::refuse. Points
-  /// with larger overlap are omitted if they face away through their own body
-  /// (the upper half of a roller).
+  /// with larger overlap have no constraint if they are on the far side of
+  /// their own body (the upper half of a roller).
   ContactInterface
   make_interface(const ContactPair &contact, const Bodies &bodies);
 

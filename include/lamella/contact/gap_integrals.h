@@ -21,7 +21,7 @@ namespace lamella
   /// functions of either surface; n is the normal outward from the slave side.
   struct GapIntegrals
   {
-    /// Multiplier function's integral over projected points [length^2].
+    /// Integral of phi_i over points that have a projection [length^2].
     double               area = 0.;
     double               gap  = 0.; ///< Average gap [length].
     dealii::Tensor<1, 3> normal;    ///< Average normal, not of length 1.
@@ -57,8 +57,8 @@ namespace lamella
   /// points without a projection. The gap is g = n_2 . (x_1 - x_2) with the
   /// exact gradient n . (delta x_2 - delta x_1), n = -n_2. MasterPoints::paired
   /// uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 - x_1); this gradient
-  /// is exact if x_2 - x_1 is along n. x and n_1, n_2 are points and normals of
-  /// the slave (1) and master (2).
+  /// is exact if x_2 - x_1 is along n. x_1, n_1 are the point and outward
+  /// normal of the slave, x_2, n_2 of the master.
   ///
   /// If reference points @p held of the beginning of the load step are given,
   /// computes slips, and adds reference points for newly facing points.

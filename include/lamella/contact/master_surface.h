@@ -61,9 +61,9 @@ namespace lamella
   /// The relation is symmetric: the point opposite X_2 is X_1, with the normal
   /// -n. A fixed-point iteration starts from n = n_1, or from normal_near() if
   /// the line along n_1 misses the surface. @p opposed is the smallest
-  /// permitted cosine of the angle between n_1 and -n_2. Empty if the normals
-  /// are not opposed, if @p other is farther than @p search_radius along n, or
-  /// if the iteration does not converge in 50 steps.
+  /// permitted cosine of the angle between n_1 and -n_2. The result is empty if
+  /// the normals are not opposed, if @p other is farther than @p search_radius
+  /// along n, or without convergence in 50 steps.
   std::optional<MasterPoint>
   find_master_point(const MasterSurface        &other,
                     const dealii::Point<3>     &x,

@@ -22,8 +22,8 @@ namespace lamella
   /// contact. Each facet, one side of a cell, has an exact map X(s, t)
   /// (FacetMap), with which lines are intersected.
   ///
-  /// At smooth joints, normals of adjacent facets differ by the interpolation
-  /// error of curves. Contact therefore uses a continuous normal: the average
+  /// At smooth joints, normals of curved facets differ by interpolation errors.
+  /// Contact therefore uses a continuous normal: the average
   ///   n_i ~ sum over facets int L_i n dA
   /// at each node i of the Gauss-Lobatto grids of the facets, interpolated by
   /// the functions L_i of the grid, with facet normals n. At edges sharper than
@@ -124,8 +124,8 @@ namespace lamella
     /// A node on a side of a larger facet (SurfaceTopology::HangingNode).
     using HangingNode = SurfaceTopology::HangingNode;
 
-    /// Returns the hanging nodes, as indices in grid_nodes(). The end nodes of
-    /// the side on which a node hangs come later if they hang themselves.
+    /// Returns the hanging nodes, as indices in grid_nodes(). If an end node of
+    /// the side on which a node hangs is itself hanging, it comes later.
     const std::vector<HangingNode> &
     hanging_nodes() const
     {
@@ -133,8 +133,8 @@ namespace lamella
     }
 
     /// Sets @p values to the shape functions of the trace nodes of @p facet at
-    /// @p st: displacements u(s, t) are the sum of @p values times those of the
-    /// trace nodes, in the order of Facet::trace_nodes.
+    /// @p st: the displacement u(s, t) is the sum of @p values times nodal
+    /// displacements, in the order of Facet::trace_nodes.
     void
     evaluate_trace(const Facet            &facet,
                    const dealii::Point<2> &st,
@@ -166,8 +166,8 @@ namespace lamella
 
     /// Returns the intersection of the line x + t d with facet number @p
     /// facet_index, where it enters the body. Newton's method starts from the
-    /// center. Empty if the line misses the facet, or enters the body by
-    /// neither the facet normal nor the smooth normal.
+    /// center. Empty if the line misses the facet, or leaves the body according
+    /// to both the facet normal and the smooth normal.
     std::optional<SurfaceHit>
     intersect_facet(const unsigned int          facet_index,
                     const dealii::Point<3>     &x,

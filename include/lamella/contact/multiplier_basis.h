@@ -65,9 +65,9 @@ namespace lamella
     void
     close(const Cell &cell);
 
-    /// Computes one weighted gap per grid node and stores all in @p result
-    /// except for its integration points. @p parts are the polygons of each
-    /// facet that face the master surface.
+    /// Computes one weighted gap per grid node. Sets the gaps of @p result with
+    /// their points and the slave surface, but not the integration points. @p
+    /// parts are the polygons of each facet that face the master surface.
     void
     finish(const std::vector<std::vector<Polygon>> &parts, Gaps &result);
 

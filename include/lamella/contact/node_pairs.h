@@ -16,7 +16,7 @@ namespace lamella
 
   /// Returns the gaps of node-to-node contact, one per pair of nodes at most @p
   /// search_radius apart (pair_node_to_node()), with the smaller of both
-  /// tributary areas. Stores numbers of unpaired nodes in @p interface.
+  /// tributary areas. Stores in @p interface how many nodes have no partner.
   Gaps
   node_to_node(const ContactSides &sides,
                const double        search_radius,

@@ -88,8 +88,8 @@ namespace lamella
   ///   plane:     t = (p - x) . N / (d . N),
   ///   cylinder:  |r + t e| = R, the smaller root t,
   /// with point p, direction N and radius R of the obstacle, and the components
-  /// r and e of x - p and d normal to the axis. Empty if the line is parallel
-  /// to the surface, leaves the half space, or misses the cylinder.
+  /// r and e of x - p and d normal to the axis. The result is empty if the line
+  /// is parallel to the surface, leaves the half space, or misses the cylinder.
   std::optional<Hit>
   meet(const Obstacle             &obstacle,
        const dealii::Point<3>     &x,

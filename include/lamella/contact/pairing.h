@@ -26,7 +26,7 @@ namespace lamella
     double initial_gap = 0.;
   };
 
-  /// Result of node-to-node pairing: pairs and numbers of unpaired points.
+  /// Result of node-to-node pairing.
   struct Pairing
   {
     std::vector<PointPair> pairs; ///< Pairs, ascending by PointPair::first.
@@ -44,8 +44,8 @@ namespace lamella
   /// the pairs and reverses the normals. Points a and b with areas A form a
   /// pair if, with d = X_b - X_a and the averaged normal n,
   ///   |d - (d . n) n| <= tolerance sqrt(min(A_a, A_b)),  |d| <= search_radius,
-  /// and if their normals are opposed: to 60 degrees for points in contact,
-  /// less strictly (|n_a - n_b| > 0.2) for points apart along n.
+  /// and if their normals are opposed: within 60 degrees for points in contact;
+  /// less strictly, |n_a - n_b| > 0.2, for points with a distance along n.
   Pairing
   pair_node_to_node(
     const std::vector<SurfacePoint> &first,
@@ -57,7 +57,7 @@ namespace lamella
   ///   g(u) = sum_k v_k . u_2(X_k) - sum_j w_j . u_1(X_j) + gap,
   /// with points X_j and X_k of the slave and master surface and weight vectors
   /// w_j and v_k. `gap` is the initial gap. A node pair has v = w = n, the
-  /// normal; the weights of a weighted gap (mortar) sum to it.
+  /// normal; the weights of a weighted gap (mortar) sum to its average normal.
   struct WeightedGap
   {
     dealii::Point<3> position, ///< Slave point of the gap.
@@ -161,8 +161,8 @@ namespace lamella
                        const double         search_radius);
 
   /// Returns the number of cells between surface nodes of @p a that face @p b
-  /// within @p search_radius [length]; a facet has degree_s x degree_t cells.
-  /// Partly facing facets count by their facing area, as plane quadrilaterals.
+  /// within @p search_radius [length]; a facet has degree_s x degree_t cells. A
+  /// partly facing facet counts with the fraction of its area that faces @p b.
   /// SlaveSide::automatic compares these numbers of both surfaces.
   double
   count_facing_cells(const MeshSurface &a,

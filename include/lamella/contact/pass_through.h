@@ -22,10 +22,10 @@ namespace lamella
   /// surface and the outward normal n, the function tests if at some point the
   /// axis
   ///   was ahead (r . n < 0) and is behind (r . n > 0),
-  /// and if the chord between both vectors r, projected normal to the axis,
-  /// comes within the radius. Sampled points are half a radius apart, but at
-  /// least a fortieth of a facet. Facets must be the same. Returns false for a
-  /// plane.
+  /// and if the straight line between both vectors r, projected along the axis,
+  /// comes closer to it than the radius. Sampled points are half a radius
+  /// apart, but at least a fortieth of a facet. Both states must have the same
+  /// facets. Returns false for a plane.
   bool
   passes_through(const SurfaceAndRoller &before, const SurfaceAndRoller &after);
 
@@ -37,8 +37,8 @@ namespace lamella
   bool
   passes_through(const ContactSides &before, const ContactSides &after);
 
-  /// Returns true if the nodes of both surfaces move by at least the smallest
-  /// element depth, so that passes_through() must be checked.
+  /// Returns true if the motion between the states reaches the smallest element
+  /// depth, so that passes_through() must be called.
   bool
   may_pass_through(const ContactSides &before, const ContactSides &after);
 } // namespace lamella

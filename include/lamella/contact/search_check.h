@@ -43,8 +43,8 @@ namespace lamella
     /// Throws NumericsError if a point without a constraint in @p interface, or
     /// with a constraint for a part of its area, is in contact at the
     /// displacements @p u and the load factor @p factor. A point is in contact
-    /// if the gap of its additional constraint is below zero by more than 1e-9
-    /// of the displacements, or if its existing constraint is one of @p active
+    /// if the gap of its additional constraint is below -1e-9 times the largest
+    /// DoF of @p u, or if its existing constraint is one of @p active
     /// (ascending indices within the contact). The message gives the required
     /// search distance. The search radius grows with @p u and the motion of the
     /// obstacle, up to automatic_search_distance().

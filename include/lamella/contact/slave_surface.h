@@ -53,7 +53,7 @@ namespace lamella
       /// with factors: 1 for the node's constraint; 1/2 for both end nodes of a
       /// hanging node; none if the node has no constraint.
       std::vector<std::vector<std::pair<unsigned int, double>>> rows;
-      /// Polygons (s, t) where functions are nonzero; for hats within a cell.
+      /// Polygons (s, t) where functions are nonzero; hats: each in one cell.
       std::vector<Polygon> parts;
     };
 
@@ -159,13 +159,12 @@ namespace lamella
   /// Returns the slave surface of nodal contact on @p surface of @p body, with
   /// constraint k at the facet grid node @p nodes[k].
   ///
-  /// If @p whole is true (node pairs), constraints have support on facets all
-  /// of whose nodes have a constraint. Constraints without such a facet have
-  /// support on every facet of their node; if @p whole is false, all
-  /// constraints do. If several constraints are at one node, a facet uses the
-  /// one with the closest normal, within 60 degrees of its own. If the body has
-  /// a lower expansion degree, functions of nodes without constraints are added
-  /// to those of nodes with.
+  /// The function of a constraint is nonzero on the facets of its node. If @p
+  /// whole is true (node pairs), these are only the facets all of whose nodes
+  /// have a constraint, unless there is none. If several constraints are at one
+  /// node, a facet uses the one with the closest normal, within 60 degrees of
+  /// its own. The function of a node without a constraint, between two nodes
+  /// with constraints on a grid line, is divided between these.
   SlaveSurface
   make_nodal_slave_surface(const Body                   &body,
                            const std::string            &surface,
@@ -174,8 +173,8 @@ namespace lamella
 
   /// Returns the facet coordinates (s, t) of the intersection of the line x + t
   /// d, with unit vector @p d, and a facet with the map @p map, up to 1e-7
-  /// outside the unit square. Newton's method, from the center. Empty if there
-  /// is none.
+  /// outside the unit square. Newton's method, from the center. Empty if it
+  /// finds none.
   std::optional<dealii::Point<2>>
   line_intersection(const FacetMap             &map,
                     const dealii::Point<3>     &x,
