@@ -22,8 +22,8 @@ namespace lamella
   tangents_of(const dealii::Tensor<1, 3> &n);
 
   /// Returns the unit tangents for the normal @p n at the point @p st of a
-  /// facet with the deformed map @p now. The first is that of tangents_of() on
-  /// the undeformed map @p before, convected with the facet.
+  /// facet with the undeformed map @p before and the deformed map @p now. The
+  /// first has the direction of the deformed first tangent of tangents_of().
   Tangents
   convected_tangents(const FacetMap             &before,
                      const FacetMap             &now,
@@ -51,9 +51,9 @@ namespace lamella
                        const GapPoint     &point,
                        const MasterPoint  &at);
 
-  /// Returns the slip vector [length], normal to n, of the master side relative
-  /// to the slave side at the contact point @p now, which faces @p at on @p
-  /// sides, since its reference @p then:
+  /// Returns the slip of a contact point in a load step: the tangential motion
+  /// [length] of the master surface relative to the slave surface, from the
+  /// reference @p then to the point @p now, which faces @p at on @p sides,
   ///   s = P (x_c(C) - x_c(C_0)) - P (x_o(O) - x_o(O_0)),   P = I - n n,
   /// where C and O are the material points of the slave and master surface now
   /// in contact, C_0 and O_0 those of the reference, and x_c and x_o current

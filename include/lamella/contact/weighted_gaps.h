@@ -14,26 +14,26 @@ namespace lamella
   /// gap i is
   ///   g_i = 1/A_i int phi_i n . (u_2(X_2) - u_1(X_1)) dA,
   ///   A_i = int phi_i dA,
-  /// with the displacements u_1 and u_2 of both bodies, over the area that
-  /// faces the master side, with the point X_2 opposite X_1 and the averaged
-  /// normal n there (find_master_point()). The contact forces lambda_i
-  /// represent the continuous pressure
+  /// with the displacements u_1 and u_2 of both bodies at the opposite points
+  /// X_1 and X_2, and the averaged normal n (find_master_point()). The first
+  /// integral is over the area that faces the master side. The contact forces
+  /// lambda_i represent the continuous pressure
   ///   p = sum_i (lambda_i / A_i) phi_i,
   /// positive everywhere if all forces are.
   ///
-  /// Integrands have kinks between master facets. Each cell is therefore cut
-  /// into segments with the opposite facets (cut()). The weights of nodal
-  /// displacements are mortar integrals
+  /// The integrands have kinks at the edges of master facets. Each cell is
+  /// therefore cut along these edges into segments (cut()). The weights of the
+  /// nodal displacements in g_i are mortar integrals
   ///   w_j = 1/A_i int phi_i psi_j n dA,   v_k = 1/A_i int phi_i chi_k n dA
   /// with the trace functions psi_j of the slave and chi_k of the master side.
-  /// Both sum to the same average normal: action equals reaction.
+  /// As sum_j w_j = sum_k v_k, the contact forces on both sides are opposite.
   ///
   /// - A segment faces the master side if its centroid does. If several facets
   ///   are opposite, the nearest counts.
   /// - Points behind the master side by more than the element depth are omitted
   ///   and returned in Gaps::deep_penetrations.
-  /// - A node is unpaired if its hat function faces the master side on less
-  ///   than 1e-12 of its integral.
+  /// - A node is unpaired if less than 1e-12 of the integral of its hat
+  ///   function is over the area that faces the master side.
   /// - Half of a hanging node's hat function is added to each of its end nodes.
   /// - Against an obstacle, cells are not cut, and there are no master weights.
   Gaps

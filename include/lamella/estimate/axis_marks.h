@@ -18,11 +18,11 @@ namespace lamella
   bisected(Scene scene, const std::vector<ElementError> &marked);
 
   /// Returns the axis elements to be bisected to reduce the errors of @p goals.
-  /// For each goal, elements with the largest |error| per DoF are selected
-  /// until the selected errors are at least the fraction @p share of the sum of
-  /// |error|, and the others sum to at most the fraction @p left of the
-  /// tolerance. Empty without element errors (LocalErrors) or if a contact
-  /// pairs nodes.
+  /// For each goal, elements are selected in descending order of |error| per
+  /// DoF. The sum of |error| of the selected elements is at least @p share
+  /// times that of all, and that of the others at most @p left times the
+  /// tolerance. Returns an empty optional without element errors or if a
+  /// contact pairs nodes.
   std::optional<std::vector<ElementError>>
   marked_elements(const Scene                   &scene,
                   const std::vector<GoalResult> &goals,
@@ -36,10 +36,11 @@ namespace lamella
   ///   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
   /// where e is multiplied by 2^(-2 p) if only errors of pairs are known
   /// (LocalErrors::of_pairs). Pairs, also of merged elements, are merged in
-  /// ascending order of their error. Their sum is at most the fraction @p left
-  /// of each tolerance. Element ends at the axial coordinates @p kept [length],
-  /// one list per body, are unchanged. Nothing is merged if a contact pairs
-  /// nodes, or if a goal has no element errors or a large LocalErrors::contact.
+  /// ascending order of this error, until the sum of their errors reaches @p
+  /// left times a tolerance. Element ends at the axial coordinates @p kept
+  /// [length], one list per body, remain. Nothing is merged if a contact pairs
+  /// nodes, if a goal has no element errors, or if its contact error exceeds @p
+  /// left times its tolerance.
   Scene
   merged(Scene                                   scene,
          const std::vector<std::vector<double>> &kept,

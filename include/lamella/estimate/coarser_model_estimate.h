@@ -24,29 +24,29 @@ namespace lamella
     /// Smallest section degree N of LE-N (Lagrange expansion) with error bars;
     /// the change from LE-1 to LE-2 does not bound the error of LE-2.
     unsigned int min_degree = 3;
-    /// Lower limit of the error, as a fraction of the change of the goal
-    /// between the two next coarser models (in degree).
+    /// Lower limit of the error, as a fraction of the change of the goal from
+    /// the second to the next coarser model (of lower degree).
     double min_share_of_previous = 1. / 8.;
-    /// Lower limit of the error, as a fraction of the sum of the absolute
-    /// contributions of nodes to the change from the coarser model.
+    /// Lower limit of the error, as a fraction of Surplus::by_nodes: the sum of
+    /// |contribution| of all nodes to the change from the coarser model.
     double min_share_of_sizes = 1. / 4.;
   };
 
   /// Error bars of the goals (output quantities) of a run from coarser models.
   ///
-  /// If a goal J has a derivative and the scene has no contacts, Surpluses
-  /// approximate its changes from two coarser sections and two coarser axes,
-  /// and coarser_model_bar() returns the bar.
+  /// If a goal J has a derivative and the scene has no contacts, its changes
+  /// from two coarser sections and two coarser axes are approximated by
+  /// Surpluses. coarser_model_bar() of these changes is the bar.
   ///
   /// All other goals: J_0 is the goal in the run, J_1 on half of the elements
   /// with one degree less, and J_2 on a quarter with two degrees less. The last
   /// change is
   ///   d = max(|s_section| + |s_axis|, |J_0 - J_1|)
-  /// with the surpluses s of section and axis (zero for goals without). The
-  /// previous change e is the same for the two coarser models. The bar is
-  /// coarser_model_bar() of d and e, the error at least |J_1 - J_2| / 8. Each
-  /// model has its own contact constraints and active set, so active-set errors
-  /// are included. ContactShares adds penalties and load steps.
+  /// with the changes s by section and axis from Surpluses (zero if unknown).
+  /// The same formula with J_1 - J_2 gives the previous change e. The bar is
+  /// coarser_model_bar() of d and e, with an error of at least |J_1 - J_2| / 8.
+  /// Each model has its own contact constraints and active set, so active-set
+  /// errors are included. ContactShares adds penalties and load steps.
   class CoarserModelEstimate
   {
   public:

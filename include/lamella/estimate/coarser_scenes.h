@@ -12,15 +12,15 @@
 namespace lamella
 {
   /// Returns @p axis with about half as many elements. Neighbors are merged in
-  /// pairs within each segment of the axis; if their number is odd, three
-  /// elements are merged at the longest. On graded axes, where each segment is
-  /// one element, pairs are formed between the points toward which elements get
-  /// shorter. All element ends of the result are element ends of @p axis.
+  /// pairs within each segment of the axis; of an odd number, three are merged
+  /// where they are longest. On graded axes, where each segment is one element,
+  /// pairs are formed between the points toward which elements get shorter. All
+  /// element ends of the result are element ends of @p axis.
   AxisMesh
   halved(const AxisMesh &axis);
 
-  /// Returns the elements of @p axis after halved() was applied @p times. Each
-  /// time, the degree of elements not merged is reduced by one (not below 1).
+  /// Applies halved() to @p axis @p times times and returns the elements. Each
+  /// time, elements that were not merged get one degree less (at least 1).
   std::vector<AxisSpan>
   coarser_spans(AxisMesh axis, const unsigned int times);
 

@@ -50,9 +50,9 @@ namespace lamella
                      ModelCache       &cache);
 
     /// Returns the solved model of @p scene, from the cache if it was solved
-    /// before. Otherwise it is solved and described by @p what in the output.
-    /// If the callback @p look is given, the model is always solved, and @p
-    /// look is called with its simulation. Throws as Simulation. Collective.
+    /// before. Otherwise it is solved and printed as @p what. If the callback
+    /// @p look is given, the model is always solved, and @p look is called with
+    /// its simulation. Throws as Simulation. Collective.
     Model
     solved(const Scene                                   &scene,
            const std::string                             &what,

@@ -13,15 +13,15 @@
 
 namespace lamella
 {
-  /// Measured factors by which the changes of a goal due to penalties and load
-  /// steps are multiplied in its error bar (doc/theory/friction.md).
+  /// Measured factors. In the error bar of a goal, its changes by exact contact
+  /// and by more substeps are multiplied by them (doc/theory/friction.md).
   struct ContactShareRules
   {
     double of_penalties = 2.; ///< Factor for the change by exact contact.
     /// Factor for the change by twice as many substeps: the error is 1 (first
     /// order) to 3.4 times (order 1/2, growing contact) this change.
     double of_path = 4.;
-    /// Factor for the change by twice as many substeps in the error estimate.
+    /// Factor for the same change in the signed error estimate.
     double left_of_path = 2.;
   };
 
@@ -32,12 +32,12 @@ namespace lamella
   /// lambda) is solved again with exact contact, on the factorized stiffness of
   /// the run and with its own active set. A goal J changes by
   ///   J'_u . (u_exact - u) + J'_lambda . (lambda_exact - lambda).
-  /// If the goal has no derivative, or with friction, a coarser model gives the
-  /// change (compare()). Zero without penalties.
+  /// If the goal has no derivative, or with friction, the change is computed in
+  /// a coarser model (compare()). It is zero without penalties.
   ///
-  /// Load steps, with friction only: the change by twice as many substeps in a
-  /// coarser model. The friction law is integrated by backward Euler, of first
-  /// order at most. Throws NumericsError if exact contact fails. Collective.
+  /// Load steps, with friction only (integrated by backward Euler, of first
+  /// order at most): the change by twice as many substeps in a coarser model.
+  /// Throws NumericsError if exact contact fails. Collective.
   class ContactShares
   {
   public:
@@ -53,9 +53,9 @@ namespace lamella
             const Scene                      &poorer,
             const ResultNumbers              &numbers);
 
-    /// Adds the error contributions of @p goal, one of the goals of compare(),
-    /// to @p result: the changes times ContactShareRules, with sign to the
-    /// error estimate, in absolute value to the bar.
+    /// Adds the changes of @p goal, one of the goals of compare(), times the
+    /// factors in ContactShareRules to @p result: the signed changes to the
+    /// error estimate, their absolute values to the bar.
     void
     add_to(const NamedQuantity &goal, GoalResult &result) const;
 

@@ -39,8 +39,8 @@ namespace lamella
   std::vector<BodySize>
   sizes_of(const BuiltScene &model);
 
-  /// Returns true if SV-N (section functions for N wave numbers) may have fewer
-  /// section functions than the Lagrange expansion of @p body of size @p size.
+  /// Returns true if SV-N (section functions for N wave numbers) can replace
+  /// the Lagrange expansion of @p body, of size @p size, at lower cost.
   bool
   may_have_responses(const BodyDescription &body,
                      const BodySize        &size,
@@ -50,21 +50,22 @@ namespace lamella
   /// LE-N is the Lagrange expansion of degree N, SV-N the theory with section
   /// functions computed for N wave numbers:
   /// - axis: elements along beams are bisected;
-  /// - fields: EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6. All of
-  ///   these become LE-2 if LE-2 has at most PlanRules::cheap_dofs DoFs or
-  ///   contacts extend over more than max_contact_share of the body. SV-N gets
-  ///   four more wave numbers;
+  /// - fields: EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6. They
+  ///   become LE-2 instead if LE-2 has at most PlanRules::cheap_dofs DoFs, or
+  ///   if contacts extend over more than the fraction max_contact_share of the
+  ///   body. Other SV-N get four more wave numbers;
   /// - section: the degree of LE-N and the section order of SV-N increase by
-  ///   one. At 8 (PlanRules::highest_degree, corner_degree) a layer of cells is
-  ///   added at the corners of the section, or without corners each cell is
-  ///   divided in four. solid-1 becomes solid-2; then cells are divided in
-  ///   eight;
+  ///   one. If they are 8 (PlanRules::highest_degree, corner_degree), a layer
+  ///   of cells is added at the corners of the section instead; without corners
+  ///   each cell is divided in four. solid-1 becomes solid-2; cells of solid-2
+  ///   are divided in eight;
   /// - contact: penalties are replaced by exact contact;
   /// - path: substeps are doubled (for_estimates() sets their number).
   ///
-  /// LE-N becomes SV-10 with the same section mesh if the body, of the size in
-  /// @p sizes, would exceed PlanRules::max_layerwise_dofs and
-  /// may_have_responses(). Axes must be divided into elements (grade_axes()).
+  /// LE-N becomes SV-10 with the same section mesh if the body (its size is in
+  /// @p sizes) would get more than PlanRules::max_layerwise_dofs DoFs and SV-10
+  /// can replace it (may_have_responses()). Axes must be divided into elements
+  /// (grade_axes()).
   Scene
   enriched(const Scene                 &scene,
            const Source                 source,
@@ -76,8 +77,8 @@ namespace lamella
   has_source(const Scene &scene, const Source source);
 
   /// Returns the scene of the solved @p run for comparison models, without
-  /// output except probes. It has only the last load step; with friction (with
-  /// the run's substeps) or large rotations it has all load steps.
+  /// output except probes. It has only the last load step. With large rotations
+  /// or friction, it has all load steps; with friction also the run's substeps.
   Scene
   for_estimates(const Simulation &run);
 } // namespace lamella

@@ -21,7 +21,7 @@ namespace lamella
     /// Smallest section order that a run to a tolerance compares with a lower
     /// order; smaller orders are compared with a higher order.
     unsigned int min_order = 3;
-    /// Factor in the bar of the change by fewer wave numbers or section order.
+    /// Factor in the bar of the change by fewer waves or a lower order.
     double of_fields = 2.,
            of_axis = 1., ///< Factor in the bar of the change by a halved axis.
       enriched_factor = 2.; ///< Factor of the change by any finer model.
@@ -40,8 +40,8 @@ namespace lamella
   ///
   /// All models have the same boundary-layer modes. A bar is the sum of
   /// |change| times the factors in EnrichmentRules. Finer models give shorter
-  /// bars; coarser ones cost half. The estimated error is the sum of the
-  /// changes by finer models only. ContactShares adds penalties and load steps.
+  /// bars; coarser models cost half as much. The error estimate is the signed
+  /// sum by finer models only. ContactShares adds penalties and load steps.
   class EnrichmentEstimate
   {
   public:

@@ -23,7 +23,7 @@ namespace lamella
     double growth    = 0.9;
     double of_change = 2.,  ///< Factor of |change| in the bar.
       of_shares      = 0.5; ///< Factor of the sum of |change| by each source.
-    /// Smallest bar of a refined error source, as a fraction of its last bar.
+    /// Lower limit of a refined source's bar, as a fraction of its last bar.
     double of_pass = 1. / 8.;
   };
 
@@ -61,8 +61,7 @@ namespace lamella
   ///   bar       max(2 |eta|, 1/2 sum |shares|, rounding, 1e-8 scale).
   /// If each refinement multiplies the error by q, then v_2 - v_1 = q (v_1 -
   /// v_0), and v_2 still has q^2 of the error of v_0. The bar is trusted if q
-  /// <= 2/3, or if all three values agree to 1e-2 of the scale. A value whose
-  /// second change has the sign of the first and at least 0.9 of its size is
+  /// <= 2/3, or all values agree to 1e-2 of the scale. A value with q >= 0.9 is
   /// reported to diverge. (Becker and Rannacher, Acta Numerica 10, 2001.)
   ErrorBar
   error_bar(const Refinements &values, const BarRules &rules = {});
@@ -78,13 +77,13 @@ namespace lamella
   };
 
   /// Returns the error bar of a value from coarser models. For each error
-  /// source let d = |last|, e = |before| (Levels) and q = d / e. If the error
-  /// continues to decrease by q, it is at most max(d, 2 d q / (1 - q), least),
-  /// where d and Levels::least are lower bounds if q or d is small by accident.
-  /// If q > 2/3, the contribution is at least twice the larger of d and e, and
-  /// the bar is not trusted if d or e exceeds 0.01 @p scale. The bar is the sum
-  /// over @p sources, at least @p rounding and 1e-8 of the scale. The estimate
-  /// is the sum of last q / (1 - q), an extrapolation.
+  /// source let d = |last|, e = |before| (Levels) and q = d / e. The estimate
+  /// is the sum of last q / (1 - q), or of last if q > 2/3. The bar is the sum,
+  /// but at least @p rounding and 1e-8 @p scale, of
+  /// - if q <= 2/3: max(d, 2 d q / (1 - q), Levels::least). d q / (1 - q) is
+  ///   the error if it continues to decrease by q; q may be small by accident;
+  /// - if q > 2/3: max(2 d, 2 e, Levels::least). The bar is then not trusted if
+  ///   d or e exceeds 0.01 @p scale.
   ErrorBar
   coarser_model_bar(const std::vector<Levels> &sources,
                     const double               scale,

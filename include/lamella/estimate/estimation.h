@@ -41,9 +41,9 @@ namespace lamella
   ///   M_r          axis, fields and section refined once more.
   /// The change of a goal J by an error source is J(M_i) - J(M_j). With J_1 =
   /// J(M_0) + sum of the changes, the bar is error_bar() of J(M_0), J_1 and J_1
-  /// + J(M_r) - J(M_j). M_j is the previous model, so that the changes sum to
-  /// J(M_k) - J(M_0). With tolerances, M_j is the last model that changed a
-  /// goal by at least a tenth of its tolerance; M_r refines such sources.
+  /// + J(M_r) - J(M_j). Without tolerances, M_j is the model before M_i. With
+  /// tolerances, it is the last one that changed a goal by at least a tenth of
+  /// its tolerance. M_r refines sources with significant changes.
   ///
   /// Each model has its own contact constraints and active set, so errors of
   /// the active set are included and quantities may be nonlinear. Localization
@@ -56,8 +56,8 @@ namespace lamella
     Estimation(const Simulation &run, std::ostream &out, ModelCache &cache);
 
     /// Solves the finer models and returns the goals with their error bars, or
-    /// with the reason if a model cannot be solved. Empty if the input file
-    /// requests `auto` bars and they are too expensive.
+    /// with the reason if a model cannot be solved. Returns none if `auto` bars
+    /// are too expensive.
     std::vector<GoalResult>
     goals();
 
@@ -88,7 +88,7 @@ namespace lamella
     /// weight_of() >= 1, or else the largest; never contact.
     std::vector<Source>
     significant_sources() const;
-    /// Returns the largest change of a goal by @p step over its threshold.
+    /// Returns the largest ratio |change| / threshold of a goal by @p step.
     double
     weight_of(const Step &step) const;
     /// Returns the signed change of the goal @p quantity by @p step.

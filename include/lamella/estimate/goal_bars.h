@@ -20,12 +20,12 @@ namespace lamella
   };
 
   /// Returns the goals of @p run, whose last load step must have been solved,
-  /// with the error bars that the input file requests (ErrorBars): by the first
-  /// of CoarserModelEstimate, EnrichmentEstimate and HalvedAxisEstimate that is
-  /// available; otherwise, and for `richer`, by Estimation. Bars of the first
-  /// three classes are at least twice support_refinement_changes(). Goals with
-  /// tolerances have bars at any cost. Prints a line per model to @p out; @p
-  /// cache stores the models. Collective.
+  /// with the error bars that the input file requests (ErrorBars), at any cost
+  /// for goals with tolerances. The first available of CoarserModelEstimate,
+  /// EnrichmentEstimate and HalvedAxisEstimate is used; if none is, or for
+  /// `richer`, Estimation. Bars of the first three are at least twice
+  /// support_refinement_changes(), the change by refinement at supports. Prints
+  /// a line per model to @p out; @p cache stores the models. Collective.
   GoalBars
   error_bars_of(const Simulation &run, std::ostream &out, ModelCache &cache);
 } // namespace lamella

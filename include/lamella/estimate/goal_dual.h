@@ -30,20 +30,21 @@ namespace lamella
     };
 
     /// Function that returns, for the index of a support and a direction (0, 1,
-    /// 2), a displacement field that is 1 there, to extract the support force.
+    /// 2), a virtual displacement that is 1 there; the work of the residual in
+    /// this displacement is the support force.
     using Influence =
       std::function<BlockVector(const unsigned int, const unsigned int)>;
 
     /// Keeps a reference to the solved @p model. @p given defaults to
     /// influence_of_support(). All functions are collective.
     explicit GoalDual(const Simulation &model, Influence given = {});
-    /// Provides derivatives by the forces of the constraints with indices @p
-    /// rows, active or not. solve() must not be called.
+    /// Constructs an object for derivatives by the forces of the constraints
+    /// with indices @p rows, active or not. solve() must not be called.
     GoalDual(const Simulation &model, std::vector<unsigned int> rows);
 
-    /// Returns the derivatives of @p goal by DoFs and contact forces. Empty for
-    /// moments, jumps, with friction, and for pressure, width and strips of
-    /// contacts. Recovered stresses are replaced by element stresses.
+    /// Returns the derivatives of @p goal by DoFs and contact forces. Empty
+    /// optional for moments, jumps, pressure, width and strips of contacts, and
+    /// with friction. Element stresses replace recovered stresses.
     std::optional<Pair>
     derivative(const NamedQuantity &goal) const;
 

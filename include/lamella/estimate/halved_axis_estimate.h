@@ -17,11 +17,10 @@ namespace lamella
   /// Parameters of error bars from models with halved axes.
   struct HalvedAxisRules
   {
-    /// Largest change by a finer section, as a fraction of the change by the
-    /// previous increase of the degree, for which a bar is trusted.
+    /// A bar is trusted if the change by a finer section is below this fraction
+    /// of the change by the previous increase of the degree.
     double max_remaining_share = 0.8;
-    /// A bar is also trusted if this change is below this fraction of the
-    /// scale.
+    /// A bar is also trusted if this change is below `small` times the scale.
     double small = 1e-2;
     /// Smallest bar, as a fraction of the change by the previous degree.
     double min_share_of_previous = 1. / 8.;
@@ -48,12 +47,12 @@ namespace lamella
   ///   replaces other theories;
   /// - H_l: one degree less than H_p if all bodies are LE, else than H_r.
   ///
-  /// With s = J(H_r) - J(H_p) for the goal J, the bar is
-  ///   2 |s| + |J(run) - J(H_p)|,
-  /// and at least |J(H_p) - J(H_l)| / 8 if all bodies are LE, else |J(H_r) -
-  /// J(H_l)|. The error estimate is s (combination technique). If there is no
-  /// finer section (degree 0), as for large rotations, the bar is 2 |J(run) -
-  /// J(H_p)|. ContactShares adds penalties and load steps.
+  /// The error estimate of a goal J is s = J(H_r) - J(H_p), and the bar is
+  ///   2 |s| + |J(run) - J(H_p)|.
+  /// It is at least |J(H_p) - J(H_l)| / 8 if all bodies are LE, and at least
+  /// |J(H_r) - J(H_l)| otherwise. If there is no finer section (degree 0), as
+  /// for large rotations, the bar is 2 |J(run) - J(H_p)|. ContactShares adds
+  /// penalties and load steps.
   class HalvedAxisEstimate
   {
   public:

@@ -8,19 +8,19 @@
 
 namespace lamella
 {
-  /// Returns the scene of the first model of a run to a tolerance if the input
-  /// file does not set its Theory: plan() applied to SV-6 (section functions
-  /// for 6 wave numbers). If @p why is not null, a sentence is added for each
-  /// body whose theory is not SV-6. Nothing is solved; contact is paired with
-  /// TE-1. Throws the exceptions of BuiltScene.
+  /// Returns the scene of the first model of a run to a tolerance. If the input
+  /// file does not set the Theory and there are contacts, plan() chooses SV-6
+  /// (section functions for 6 wave numbers) or, with a sentence in @p why if
+  /// not null, another theory for each body. Contacts are found with a model of
+  /// TE-1, which is not solved. Throws the exceptions of BuiltScene.
   Scene
   initial_model(Scene                     scene,
                 std::vector<std::string> *why   = nullptr,
                 const PlanRules          &rules = {});
 
-  /// Sets LE-3 (PlanRules::first_degree) in @p scene, from which @p model was
-  /// built, for each compact body of SV-N that has all section functions at all
-  /// nodes (PlanRules::max_fields_share). Returns true if there is such a body.
+  /// Replaces SV-N by LE-3 (PlanRules::first_degree) in @p scene, from which @p
+  /// model was built, for each body with SV-N by default that has all section
+  /// functions at all nodes. Returns true if there is such a body.
   bool
   start_with_layerwise(Scene            &scene,
                        const BuiltScene &model,

@@ -30,9 +30,10 @@ namespace lamella
   ///   J(u_h) - J(u_H) = r . z - nu . s,
   ///   r = t f + B^T l - f_int(u_H),   s = -(g(u_H) + a l),
   /// for any contact forces l, here lambda scaled to the resultants of the
-  /// coarser model. Except for contact, r is orthogonal to the interpolant I z
-  /// in the coarser model. The error of an element is therefore the sum of r_k
-  /// (z - I z)_k over its nodes k, with one half for nodes of two elements.
+  /// coarser model. Except for contact, r . I z = 0 with the interpolant I z in
+  /// the coarser model. The error of an element is therefore, over the DoFs k
+  /// of its nodes, the sum of r_k (z - I z)_k, half of it at nodes of two
+  /// elements.
   ///
   /// Both models must have the same bodies: beams with the same section
   /// functions and different axes, and identical solids.
@@ -49,8 +50,8 @@ namespace lamella
     Localization(const Simulation &coarse, const Simulation &fine);
 
     /// Returns the error of @p goal per element; @p change is the difference of
-    /// its value between both models. Empty if the goal has no derivative
-    /// (GoalDual::derivative()). Costs one solution with the finer stiffness.
+    /// its value between both models. Returns an empty optional if the goal has
+    /// no derivative (GoalDual). Costs one solution with the finer stiffness.
     std::optional<LocalErrors>
     errors(const NamedQuantity &goal, const double change) const;
 
@@ -65,7 +66,7 @@ namespace lamella
     BlockVector
     interpolate_to_coarse(const BlockVector &u) const;
 
-    /// Adds errors of elements of @p body from products @p share per DoF.
+    /// Adds the errors of elements of @p body, sums of the products @p share.
     void
     add_elements(const unsigned int body,
                  const Vector      &share,

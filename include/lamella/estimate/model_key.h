@@ -10,11 +10,11 @@
 namespace lamella
 {
   /// Returns a string that identifies the model of @p scene: the text of all
-  /// entries as read (Scene::resolved), and with all digits each member that
+  /// entries as read (Scene::resolved), and with all digits the members that
   /// may have changed since: theory, axis segments, axis, refinement and
   /// stabilization of bodies, divisions of sections, and contact laws. Models
-  /// with equal strings have equal results at the last load factor. A new
-  /// member of these structures does not compile until it is included.
+  /// with equal strings have equal results at the last load factor. Without a
+  /// member of these structures, this function does not compile.
   std::string
   key_of(const Scene &scene);
 } // namespace lamella

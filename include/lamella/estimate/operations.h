@@ -8,20 +8,20 @@
 
 namespace lamella
 {
-  /// Returns the number of multiplications of @p run for factorizations, at
-  /// least z^2 / n for a Cholesky factor with n columns and z nonzeros. Returns
-  /// 0 if there are no factorizations (`cg`, strategy `full`).
+  /// Returns a lower bound of the number of multiplications for the Cholesky
+  /// factorizations of @p run, the sum of z^2 / n for factors with n columns
+  /// and z nonzeros. Returns 0 if there are none (`cg`, strategy `full`).
   double
   operations(const Simulation &run);
 
   /// Returns the estimated number of multiplications for the factorizations of
   /// the finer models of Estimation, in which SV-10 (section functions for 10
   /// wave numbers) replaces Lagrange expansions LE-N:
-  /// - CostRules::of_block m^3 per axis node with m section functions
-  ///   (PlanRules::fields_of_responses), for CostRules::axes times the run's
-  ///   nodes;
-  /// - products and eigenvectors of 2 functions per wave number and load;
-  /// - end segments for boundary-layer modes (nodes_of_pieces()).
+  /// - factorization: CostRules::of_block m^3 per axis node, with m section
+  ///   functions (PlanRules::fields_of_responses) and CostRules::axes times as
+  ///   many nodes as the run has;
+  /// - products and eigenvectors (POD) of 2 functions per wave number and load;
+  /// - solutions of end segments for boundary-layer modes (nodes_of_pieces()).
   ///
   /// Returns infinity unless SV-10 can replace LE-N in all bodies.
   double

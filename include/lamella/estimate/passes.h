@@ -17,14 +17,15 @@ namespace lamella
   struct PassRules
   {
     /// Error sources (mesh, theory, ...) are refined, the largest first, until
-    /// the remaining error is below this fraction of the goal's tolerance.
+    /// the others sum to less than this fraction of the tolerance.
     double max_unrefined_share = 0.5;
-    /// Passes without a bar after which a goal that still changes by more than
-    /// its tolerance is not refined any further.
+    /// A goal is dropped (not refined any further) if it has no bar in this
+    /// many passes and changes by more than its tolerance in the last of them.
     unsigned int patience = 2;
-    /// Number of passes with slow progress after which a goal is dropped.
+    /// A goal is dropped if its bar is above the fraction min_progress of its
+    /// largest bar in this many previous passes.
     unsigned int slow_passes = 3;
-    /// Progress is slow if a bar exceeds this fraction of its earlier maximum.
+    /// Fraction of earlier bars above which progress is slow (slow_passes).
     double min_progress = 0.5;
     /// Largest ratio of section errors of successive degrees for which the
     /// degree is raised again; above it, a corner limits convergence.
@@ -75,14 +76,14 @@ namespace lamella
           const PassHistory &course,
           const BarRules    &rules = {});
 
-  /// Raises the bar of @p goal by the error source @p source to @p least.
+  /// Raises the contribution of @p source to the bar of @p goal to @p least.
   void
   raise_share(GoalResult &goal, const Source source, const double least);
 
   /// The refinement passes of a run to a tolerance, and the choice of the next
   /// refinement. After the last pass a goal is
-  /// - met: within its tolerance, and changed since the previous pass by no
-  ///   more than the bar of that pass;
+  /// - met: its bar is within its tolerance, and its value changed since the
+  ///   previous pass by at most the bar of the previous pass;
   /// - dropped: not refined any further (PassRules), since its value may have
   ///   no limit, for example at a point load;
   /// - open: neither met nor dropped. The next pass refines for open goals that
@@ -116,7 +117,7 @@ namespace lamella
     bool
     all_goals_met() const;
 
-    /// Returns the goals for which the next pass refines; may be empty.
+    /// Returns the open goals for which the next pass refines, if any.
     std::vector<GoalResult>
     open_goals() const;
 
@@ -129,8 +130,8 @@ namespace lamella
     dropped_goals() const;
 
     /// Returns the error sources (mesh, theory, ...) to refine for
-    /// open_goals(): the largest source of each goal, and others until the rest
-    /// is below the fraction PassRules::max_unrefined_share of its tolerance.
+    /// open_goals(): the largest source of each goal, and others until the sum
+    /// of the rest is below PassRules::max_unrefined_share times its tolerance.
     std::vector<Source>
     wanted() const;
 
@@ -139,8 +140,8 @@ namespace lamella
     bool
     degrees_stall() const;
 
-    /// Returns true if an additional error of each goal, @p lost, is at most
-    /// the fraction PassRules::max_unrefined_share of its tolerance.
+    /// Returns true if the additional errors @p lost, one per goal, are at most
+    /// the fraction PassRules::max_unrefined_share of the tolerances.
     bool
     is_loss_acceptable(const std::vector<double> &lost) const;
 

@@ -46,8 +46,8 @@ namespace lamella
     std::string
     singularity_reason(const NamedQuantity &quantity) const;
 
-    /// Returns the scale of relative errors of @p quantity: |value|, or if that
-    /// is near zero the largest value of its kind in its material
+    /// Returns the reference value of relative errors of @p quantity: |value|,
+    /// or if this is near zero the largest value of its kind in its material
     /// (ResultNumbers::largest_in_material()).
     double
     scale_of(const NamedQuantity &quantity) const;
@@ -59,9 +59,9 @@ namespace lamella
     double
     rounding_of(const NamedQuantity &quantity) const;
 
-    /// Returns the result of goal @p number with the error bar @p bar. A
-    /// singular goal is not compared with its tolerance. A zero goal without
-    /// active contact does not meet its tolerance.
+    /// Returns the result of goal @p number with the error bar @p bar. A goal
+    /// at a singularity is not compared with its tolerance. A goal that is zero
+    /// because no contact is active does not meet its tolerance.
     GoalResult
     with_error_bar(const unsigned int number, const ErrorBar &bar) const;
 

@@ -19,16 +19,16 @@ namespace lamella
     unsigned int times   = 2; ///< Number of bisections of longer elements.
   };
 
-  /// Returns the signed changes of the goals of @p run if elements at supports
-  /// are short: at points and lines that supports constrain within a beam, and
-  /// at constrained ends of heated beams. Two models of LE-1 (bilinear Lagrange
-  /// expansion) are compared, on the axes of @p run and on these axes bisected
-  /// at the supports; LE-1 has 3/4 of the local effect of higher degrees.
+  /// Returns the signed change of each goal of @p run if long axis elements at
+  /// supports are bisected: at points and lines that supports constrain within
+  /// a beam, and at constrained ends of heated beams. Two models of LE-1
+  /// (bilinear Lagrange expansion) are compared, on the axes of @p run and on
+  /// the bisected axes. LE-1 has 3/4 of the change in higher degrees.
   ///
-  /// The result is the value in the bisected model minus the other, per goal.
-  /// It is empty if there are no such supports, if their elements are short,
-  /// with node-dependent theories, or if a contact pairs nodes. Prints to @p
-  /// out; @p cache stores the models. Throws as Simulation does. Collective.
+  /// The result, bisected minus other model, is empty if there are no such
+  /// supports or only short elements, with node-dependent theories, or if a
+  /// contact pairs nodes. Prints to @p out; @p cache stores the models. Throws
+  /// as Simulation does. Collective.
   std::vector<double>
   support_refinement_changes(const Simulation             &run,
                              std::ostream                 &out,

@@ -39,16 +39,16 @@ namespace lamella
   ///   J(u_p) - J(u_(p-1)) = a(u_p - u_(p-1), (1 - L) z_p)
   ///                       ~ a((1 - L) u_p, (1 - L) z_p):
   /// first by orthogonality, then since the surplus (1 - L) u approximates the
-  /// change of u. For z = u the result is an upper bound; otherwise the
-  /// strengthened Cauchy inequality with constant gamma bounds the error by the
-  /// factor 1 / (1 - gamma^2) (Bank and Smith, SIAM J. Numer. Anal. 30, 1993).
+  /// change of u. For z = u the last expression bounds the change; else 1 / (1
+  /// - gamma^2) times it does, with the constant gamma of the strengthened
+  /// Cauchy inequality (Bank and Smith, SIAM J. Numer. Anal. 30, 1993).
   ///
-  /// In active constraints with matrix B, (1 - L) u has the jump B (1 - L) u,
-  /// which the change of u does not have. The forces phi = -(C + a)^-1 B (1 -
-  /// L) u, with the compliances C of the constraints and a of the contact law,
-  /// remove the jump and add -phi . B (1 - L) z to the surplus. The error of
-  /// the active set is not included. Costs one solution per goal, and four
-  /// solutions and products with K in total. Collective.
+  /// The surplus (1 - L) u violates the active constraints with matrix B by the
+  /// jump B (1 - L) u; the change of u does not. The forces phi = -(C + a)^-1 B
+  /// (1 - L) u, with the compliances C of the constraints and a of the contact
+  /// law, remove the jump and add -phi . B (1 - L) z to the change of J. Errors
+  /// due to a wrong active set are not included. Costs one solution per goal,
+  /// and four solutions and products with K in total. Collective.
   class Surpluses
   {
   public:
@@ -66,7 +66,7 @@ namespace lamella
 
   private:
     /// Components of displacements that the next coarser section or axis cannot
-    /// represent, and those of the rest that the second cannot.
+    /// represent, and (`..._before`) those of the rest that the second cannot.
     struct Parts
     {
       BlockVector section, section_before, axis, axis_before;

@@ -13,10 +13,10 @@ namespace lamella
   /// Returns the error of each goal J if SV-N (section functions for N wave
   /// numbers) replaces Lagrange expansions LE: |J(LE) - J(SV-N)| on the
   /// sections and axes of @p run, for the bodies that are LE in @p run and SV-N
-  /// in @p next. Empty if there are none. This detects errors that SV-N with
-  /// other wave numbers does not, such as of the slow warping of thin walls
-  /// near a twisting load. Prints a line to @p out; @p cache stores the model.
-  /// Throws the exceptions of Simulation. Collective.
+  /// in @p next. Returns no errors if there are none. A comparison with other
+  /// wave numbers would not detect some errors, such as of the slowly decaying
+  /// warping of thin walls near a twisting load. Prints a line to @p out; @p
+  /// cache stores the model. Throws the exceptions of Simulation. Collective.
   std::vector<double>
   surrogate_error(const Simulation &run,
                   const Scene      &next,

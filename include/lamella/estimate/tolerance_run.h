@@ -24,11 +24,11 @@ namespace lamella
   ///   source that is significant for open goals (Passes), along the axis in
   ///   selected elements (marked_elements()).
   ///
-  /// The first model is the scene as given. A scene without theory begins with
-  /// SV, or with contacts SV-6 or LE-3; without elements it has graded axes.
-  /// The run also ends if the next model would exceed a budget, cannot be
-  /// solved, or would not improve any goal. The results are then those of the
-  /// last pass with its bars, and a note gives the reason.
+  /// The first model is the scene as given. If the scene gives no theory, it
+  /// has SV, or with contacts SV-6 or LE-3; if no elements, graded axes. The
+  /// run also ends if the next model would exceed a budget, cannot be solved,
+  /// or would not improve any goal. The results are then those of the last pass
+  /// with its bars, and a note gives the reason.
   class ToleranceRun
   {
   public:
@@ -61,7 +61,7 @@ namespace lamella
     /// no comparison model could be solved.
     void
     check_any_bar(const std::vector<GoalResult> &goals) const;
-    /// Throws NumericsError if @p next has other resultant loads than before.
+    /// Throws NumericsError if the resultant loads of @p next have changed.
     void
     check_loads(const Simulation &next) const;
     /// Refines `scene` for the open goals: selected elements are bisected
@@ -91,7 +91,7 @@ namespace lamella
     table() const;
 
     Scene scene;
-    /// True for each body that begins with equal elements by default
+    /// True for each body whose first model has equal elements by default
     /// (initial_model()). Other bodies keep their first element ends, `kept`.
     std::vector<bool>                starts_with_equal_elements;
     std::vector<std::vector<double>> kept;

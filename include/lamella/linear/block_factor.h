@@ -33,8 +33,8 @@ namespace lamella
     void
     allocate();
     /// Returns a pointer p to the entries of A in the column of DoF @p column
-    /// and the rows of @p block, so that p[i] is the entry of DoF i; nullptr if
-    /// they are above the diagonal. The column and the block must couple.
+    /// and the rows of @p block, so that p[i] is the entry in row i; nullptr if
+    /// they are above the diagonal. @p column and @p block must be coupled.
     double *
     column_begin(const DofIndex column, const unsigned int block);
     /// Returns the diagonal entry of A in the row of DoF @p dof.

@@ -68,8 +68,8 @@ namespace lamella
       permutation; ///< SupernodalFactor::permutation, DoF of each row of L.
 
   private:
-    /// Returns the sets of blocks coupled by elements, springs or constraints,
-    /// with the block indices of @p blocks.
+    /// Returns sets of blocks that elements, springs or constraints couple, as
+    /// indices of @p blocks.
     std::vector<std::vector<unsigned int>>
     cliques_of(const StiffnessTerms &terms,
                const DenseBlocks    &blocks,

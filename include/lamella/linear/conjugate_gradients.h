@@ -13,8 +13,8 @@ namespace lamella
   /// displacements, preconditioned by the smoothed aggregation multigrid of
   /// Trilinos ML. Memory and work are proportional to the number of DoFs.
   /// Coarse levels preserve the vectors @p near_null_space (such as rigid-body
-  /// motions), which must be zero in constrained DoFs; six vectors must be the
-  /// rigid-body motions of nodes with three DoFs each.
+  /// motions), which must be zero in constrained DoFs. If there are six, they
+  /// must be the rigid-body motions of nodes with three DoFs each.
   ///
   /// The iteration for A x = b ends if |b - A x| <= 1e-11 |b|. Throws
   /// NumericsError, with @p what as name of A, if this takes more than 2000

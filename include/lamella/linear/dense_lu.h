@@ -44,9 +44,9 @@ namespace lamella
   /// Returns x = A^-1 b for the n x n @p matrix A, stored by columns. If A is
   /// singular, x is the least-squares solution of A x = @p b that minimizes sum
   /// d_i x_i^2. Rows and columns are scaled by 1 / sqrt d_i, where @p d has the
-  /// magnitudes d_i > 0 of the diagonal entries. A is singular if a pivot of
-  /// the scaled matrix is below @p rounding times the largest pivot; singular
-  /// values below @p rounding times the largest are then treated as zero.
+  /// magnitudes d_i > 0 of the diagonal entries. A counts as singular if a
+  /// pivot of the scaled matrix is below @p rounding times the largest pivot;
+  /// singular values below @p rounding times the largest are then set to zero.
   std::vector<double>
   solve_dependent(const std::vector<double> &matrix,
                   const std::vector<double> &d,

@@ -14,10 +14,10 @@ namespace lamella
 {
   /// View of the Cholesky factor L of A = P^T L L^T P (permutation P), in
   /// CHOLMOD's layout of supernodes, sets of columns with the same rows.
-  /// Supernode s has the columns column[s] to column[s+1] - 1 and the rows
-  /// row[first_row[s]] to row[first_row[s+1] - 1], first its columns. Its
-  /// entries begin at entry[first_entry[s]], by columns. The arrays are not
-  /// owned.
+  /// Supernode s has the columns column[s] to column[s+1] - 1 and the row
+  /// indices row[first_row[s]] to row[first_row[s+1] - 1], which begin with its
+  /// columns. Its entries begin at entry[first_entry[s]], by columns. The
+  /// arrays are not owned.
   struct SupernodalFactor
   {
     std::size_t n              = 0,       ///< Number of rows of L.
@@ -59,8 +59,8 @@ namespace lamella
       return n_columns;
     }
 
-    /// Returns the compliances (i, j) for i >= @p first and all j, at [j * (m -
-    /// first) + i - first] with m = size().
+    /// Returns the compliances of all constraints i >= @p first with all j, at
+    /// [j * (m - first) + i - first] with m = size().
     std::vector<double>
     products(const unsigned int first) const;
 

@@ -62,7 +62,7 @@ namespace lamella
   }
 
   /// Optional callbacks during the construction of a solver, each called once:
-  /// first `assembled` (for SolverKind::blocks last), then `factor_sized`.
+  /// first `assembled`, then `factor_sized`, or in reverse for `blocks`.
   struct SolverMonitor
   {
     std::function<void()> assembled; ///< Called collectively after assembly.

@@ -8,8 +8,8 @@
 namespace lamella
 {
   /// Compliance B A^-1 B^T of constraints for solvers without a factor of the
-  /// matrix A (MUMPS, conjugate gradients). displacement() solves again. m
-  /// constraints take m solutions and 4 m^2 bytes.
+  /// matrix A (MUMPS, conjugate gradients). m constraints take m solutions and
+  /// 4 m^2 bytes. Each call of displacement() takes one more solution.
   class RowProducts : public SolvedRows
   {
   public:

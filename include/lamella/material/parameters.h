@@ -14,8 +14,8 @@ namespace lamella
   /// Declares and parses `subsection Material NAME`, which has exactly one of
   /// the entries `Library`, `Engineering constants` (9 numbers) and `Isotropic`
   /// (E, nu). Optional entries are `Strengths` (9 numbers, which replace the
-  /// library's), `Ultimate strains` (9), `Yield`, `Core strengths` (3) and
-  /// `Puck inclinations`.
+  /// library's), `Ultimate strains` (9 numbers), `Yield`, `Core strengths` (3
+  /// numbers) and `Puck inclinations`.
   struct MaterialParameters
   {
     /// Declares the entries of a material in the current subsection of @p prm.

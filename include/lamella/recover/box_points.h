@@ -25,12 +25,12 @@ namespace lamella
   ///   1/V int f dV = sum_q w_q f(X_q).
   /// If edges have zero length, the mean is over an area, a line or a point.
   /// Integrals over x, y and z are nested and divided at element sides into
-  /// intervals with p / 2 + 2 Gauss points for displacements of degree p. In
-  /// skewed elements, intervals are divided into four. The result has one
-  /// quadrature rule. It has two rules, for the lower and the upper ply, if the
-  /// box is flat or a point and lies in a ply interface. Throws InputError,
-  /// which names the scene entry @p path, if a corner or a point is not in the
-  /// body, or for more than 200,000 points. Not collective.
+  /// intervals, in skewed elements into four each. Each has p / 2 + 2 Gauss
+  /// points for displacements of degree p. The result is one quadrature rule,
+  /// or two, for the lower and the upper ply, if the box is flat or a point and
+  /// lies in a ply interface. Throws InputError, which names the scene entry @p
+  /// path, if a corner or a point is not in the body, or for more than 200,000
+  /// points. Not collective.
   std::vector<BoxPoints>
   box_points(const Body                 &body,
              const dealii::Point<3>     &middle,

@@ -29,8 +29,8 @@ namespace lamella
     FaceTractions() = default;
 
     /// Stores the surface loads among @p all_loads, multiplied by @p factor,
-    /// and the supported regions of @p supports (for is_free()). Throws
-    /// InputError if the formula of a load cannot be parsed.
+    /// and the regions of @p supports, for is_free(). Throws InputError if the
+    /// formula of a load cannot be parsed.
     FaceTractions(const std::vector<Load>    &all_loads,
                   const LoadFactor           &factor,
                   const std::vector<Support> &supports = {});

@@ -51,7 +51,7 @@ namespace lamella
     /// discretization error if the line is normal to the plies.
     double of_stress = 0.;
     /// Largest jump of the traction divided by the largest traction on the
-    /// line; 0 if the jump is due to rounding.
+    /// line; 0 if the jump is within rounding.
     double of_traction = 0.;
   };
 

@@ -72,7 +72,7 @@ namespace lamella
     /// Error tolerance; empty if the scene does not give one.
     std::optional<Tolerance> tolerance;
     /// Signed contributions of error sources (`axis`, `fields`, `section`,
-    /// `contact`, ...) to the bar; results of Estimation: to the estimate.
+    /// `contact`, ...) to the bar; if computed by Estimation, to `estimate`.
     std::vector<std::pair<std::string, double>> shares;
     /// Estimated discretization error of each axis element; empty if unknown.
     std::optional<LocalErrors> local;

@@ -43,7 +43,7 @@ namespace lamella
     double largest  = 0.; ///< Largest norm of the transverse stresses.
     double in_plane = 0.; ///< Largest in-plane stress.
 
-    /// Replaces each member by the larger of it and that of @p other.
+    /// Sets each member to the larger of its values here and in @p other.
     void
     add(const EquilibriumDefect &other);
 
@@ -80,7 +80,7 @@ namespace lamella
   ///   to the height.
   ///
   /// An object evaluates one solution of one body. A column costs about 100
-  /// Body::sample() per layer; it is cached. Not collective.
+  /// calls of Body::sample() per layer, once. Not collective.
   class EquilibriumStress
   {
   public:
@@ -255,8 +255,8 @@ namespace lamella
     correction(const std::vector<Layer>     &layers,
                const std::array<Profile, 4> &shear,
                const std::array<Profile, 2> &strain) const;
-    /// Returns the shear-warping correction of {sigma_xz, sigma_yz} for their
-    /// second derivatives @p shear, and those of the shear strains @p strain.
+    /// Returns the shear-warping correction of {sigma_xz, sigma_yz}, from their
+    /// second derivatives @p shear and those of the shear strains, @p strain.
     Profile
     warped(const std::vector<Layer> &layers,
            const Profile            &shear,
@@ -278,14 +278,14 @@ namespace lamella
     StressRecovery    recovery;
     /// Tractions on the lower and the upper face of the laminate.
     std::vector<FaceTractions::OnFace> faces;
-    /// True for a free left, right side; decay length of torsional warping.
+    /// True if the left, right side is free; decay length of torsional warping.
     std::array<bool, 2> is_free{};
     double              decay = 0.;
     /// Transformations of strains and stresses between scene and body axes.
     ElasticTensor to_body, to_scene;
 
-    /// Sampling points and nodes through a layer, in [0, 1], with weights;
-    /// matrices from samples to nodes, and from nodes to int_0^t.
+    /// Sampling points and nodes through a layer, in [0, 1], with weights.
+    /// Matrices from samples to nodes, and to integrals up to each node.
     std::vector<double>        samples, sample_weights, nodes, node_weights;
     dealii::FullMatrix<double> to_nodes, integrate;
     /// Compliances {xz, yz} and plane-stress stiffnesses {xy, yy} by ply.

@@ -83,14 +83,14 @@ namespace lamella
     std::vector<Reference> references;
   };
 
-  /// Throws InputError, which names the scene entry of @p quantity, if this
-  /// requests a ply that is not among @p plies, the plies that contain its
-  /// probe (numbers from 1; "0" for a mean over several plies).
+  /// Throws InputError, which names the scene entry of @p quantity, if the
+  /// requested ply is not among @p plies, the numbers (from 1) of the plies
+  /// that contain its probe ("0" for a mean over several plies).
   void
   check_ply(const NamedQuantity            &quantity,
             const std::vector<std::string> &plies);
 
-  /// Throws InputError: @p quantity is not unique on an interface of @p plies.
+  /// Throws InputError, since @p quantity differs between adjacent @p plies.
   [[noreturn]] void
   refuse_interface(const NamedQuantity            &quantity,
                    const std::vector<std::string> &plies);
@@ -107,9 +107,9 @@ namespace lamella
   };
 
   /// Returns the quantity in @p text, NAME: COLUMN, or for a contact NAME:
-  /// COLUMN in AXIS FROM TO. Throws InputError unless a probe, a measure, or
-  /// exactly one support or contact has this name and column, for other forms,
-  /// and unless FROM < TO. check_strip() checks the range.
+  /// COLUMN in AXIS FROM TO. Throws InputError for other forms, unless FROM <
+  /// TO, and unless a probe, a measure, or exactly one support or contact has
+  /// this name and column. check_strip() checks the range.
   NamedQuantity
   parse_quantity(const Entry &text, const QuantityNames &names);
 
@@ -184,17 +184,17 @@ namespace lamella
     std::vector<NamedQuantity>
     largest_at(const std::string &name) const;
 
-    /// Returns the largest magnitude of all results of the same kind as
-    /// @p quantity: those of all probes, of all supports and contacts, or of
-    /// all contacts. For a measure, it is divided by its divisor.
+    /// Returns the largest magnitude of all results of the same kind as @p
+    /// quantity (kind()): at all probes, supports and contacts that have such
+    /// results. For a measure, it is divided by the divisor of the measure.
     double
     largest_of_kind(const NamedQuantity &quantity) const;
 
     /// Returns the largest strain or stress of all probes in the same material
     /// as @p quantity, since stresses of a stiff face are no reference for a
-    /// soft core. On an interface without a given ply, the material with the
-    /// smallest value is used; for a box over several plies, the values of the
-    /// box. For other quantities, returns largest_of_kind().
+    /// soft core. If the probe is on an interface and no ply is given, the
+    /// result is the smallest for its materials; for a box over several plies,
+    /// that of the box. For other quantities, returns largest_of_kind().
     double
     largest_in_material(const NamedQuantity &quantity) const;
 

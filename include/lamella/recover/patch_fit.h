@@ -23,10 +23,10 @@ namespace lamella
   /// Least-squares polynomial through values at points, with a degree for each
   /// of three local coordinates. Terms are products of Legendre polynomials
   /// over the bounding box of the points, ordered by total degree. A term is
-  /// omitted if less than a tenth of its values at the points is linearly
-  /// independent of the terms before it. Polynomials of the given degrees are
-  /// reproduced if no term is omitted. A fit of m points and n terms costs m
-  /// n^2 operations (orthogonalization instead of normal equations).
+  /// omitted if less than a tenth of the vector of its values at the points is
+  /// orthogonal to the terms before it. If none is omitted, polynomials of the
+  /// given degrees are reproduced. A fit of m points and n terms costs m n^2
+  /// operations (orthogonalization instead of normal equations).
   class PatchFit
   {
   public:

@@ -58,13 +58,13 @@ namespace lamella
   ///   sigma(X) = sum_v N_v(X) P_v(X),   N_v trilinear, v its corners,
   /// which is continuous and reproduces what the fits reproduce (Blacker and
   /// Belytschko, Int. J. Numer. Meth. Eng. 37 (1994) 517-536).
-  /// - If the patch of a corner (on a surface) determines fewer terms than that
-  ///   of another corner of the same elements, the polynomial of the corner
-  ///   that shares most of these elements is used.
-  /// - A ply with one element through its thickness determines degree p - 1:
-  ///   values are extrapolated from the reduced Gauss points. If p = 1, two
-  ///   points are used along coordinates with one element, since the center
-  ///   alone does not detect bending; locking errors are then included.
+  /// - The patch of a corner on a surface may determine fewer terms than that
+  ///   of another corner of the same elements. The polynomial of the corner
+  ///   with most terms and most shared elements is then used.
+  /// - If a ply has one element through its thickness, the polynomial has
+  ///   degree p - 1 there. If p = 1, two points are used along such a
+  ///   coordinate, since the center alone does not detect bending; locking
+  ///   errors are then included.
   /// - At a hanging node, the field of the larger element is used.
   /// - If degrees differ between elements (LE-1 beside LE-2), the patch has the
   ///   lowest degree.

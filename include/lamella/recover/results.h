@@ -65,7 +65,7 @@ namespace lamella
     State        state;
     Checks       checks; ///< Reactions, contact forces, energies and residuals.
     unsigned int substeps = 1; ///< Number of substeps of the load step.
-    /// Relative change by the last doubling of substeps; empty if not doubled.
+    /// Relative change of results by the last doubling of substeps; else empty.
     std::optional<double> change = {};
     /// Number of bisections of the load increment because of nonconvergence.
     unsigned int halvings = 0;
@@ -120,8 +120,8 @@ namespace lamella
     /// Enforcement of the contact law, such as penalty.
     Enforcement  enforcement     = Enforcement::undefined;
     unsigned int rows            = 0;  ///< Number of contact constraints.
-    unsigned int unpaired        = 0;  ///< Unpaired nodes of the first side.
-    unsigned int unpaired_second = 0;  ///< Unpaired nodes of the second side.
+    unsigned int unpaired        = 0;  ///< Number of unpaired nodes, side 1.
+    unsigned int unpaired_second = 0;  ///< Number of unpaired nodes, side 2.
     double       initial_gap_min = 0.; ///< Smallest initial gap [length].
     double       initial_gap_max = 0.; ///< Largest initial gap [length].
     double       friction        = 0.; ///< Friction coefficient (Coulomb).

@@ -45,9 +45,9 @@ namespace lamella
            const FaceTractions &tractions = FaceTractions()) const;
 
     /// Throws InputError, which names the scene entry of @p quantity, if its
-    /// probe is not in the requested ply; or if no ply is requested, the probe
-    /// lies on a ply interface and the quantity may be discontinuous there.
-    /// Both terms of a measure are checked.
+    /// probe is not in the requested ply. Also throws if no ply is requested
+    /// although the quantity may be discontinuous at the probe, on a ply
+    /// interface. Both terms of a measure are checked.
     void
     check(const NamedQuantity &quantity) const;
 
@@ -132,7 +132,7 @@ namespace lamella
 
   /// Returns the traction jumps at the ply interfaces of a line with the
   /// direction @p d and the fields @p rows. At an interface, the tractions t =
-  /// sigma . d / |d| of both plies are compared:
+  /// sigma . d / |d| in both plies are compared:
   ///   of_stress   = max |t_upper - t_lower| / max |sigma_ij|,
   ///   of_traction = max |t_upper - t_lower| / max |t|,
   /// with maxima over the whole line in the denominators. Equilibrium requires

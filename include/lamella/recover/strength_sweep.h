@@ -72,10 +72,10 @@ namespace lamella
       std::vector<ReserveAlong> along; ///< Factors of plies along beam axes.
     };
 
-    /// Returns the smallest reserve factors for the displacements @p u and
-    /// @p tractions on faces. @p thermal_part are the displacements due to
-    /// temperature alone, or null. The reserve factor does not multiply their
-    /// stresses, only the remaining ones. Collective.
+    /// Returns the smallest reserve factors for the displacements @p u and @p
+    /// tractions on faces. @p thermal_part, if not null, are those due to
+    /// temperature alone; the reserve factor does not multiply their stresses.
+    /// Collective.
     Found
     sweep(const BlockVector   &u,
           const FaceTractions &tractions    = FaceTractions(),
@@ -188,7 +188,8 @@ namespace lamella
   };
 
   /// Returns true if @p a has a smaller reserve factor than @p b. If both have
-  /// none, the failure index is compared; if equal (to 1e-7), the position.
+  /// none, their failure indices are compared. If these values are equal (to
+  /// 1e-7), @p a must precede in position (is_before()).
   bool
   is_worse(const PlyReserve &a, const PlyReserve &b);
 
