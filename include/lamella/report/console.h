@@ -17,7 +17,7 @@ namespace lamella
   void
   print_table(std::ostream &out, const TextTable &table);
 
-  /// Reference values of a scene, in the order of the names in Results.
+  /// Reference values of a scene. Each list has the order of names in Results.
   struct ReferenceLists
   {
     std::vector<std::vector<Reference>> probes;   ///< Values for each probe.
@@ -26,10 +26,10 @@ namespace lamella
     std::vector<std::vector<Reference>> measures; ///< Values for each measure.
   };
 
-  /// Prints a table with one row per reference value: name, result in the last
-  /// load step, reference, difference in percent, origin of the reference. For
-  /// a probe on a ply interface, the result in the lower ply is compared.
-  /// Throws InputError if @p results has no load step.
+  /// Compares results of the last load step with reference values. Prints a row
+  /// per reference value: name, result, reference, difference in percent,
+  /// origin of the reference. On ply interfaces, the result in the lower ply is
+  /// used. Throws InputError if @p results has no load step.
   void
   print_comparison(std::ostream         &out,
                    const Results        &results,

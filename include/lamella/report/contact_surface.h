@@ -39,10 +39,10 @@ namespace lamella
       return alone;
     }
 
-    /// Returns the mesh on the deformed slave surface. @p u are the
-    /// displacements of all bodies. Point data are the results @p rows of the
-    /// contact points (columns of contact_NAME.csv) and `separation`, the
-    /// vector to the paired master point.
+    /// Returns the mesh, deformed by the displacements @p u of all bodies. Data
+    /// at each point are its results in @p rows (columns of the file
+    /// contact_NAME.csv) and `separation`, the vector to the point on the
+    /// master surface with which it is paired.
     VtuGrid
     grid(const BlockVector &u, const std::vector<ContactRow> &rows) const;
 

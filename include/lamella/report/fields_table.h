@@ -9,8 +9,8 @@
 
 namespace lamella
 {
-  /// Returns the names of the CSV columns that probes, lines and cuts share:
-  /// `body,ply,x,y,z` and the field components (field_names()); no newline.
+  /// Returns the CSV column names common to the tables of probes, lines and
+  /// cuts: `body,ply,x,y,z` and field components (field_names()); no newline.
   std::string
   fields_header();
 

@@ -10,12 +10,13 @@
 
 namespace lamella
 {
-  /// Returns the content of goals.csv. Each line has a goal (quantity of
-  /// interest) with these columns; unknown numbers are empty:
+  /// Returns the content of goals.csv, a line per goal with the columns
   /// - goal, value, estimate (of the error), corrected (value plus estimate);
-  /// - bar (error bound), trusted, tolerance, met;
-  /// - axis, fields, section, contact (contributions to the error);
-  /// - stiffening, buckling_factor (NonlinearityEstimate), scale, why.
+  /// - bar (error bound; empty if unreliable), trusted (1: bar is reliable);
+  /// - tolerance (largest permitted error), met (1: the bar is within it);
+  /// - axis, fields, section, contact, path (contributions to the error);
+  /// - stiffening, buckling_factor (NonlinearityEstimate);
+  /// - scale (reference of relative errors), why (the bar is unreliable).
   std::string
   goals_csv(const Results &results);
 
@@ -26,20 +27,20 @@ namespace lamella
   std::string
   indicators_csv(const Results &results);
 
-  /// Prints the quantities of interest with error bars, the largest error
-  /// source (mesh, theory, contact) of those with large errors, and nonlinear
-  /// effects that exceed the error bars.
+  /// Prints each quantity of interest with its error bar and, if the error is
+  /// large, its main source (mesh, theory, contact). Also prints nonlinear
+  /// effects that are larger than the error bars.
   void
   print_goals(std::ostream &out, const Results &results);
 
-  /// Returns the text of the error @p value of @p goal in percent, such as
-  /// "0.12 %". If the goal is near zero, the text is "0.0011 MPa (0.5 %)";
-  /// without a reference value (scale 0), it is "0.0011 MPa".
+  /// Returns the text of the error @p value of @p goal, such as "0.12 %" of
+  /// GoalResult::scale; "0.0011 MPa (0.5 %)" if the goal is near zero; or
+  /// "0.0011 MPa" if the scale is 0.
   std::string
   share_text(const GoalResult &goal, const double value);
 
-  /// Returns the name of the largest contribution to the error of @p goal
-  /// (axis, fields, section or contact); may be empty.
+  /// Returns the name of the largest contribution to the error of @p goal, such
+  /// as axis or contact (columns of goals_csv()); empty if all are zero.
   std::string
   largest_share(const GoalResult &goal);
 } // namespace lamella

@@ -10,7 +10,7 @@
 
 namespace lamella
 {
-  /// Returns the header line of plies.csv, the smallest reserve factors.
+  /// Returns the header line of plies.csv: smallest reserve factor of each ply.
   std::string
   plies_header();
 

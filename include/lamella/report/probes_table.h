@@ -10,7 +10,7 @@
 namespace lamella
 {
   /// Prints displacements and stresses (scene axes) of at most 40 probes in the
-  /// last load step, with error bars in percent for quantities of interest.
+  /// last load step; for quantities of interest also error bars in percent.
   void
   print_probes(std::ostream &out, const Results &results);
 } // namespace lamella

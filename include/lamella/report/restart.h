@@ -11,8 +11,8 @@
 
 namespace lamella
 {
-  /// Load step and name of the VTU files of each collection (`solution` or
-  /// `contact_NAME`), in the order of the load steps.
+  /// VTU files by the name of their collection (`solution` or `contact_NAME`):
+  /// number of each load step with the name of its file, in order.
   using VtuFiles =
     std::map<std::string, std::vector<std::pair<double, std::string>>>;
 

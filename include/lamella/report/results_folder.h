@@ -7,10 +7,10 @@
 
 namespace lamella
 {
-  /// Folder for the results of one analysis, locked by a system lock for the
-  /// lifetime of this object. Earlier results are removed before the first new
-  /// file is written, the summary first, so that a summary always belongs to
-  /// the other files. Only the root process writes.
+  /// Folder for the results of one analysis. While this object exists, a file
+  /// lock excludes other runs. Before the first new file is written, earlier
+  /// results are removed, the summary first, so that a summary never stands
+  /// beside files of another run. Only the root process writes.
   class ResultsFolder
   {
   public:
@@ -28,9 +28,9 @@ namespace lamella
       return folder;
     }
 
-    /// Removes the result files of an earlier analysis at the first call, and
-    /// no other files. Must be called before any output. Throws InputError if
-    /// the folder has been removed. Collective.
+    /// Removes the result files (no others) of an earlier analysis; only the
+    /// first call has an effect. Must be called before any output. Throws
+    /// InputError if the folder no longer exists. Collective.
     void
     make_room();
 

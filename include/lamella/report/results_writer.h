@@ -24,9 +24,9 @@
 namespace lamella
 {
   /// Writes the results of an analysis to its folder: after each load step VTU
-  /// files, table lines, the summary, and last the restart data with the sizes
-  /// of the tables. A later failure does not damage the files of completed load
-  /// steps. All functions are collective.
+  /// files, table lines, the summary, and last the restart data. These have the
+  /// table sizes, so that resume() can remove lines of an incomplete load step.
+  /// All functions are collective.
   class ResultsWriter
   {
   public:
@@ -45,8 +45,9 @@ namespace lamella
       const StrengthSweep *strength = nullptr;
     };
 
-    /// Locks the folder @p directory. @p output_sources is called at each load
-    /// step. Throws InputError if the folder cannot be written or is locked.
+    /// Locks the folder @p directory. @p output_sources returns the objects to
+    /// write; it is called at each load step, since a run may replace them.
+    /// Throws InputError if the folder cannot be written or is locked.
     ResultsWriter(const std::string                    &directory,
                   const std::function<OutputSources()> &output_sources);
 

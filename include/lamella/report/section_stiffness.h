@@ -18,8 +18,8 @@ namespace lamella
     {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"}};
 
   /// Properties of a cross-section as input of beam programs: 6 x 6 stiffness
-  /// by Saint-Venant's solutions, constants derived from it, and mass. Matrix
-  /// entries m_ij below 1e-10 sqrt(m_ii m_jj) are set to 0.
+  /// by Saint-Venant's solutions, constants derived from it, and mass. In each
+  /// matrix m, entries |m_ij| < 1e-10 sqrt(m_ii m_jj) are rounding, set to 0.
   struct SectionStiffness
   {
     /// Expansion of the finite element solution, such as LE-3.
@@ -32,9 +32,10 @@ namespace lamella
     SectionTensor    compliance; ///< Inverse of the stiffness.
     /// E A, E I, G J and centers; angles in (-90, 90] degrees.
     SectionConstants constants;
-    /// Mass matrix of the rigid section per length of beam,
-    ///   int rho N^T N dA,  N (v, omega) = v + omega x (x - x_c, 0, z - z_c),
-    /// with the centroid (x_c, z_c); empty if a density is unknown.
+    /// Mass matrix of the rigid section per length of beam, int rho N^T N dA,
+    /// for velocity v of the centroid (x_c, z_c) and angular velocity omega,
+    ///   N (v, omega) = v + omega x (x - x_c, 0, z - z_c);
+    /// empty if a density is unknown.
     std::optional<SectionTensor> mass;
   };
 

@@ -10,8 +10,8 @@
 namespace lamella
 {
   /// Returns the content of summary.json (doc/reference/output.md): resultants
-  /// and checks of the last load step of @p results, and the warnings of all
-  /// steps. Invalid UTF-8 is replaced.
+  /// and checks of the last load step in @p results, and the warnings of all
+  /// steps. Bytes that are not valid UTF-8 are replaced.
   std::string
   summary_text(const Results &results);
 } // namespace lamella

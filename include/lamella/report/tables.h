@@ -30,9 +30,9 @@ namespace lamella
   FileTexts
   table_rows(const Results &results, const StepResults &step);
 
-  /// Returns the content of failure.csv: for each load factor that the search
-  /// for first ply failure tried, the smallest reserve factor, and forces and
-  /// displacements as in history.csv.
+  /// Returns the content of failure.csv, a line for each load factor at which
+  /// the search for first ply failure solved the scene: smallest reserve
+  /// factor, forces and displacements as in history.csv.
   std::string
   failure_table(const Results &results);
 } // namespace lamella

@@ -24,12 +24,12 @@ namespace lamella
                  const Material    &material,
                  const Units       &units);
 
-  /// Prints for the laminated section @p name with the mesh @p section, the
-  /// @p plies (from the bottom, at least one) and the width @p width:
+  /// Prints for the laminated section @p name with the mesh @p section, the @p
+  /// plies (from the bottom, at least one) and the width @p width:
   /// - plies; matrices A, B, D of classical lamination theory about the
-  ///   mid-plane (order yy, xx, xy with y along the beam);
-  /// - stiffnesses E A, E I with free lateral contraction and twist, G A, k G A
-  ///   (shear, from equilibrium of plies), and G J (torsion) of the mesh.
+  ///   mid-plane (rows yy, xx, xy with y along the beam);
+  /// - stiffnesses E A and E I with free lateral contraction and twist;
+  /// - G A, k G A (from equilibrium of plies); G J (torsion, from the mesh).
   void
   print_laminate(std::ostream           &out,
                  const std::string      &name,

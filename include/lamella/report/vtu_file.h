@@ -70,9 +70,9 @@ namespace lamella
                   const VtuGrid                  &grid,
                   const std::vector<std::string> &parts);
 
-  /// Returns the index in VTK's order of the node (@p i, @p j, @p k) of a
-  /// Lagrange hexahedron of degrees @p n, i from 0 to n[0]: corners first, then
-  /// edges, faces and interior.
+  /// Returns the index, in VTK's order, of node (@p i, @p j, @p k) of a
+  /// Lagrange hexahedron with degrees @p n, where i is 0 to n[0], and j, k
+  /// likewise. Nodes of corners are first, then edges, faces and interior.
   unsigned int
   vtk_hexahedron_point(const std::array<unsigned int, 3> &n,
                        const unsigned int                 i,

@@ -105,7 +105,7 @@ namespace lamella
     void
     update_pairing_facts(std::vector<ContactSummary> &found) const;
 
-    /// Returns the contacts, which update interfaces() when paired anew.
+    /// Returns the contacts, which update interfaces() if points slide far.
     const Contacts &
     contact_objects() const
     {
@@ -133,9 +133,9 @@ namespace lamella
       return *units_check;
     }
 
-    /// Returns @p quantities (such as goals) with the ply in which each stress
-    /// is evaluated; on ply interfaces, the lower ply for those of References.
-    /// Throws InputError for a wrong or missing ply (Sampler::check()).
+    /// Returns @p quantities (such as goals) after a check of their plies. A
+    /// stress of an entry `References` on a ply interface is evaluated in the
+    /// lower ply; others must name a ply. Throws InputError (Sampler::check()).
     std::vector<NamedQuantity>
     with_resolved_plies(std::vector<NamedQuantity> quantities) const;
 
@@ -156,8 +156,9 @@ namespace lamella
     /// Builds section meshes, bodies, supports, loads and stabilizing springs.
     void
     build_structure(std::ostream &out);
-    /// Returns the bodies with the fields at each node that the scene requests.
-    /// Creates temporary supports, loads and contacts if needed.
+    /// Creates the bodies. For theory SV-N, chooses the section functions of
+    /// each axis node, from temporary supports, loads and contacts of the
+    /// scene.
     Bodies
     make_bodies_with_fields();
     /// Finds the rigid motions of @p bodies that isostatic supports constrain.
@@ -166,19 +167,19 @@ namespace lamella
     /// Pairs the surfaces of all contacts, without duplicate constraints.
     void
     build_contacts();
-    /// Returns the initial overlap [length] of contact number @p contact at @p
-    /// at if supports fix both sides there, else zero.
+    /// Returns the initial overlap [length] of the surfaces at the point @p at
+    /// of contact number @p contact if supports fix both of them, else zero.
     double
     constrained_overlap(const unsigned int             contact,
                         const ContactInterface::Point &at) const;
-    /// Throws InputError if surfaces overlap initially and supports fix both.
+    /// Throws InputError if constrained_overlap() of a contact point is not 0.
     void
     check_constrained_overlaps() const;
     /// Appends notes on units, theories, loads and contacts to @p found.
     void
     add_notes(Results &found) const;
-    /// Throws InputError if a goal or Trade quantity is evaluated on a strip of
-    /// a contact surface without contact points.
+    /// Throws InputError if a goal or Trade quantity refers to a strip (range
+    /// of x, y or z) of a contact in which there are no contact points.
     void
     check_strips() const;
     /// Builds probes, lines, cuts and strength criteria, and checks goals.

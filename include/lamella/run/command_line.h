@@ -31,7 +31,7 @@ namespace lamella
     /// True if --output was given; --validate then writes sections there.
     bool        output_is_given = false;
     std::string element, ///< Element type for CalculiX; empty if not given.
-      contact_stiffness; ///< [force / length^3] for CalculiX, or empty.
+      contact_stiffness; ///< Penalty [force / length^3] for it, or empty.
     /// Name of the template for a new scene (--kind).
     std::string kind;
     /// Arguments PATH=VALUE of the options --set, in order.

@@ -15,19 +15,19 @@
 
 namespace lamella
 {
-  /// Throws InputError for the entry `Find` if no load (temperatures excluded),
-  /// weight, or motion of a support or obstacle increases with the load factor.
+  /// Throws InputError for the entry `Find` if nothing grows with the load
+  /// factor: no load except temperatures, no weight, no prescribed motion.
   void
   check_load_growth(const Structure                     &structure,
                     const std::vector<ContactInterface> &contacts);
 
   /// Searches the load factor at which the smallest reserve factor of all plies
-  /// is 1, by bisection between a load factor without failure and a larger one
-  /// at which a ply fails or no solution exists (rotations beyond their limit,
-  /// contact that does not converge). Results of the load steps are used first.
-  /// If no ply fails in them, the largest load factor is doubled up to ten
-  /// times. The interval is bisected to 0.1 %. The result is the load factor of
-  /// failure, or the one above which no solution exists if that is lower.
+  /// is 1. The lower end of the search interval is a load factor without
+  /// failure. At the upper end a ply fails, or no solution exists (rotations
+  /// beyond their limit, contact that does not converge). The first interval is
+  /// that of the load steps. If no ply fails in them, the largest load factor
+  /// is doubled up to ten times. Bisection reduces the interval to 0.1 %. Its
+  /// upper end is the result.
   class FirstFailureSearch
   {
   public:

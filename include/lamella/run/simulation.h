@@ -56,10 +56,10 @@ namespace lamella
     /// after each step, and frees the state of a step after the next one.
     /// Collective.
     ///
-    /// All steps are repeated with a changed model if a body penetrates another
-    /// one between contact points (shorter elements on an `auto` axis) or
-    /// beside them (contact at end nodes). If a stiffness is ill-conditioned
-    /// before the first step, bodies of theory SV-N get all section functions.
+    /// If a body penetrates another one between contact points, all steps are
+    /// repeated with shorter elements (of an `auto` axis); if its end does,
+    /// with contact points at the end. If a stiffness is ill-conditioned before
+    /// the first step, bodies of theory SV-N get all section functions.
     const Results &
     solve(const Observer &observer = {});
 
@@ -170,11 +170,11 @@ namespace lamella
     /// Returns the factorized stiffness at zero displacements.
     std::shared_ptr<const TangentOperator>
     linearize(const MemoryBudget &budget);
-    /// Returns the displacements of heated bodies at load factor zero, whose
-    /// stresses do not increase with loads; null if not needed.
+    /// Returns the displacements due to temperatures alone, as reserve factors
+    /// multiply only the stresses due to loads; null if not needed.
     std::shared_ptr<const BlockVector>
     solve_thermal_state(Step &step);
-    /// Computes checks and contact results of the last state of an earlier run.
+    /// Adds checks and contact results, not in restart data, to the last step.
     void
     complete_last_step();
     /// Solves the remaining load steps.

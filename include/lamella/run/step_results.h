@@ -36,9 +36,9 @@ namespace lamella
   {
   public:
     /// Constructs a recorder for the model @p built; @p facts has the names of
-    /// probes, lines, cuts and measures. Keeps references to both. @p
-    /// thermal_part are the displacements due to temperature at load factor
-    /// zero, whose stresses do not increase with loads; null if there are none.
+    /// probes, lines, cuts and measures. Keeps references to both. Reserve
+    /// factors do not multiply the stresses of @p thermal_part, the
+    /// displacements due to temperatures alone; null if there are none.
     StepRecorder(const BuiltScene                  &built,
                  const Results                     &facts,
                  std::shared_ptr<const BlockVector> thermal_part = nullptr);
@@ -54,14 +54,15 @@ namespace lamella
     void
     add_measures(Results &results) const;
 
-    /// Returns a warning that names contacts without contact force in any load
-    /// step. If some contact has a force, only contacts with an unstrained body
-    /// or a moving obstacle are named. Empty if there is none to name.
+    /// Returns a warning that names contacts without force in all load steps,
+    /// or an empty text. If other contacts have forces, a contact of strained
+    /// bodies with each other or a fixed obstacle is not named: it may be open
+    /// on purpose.
     std::string
     note_on_idle_contacts() const;
 
-    /// Returns failure results and reserve factors @p plies of the solution @p
-    /// solved for a trial load factor in the search for first failure.
+    /// Returns the results of @p solved, a solution at a trial load factor of
+    /// the search for first failure. Stores its reserve factors in @p plies.
     FailureTrial
     trial(const SolvedStep &solved, std::vector<PlyReserve> &plies) const;
 
@@ -71,9 +72,9 @@ namespace lamella
     warnings_off_path(const SolvedStep       &solved,
                       std::vector<PlyReserve> plies) const;
 
-    /// Returns the largest change of a goal between @p one and @p other, two
-    /// solutions of a load step from the state @p before, divided by the
-    /// magnitude of the goal's field (ResultNumbers::scale_of()).
+    /// Returns the largest relative change of a goal between @p one and @p
+    /// other, solutions of a load step with different numbers of substeps. @p
+    /// before is the state at its start (see ResultNumbers::scale_of()).
     double
     change_of_goals(const SolvedStep &one,
                     const SolvedStep &other,
@@ -116,19 +117,19 @@ namespace lamella
     bool
     touches(const unsigned int contact, const SolvedStep &solved) const;
     /// Returns the deepest penetration of a body end in contact number @p c, if
-    /// it changes the contact force by more than 0.1 %.
+    /// it may change the contact force considerably (by about 0.1 %).
     std::optional<EndPenetration>
     end_penetration(const unsigned int c, const SolvedStep &solved) const;
     /// Returns warnings if an end of a body penetrates another body without
     /// contact constraints. Throws MissingEnds if the discretization is `auto`.
     std::vector<std::string>
     warnings_of_ends(const SolvedStep &solved) const;
-    /// Returns @p checks in which forces of contacts added at body ends are
-    /// part of those of the original contacts (ContactPair::part_of).
+    /// Adds the forces of contacts created at body ends to those of the
+    /// original contacts (ContactPair::part_of) in @p checks and returns these.
     Checks
     with_part_resultants(Checks checks) const;
-    /// Returns the largest moment of a load, or force of a load, support or
-    /// contact times the size of the scene; nodal forces if these are zero.
+    /// Returns the largest moment, or force times the size of the scene, of a
+    /// load, support or contact: the scale of rounding errors of resultants.
     double
     largest_moment(const SolvedStep &solved) const;
     /// Returns warnings on reactions of isostatic supports (unbalanced loads).

@@ -8,9 +8,10 @@
 
 namespace lamella
 {
-  /// Throws InputError if @p scene has a contact with friction and a tolerance
-  /// of goals. Throws also if it has no friction, but the top-level entry
-  /// `Substeps` (in @p in), or a dissipated energy as goal or Trade quantity.
+  /// Throws InputError for entries of @p scene that do not fit its friction:
+  /// - with friction, a tolerance of goals;
+  /// - without friction, `Substeps` other than 1 (a top-level entry in @p in);
+  /// - a goal or Trade quantity `dissipated` of a contact without friction.
   void
   check_friction(const Scene &scene, const Entries &in);
 } // namespace lamella

@@ -42,8 +42,8 @@ namespace lamella
   /// the tolerances of their errors.
   struct GoalParameters
   {
-    /// The goals: entry `Quantities`, otherwise the quantities named in
-    /// `subsection Trade`, otherwise those with reference values.
+    /// The goals: entry `Quantities`; if it is empty, the quantities named in
+    /// `subsection Trade`; if there are none, those with reference values.
     std::vector<NamedQuantity> quantities;
     /// Names of probes. If `quantities` is empty, the goals are the largest
     /// displacement and the largest stress among these probes.
@@ -54,7 +54,7 @@ namespace lamella
     /// Largest number of DoFs of a run that meets tolerances; 0: unlimited.
     unsigned int budget_dofs    = 0;
     double       budget_seconds = 0.; ///< Longest run [s]; 0: unlimited.
-    /// True if a run with a tolerance chooses the theory (`Theory` not set).
+    /// True if a run to a tolerance may choose the theory (`Theory` not set).
     bool theory_is_default = false;
     /// Names of the bodies whose number of axis elements is not in the scene,
     /// but is chosen in a run with a tolerance.
@@ -64,9 +64,8 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the goals from the entries @p in of `subsection Goals`. @p
-    /// of_trade are the quantities named in `subsection Trade`. Throws
-    /// InputError for
+    /// Returns the goals from the entries @p in of `subsection Goals`, with the
+    /// quantities @p of_trade of `subsection Trade`. Throws InputError for
     /// - a quantity that is not in @p names;
     /// - a tolerance outside of 1e-6 to 100 per cent, or in a unit that differs
     ///   from the unit of its quantity in @p units;

@@ -10,8 +10,8 @@
 namespace lamella
 {
   /// Returns the subsection (such as `Load push`) of the first support, load or
-  /// obstacle of @p scene with an entry `Factors`, a load factor per load step
-  /// that replaces the common one; empty if there is none.
+  /// obstacle of @p scene that has own load factors for the load steps (entry
+  /// `Factors`) instead of the common ones; empty if there is none.
   std::string
   first_with_factors(const Scene &scene);
 

@@ -15,14 +15,14 @@ namespace lamella
   /// sections. Lengths and stresses are checked only if the scene has `Units`.
   ///
   ///   number                    warning if
-  ///   layup                     no angle exceeds 3.2, and one is pi/2, pi/3,
-  ///                             pi/4 or pi/6 within 1e-3: radians
-  ///   stiffest material         below 1000 MPa, except cores, foams (below
-  ///                             600 kg/m^3) and rubber (nu_12 >= 0.45)
+  ///   angles of a layup         probably radians: none exceeds 3.2, and one is
+  ///                             pi/2, pi/3, pi/4 or pi/6 within 1e-3
+  ///   modulus of the stiffest   below 1000 MPa, except cores, foams (below
+  ///   material                  600 kg/m^3) and rubber (nu_12 >= 0.45)
   ///   section's smaller side    below 1 micrometer or above 10 m
-  ///   ply of stiff fibers       below 5 micrometers or above 100 mm
-  ///   Gravity                   9.7 to 9.9 mm/s^2 or km/s^2
-  ///   Rotation of a support     more than one turn: degrees
+  ///   ply of stiff fibers       thinner than 5 micrometers or above 100 mm
+  ///   Gravity                   9.7 to 9.9 mm/s^2 or km/s^2 (probably m/s^2)
+  ///   Rotation of a support     probably degrees: more than one turn
   std::vector<std::string>
   magnitude_warnings(const Scene &scene, const SectionMeshes &meshes);
 } // namespace lamella

@@ -22,8 +22,8 @@ namespace lamella
   std::string
   checked_bytes(const std::string &text, const std::string &file);
 
-  /// Returns the present name of an entry that @p path calls by a former name
-  /// (`Points on`) or as other programs do (`Torque`); empty otherwise.
+  /// Returns the name of the entry for which @p path has a former name (`Points
+  /// on`) or the name in other programs (`Torque`); empty otherwise.
   std::string
   new_name(const std::string &path);
 } // namespace lamella

@@ -61,26 +61,27 @@ namespace lamella
     static std::string
     printed(const dealii::ParameterHandler &prm);
 
-    /// Returns the scene file @p scene, a result of printed(), in which @p
-    /// value replaces `auto` as the value of the entry @p name in the top-level
-    /// subsection @p path. If the value is not `auto`, returns @p scene.
+    /// Returns the text @p scene, a result of printed(), with a value that the
+    /// program chose: if the entry @p name of the top-level subsection @p path
+    /// is `auto`, it becomes @p value; otherwise @p scene is unchanged.
     static std::string
     with_automatic(std::string        scene,
                    const std::string &path,
                    const std::string &name,
                    const std::string &value);
 
-    /// Removes the subsections `KIND NAME`, such as `Body upper`, whose names
-    /// are not in @p names, if the option --set has replaced the entry @p list
-    /// (`Bodies`). @p names are the names in this entry.
+    /// If the option --set has replaced the entry @p list (such as `Bodies`),
+    /// removes the subsections `KIND NAME` (such as `Body upper`) whose NAME is
+    /// no longer in the entry. @p names are the names in the entry now.
     void
     drop_unlisted(const std::string              &list,
                   const std::string              &kind,
                   const std::vector<std::string> &names);
 
-    /// Throws InputError with the line of the entry @p list (such as `Bodies`)
-    /// if one of its @p names has no subsection `KIND NAME`, but there is a
-    /// subsection of this kind with an unlisted name.
+    /// Throws InputError, with the line of the entry @p list (such as
+    /// `Bodies`), for a probable typing error: one of its @p names has no
+    /// subsection `KIND NAME`, and a subsection of this kind has a name that is
+    /// not listed.
     void
     check_listed(const std::string              &list,
                  const std::string              &kind,

@@ -13,9 +13,8 @@ namespace lamella
   ///   3 (p n_x + 1) (p n_z + 1) (q n_y + 1)
   /// with the degree p of the section expansion, the degree q of axis elements
   /// (p for solids), and n_x, n_z, n_y cells along width, height and axis. A
-  /// matrix row has about 3 (p + 2)^2 (q + 2) nonzeros of 24 bytes. Bodies
-  /// below 2e5 DoFs are accepted; MemoryBudget checks them exactly after
-  /// meshing.
+  /// matrix row has about 3 (p + 2)^2 (q + 2) nonzeros of 24 bytes. Only bodies
+  /// above 2e5 DoFs are checked; MemoryBudget checks all after meshing.
   void
   check_sizes(const Scene &scene);
 } // namespace lamella

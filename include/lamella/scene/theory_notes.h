@@ -16,9 +16,9 @@ namespace lamella
   ///   strains. Poisson locking: LE-1.
   /// - Hexahedra of degree 1 on sections other than laminates and thin walls:
   ///   their incompatible modes are accurate for rectangular cells only.
-  /// - EBBT, TBT and TE-1 for layups with bend-twist coupling: the bending
-  ///   stiffness is too large by the ratio of those with twist suppressed and
-  ///   with free twist (classical lamination theory), if this is above 1.01.
+  /// - EBBT, TBT and TE-1 for layups with bend-twist coupling: they suppress
+  ///   the twist. A warning states the ratio of the bending stiffnesses without
+  ///   and with free twist (classical lamination theory) if it exceeds 1.01.
   std::vector<std::string>
   notes_on_choices(const Scene &scene);
 
@@ -26,12 +26,13 @@ namespace lamella
   /// mesh, from stiffnesses of their sections (section/theory_limits.h) with
   /// the meshes @p meshes:
   ///
-  /// - Shear of laminates and sandwiches: bending by EBBT, TBT and TE-N is too
-  ///   stiff by (1 + phi) / (1 + phi_N), phi = 12 E I / (k G A L^2), where phi
-  ///   has the exact shear stiffness k G A and phi_N that of the theory (zero
-  ///   for EBBT); reported from 2 % on.
-  /// - Torsion of other sections: ratio of the torsional stiffnesses of TE-N
-  ///   and LE-2 on the same mesh; reported from 5 % on.
+  /// - Shear of laminates and sandwiches, for EBBT, TBT and TE-N: a beam of
+  ///   length L is too stiff in bending by the factor (1 + phi) / (1 + phi_N)
+  ///   with phi = 12 E I / (k G A L^2) for the shear stiffness k G A by
+  ///   equilibrium, and phi_N for that of the theory (0 for EBBT); a warning
+  ///   from 1.02 on.
+  /// - Torsion of other sections: torsional stiffness of TE-N over that of LE-2
+  ///   on the same mesh; a warning if this ratio is 1.05 or more.
   /// - Axis elements at clamped ends that are longer than the boundary layer,
   ///   which decays within about one section width (doc/theory/theories.md).
   std::vector<std::string>

@@ -29,15 +29,15 @@ namespace lamella
     std::vector<dealii::Tensor<1, 2>> gradients; ///< (d/dx, d/dz) F_tau.
   };
 
-  /// A point of a section at which contact, loads or supports act, with its
-  /// tributary length or area. Nodes of the axis extend it to SurfacePoints.
+  /// A point of a section at which contact, loads or supports may act, with its
+  /// tributary length or area. At axis nodes, it becomes a SurfacePoint.
   struct EdgePoint
   {
     dealii::Point<2> position; ///< x, z [length].
     /// Outward unit normal; at a vertex, the weighted mean of both sides.
     dealii::Tensor<1, 2> normal;
-    /// Integral of the nodal function of the point: a tributary length [length]
-    /// on a boundary, an area [length^2] for points of the whole section.
+    /// Tributary length [length] on a boundary, or area [length^2] for points
+    /// of the whole section: integral of the nodal function of the point.
     double weight = 0.;
     /// True at a vertex whose side normals differ by more than 20 degrees.
     bool             corner = false;
@@ -86,16 +86,16 @@ namespace lamella
     virtual unsigned int
     n_functions() const = 0;
 
-    /// Returns the rank of function @p tau in the elimination of DoFs by
-    /// supports: 0 for the three linear functions, which are eliminated first.
+    /// Returns the rank of function @p tau for supports, which eliminate DoFs
+    /// of low rank first: 0 for the three linear functions.
     virtual unsigned int
     level(const unsigned int tau) const
     {
       return tau < 3 ? 0 : 1;
     }
 
-    /// Returns the smallest degree q for which LE-q contains the function of
-    /// this index if functions are hierarchical; otherwise degree().
+    /// Returns, for hierarchical functions, the lowest degree q such that LE-q
+    /// contains the function with the index in the argument; else degree().
     virtual unsigned int
     function_degree(const unsigned int) const
     {
@@ -133,15 +133,15 @@ namespace lamella
     virtual std::vector<EdgePoint>
     section_grid() const = 0;
 
-    /// Returns edge_points() for the functions up to a degree (the second
-    /// argument), see function_degree(). The default ignores the degree.
+    /// Returns edge_points() for axis nodes that have only functions up to a
+    /// degree (second argument, see function_degree()). The default ignores it.
     virtual std::vector<EdgePoint>
     coarse_edge_points(const std::string &boundary, const unsigned int) const
     {
       return edge_points(boundary);
     }
-    /// Returns section_grid() for the functions up to a degree (the argument).
-    /// The default ignores the degree.
+    /// Returns section_grid() for axis nodes that have only functions up to a
+    /// degree (the argument). The default ignores it.
     virtual std::vector<EdgePoint>
     coarse_section_grid(const unsigned int) const
     {
@@ -206,10 +206,10 @@ namespace lamella
       double               weight = 0.;   ///< int N ds [length].
     };
 
-    /// Adds the integrals @p share of a side to normal and weight of @p point.
-    /// Sets EdgePoint::corner if the normal @p own_normal of this side differs
-    /// from the previous one. The caller normalizes the normal after the last
-    /// side.
+    /// Adds the integrals @p share of a side to normal and weight of @p point;
+    /// the caller normalizes the normal after the last side. Sets
+    /// EdgePoint::corner if the normals of this side (@p own_normal) and of the
+    /// previous one differ.
     static void
     add_side(EdgePoint                  &point,
              const SideShare            &share,
@@ -231,8 +231,8 @@ namespace lamella
     double
     depth(const unsigned int cell, const unsigned int face) const;
 
-    /// Computes the centroid (x_c, z_c) of @p mesh, as if cells had straight
-    /// sides, and h, half the diagonal of the bounding box.
+    /// Computes the centroid (x_c, z_c) of @p mesh with straight cell sides,
+    /// and the length h, half the diagonal of the bounding box.
     explicit CrossSectionElement(std::shared_ptr<const SectionMesh> mesh);
 
     std::shared_ptr<const SectionMesh> mesh;   ///< Section mesh.

@@ -9,7 +9,7 @@ namespace lamella
 {
   /// Returns true if the sections @p a and @p b have the same cells and elastic
   /// constants, up to relative differences of 1e-9. Their theories may differ,
-  /// but with curved sides both must have the same degree.
+  /// but only theories of the same degree have the same curved cells.
   bool
   have_same_cells(const Section &a, const Section &b);
 
@@ -20,8 +20,8 @@ namespace lamella
   /// v over the area,
   ///   int Phi_alpha . (v - w) dA = 0   for all alpha,
   /// with the integration points of @p to. If the functions of @p to contain
-  /// those of @p from (LE-p and LE-q, p > q), v = w. Throws NumericsError if
-  /// the functions of @p to are linearly dependent.
+  /// those of @p from (LE-p contains LE-q for p > q), v = w. Throws
+  /// NumericsError if the functions of @p to are linearly dependent.
   std::vector<Vector>
   embedded(const FieldColumns &fields, const Section &from, const Section &to);
 } // namespace lamella

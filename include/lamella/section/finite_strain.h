@@ -19,8 +19,9 @@ namespace lamella
   std::array<dealii::Tensor<1, 3>, 2>
   field_derivatives(const SectionPoint &point, const unsigned int a);
 
-  /// Returns the displacement gradient H at @p point of the section, at point
-  /// number @p k of the axis, for amplitudes and derivatives in @p q.
+  /// Returns the displacement gradient H at @p point of the section and point
+  /// number @p k of the axis. @p q has the amplitudes of the section functions
+  /// and their derivatives along the axis.
   Gradient
   gradient_at(const SectionPoint &point,
               const FieldParts   &q,
@@ -44,13 +45,12 @@ namespace lamella
   Voigt
   predicted_strain(const Gradient &H, const Gradient &dH);
 
-  /// Returns the derivative of first_stress() by the displacement gradient @p
-  /// H:
+  /// Returns the derivative of first_stress() by the displacement gradient H,
   ///   (dE/dH)^T C dE/dH + S_ij delta_cd,
-  /// with the Green-Lagrange strain E and the stiffness C of @p law. Rows and
-  /// columns 3 i + c belong to H[i][c]. The stress S is @p second, for example
-  /// that of predicted_strain() (mixed integration points: Magisano, Leonetti
-  /// and Garcea, Int. J. Numer. Meth. Engng 110, 2017).
+  /// with the Green-Lagrange strain E and the stiffness C of @p law. Row 3 i +
+  /// c belongs to H[i][c], and column 3 j + d to H[j][d]. The stress S is @p
+  /// second, for example that of predicted_strain() (mixed integration points:
+  /// Magisano, Leonetti and Garcea, Int. J. Numer. Meth. Engng 110, 2017).
   dealii::Tensor<2, 9>
   green_tangent(const Gradient &H, const Voigt &second, const ElasticLaw &law);
 

@@ -37,8 +37,9 @@ namespace lamella
     FiniteStrainSectionOperator(const SectionSpace &space,
                                 const unsigned int  n_stations);
 
-    /// Returns the forces conjugate to amplitudes and derivatives @p q of
-    /// section functions, at the Gauss points (stations) of an axis element.
+    /// Returns the generalized forces at the Gauss points (stations) of an axis
+    /// element, conjugate to @p q, amplitudes of section functions and their
+    /// derivatives.
     SectionForces
     forces(const FieldParts &q) const;
 
@@ -69,16 +70,16 @@ namespace lamella
     /// (stations) of an axis element with amplitudes @p q. @p correction is the
     /// last Newton correction of q (see predicted_strain()). For the assumed
     /// strain, the caller must subtract (Y^T X + X^T Y) times the element's
-    /// length, where X and Y are the sums of share(k) times `stretch` and
-    /// `on_stretch` over the stations k.
+    /// length from its tangent, where X and Y are the sums over the stations k
+    /// of share(k) times `stretch` and `on_stretch`.
     void
     for_each_cell(
       const FieldParts                                            &q,
       const FieldParts                                            &correction,
       const std::function<void(const std::vector<CellTangent> &)> &use) const;
 
-    /// Returns the Gauss weight times sqrt(7) P_3 at station @p k, with the
-    /// Legendre polynomial P_3, for the assumed strain.
+    /// Returns w_k l_k (see the class) at station @p k: Gauss weight times
+    /// sqrt(7) P_3, with the Legendre polynomial P_3, for the assumed strain.
     double
     share(const unsigned int k) const
     {
@@ -86,8 +87,9 @@ namespace lamella
     }
 
     /// Calls @p use for each section cell with its geometric stiffness int S_ij
-    /// (dH_i/dq)^T dH_j/dq dA. H_i is the derivative of displacements by x_i,
-    /// and S is the stress @p stress(cell, point).
+    /// (dH_i/dq)^T dH_j/dq dA due to the given stress S = @p stress(cell,
+    /// point), such as that of temperatures. H_i is the derivative of
+    /// displacements by x_i.
     void
     for_each_cell_of_stress(
       const std::function<Voigt(const unsigned int, const dealii::Point<2> &)>
@@ -131,7 +133,7 @@ namespace lamella
                    const std::vector<std::vector<Gradient>> &H,
                    std::vector<double>                      &energy) const;
 
-    /// Returns int (dH/dq)^T D dH/dq dA over @p cell; @p D has a point index.
+    /// Returns int (dH/dq)^T D dH/dq dA over @p cell, with D = @p D(point).
     static CellTangent
     tangent_of(
       const Cell                                                    &cell,

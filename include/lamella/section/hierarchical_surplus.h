@@ -23,7 +23,7 @@ namespace lamella
   class HierarchicalSurplus
   {
   public:
-    /// Returns true for layer-wise theories, which have nodal values.
+    /// Returns true if @p section has a layer-wise theory, with nodal values.
     static bool
     is_possible(const Section &section);
 
@@ -38,8 +38,8 @@ namespace lamella
       return section.element().degree();
     }
 
-    /// Replaces the coefficients @p c of a displacement by those of its
-    /// difference from the interpolant of degree @p q, 0 < @p q < degree().
+    /// Replaces the coefficients @p c of a displacement by those of its surplus
+    /// over the interpolant of degree @p q, where 0 < @p q < degree().
     void
     remove_lower_degree(const unsigned int q, Vector &c) const;
 

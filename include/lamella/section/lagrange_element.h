@@ -19,9 +19,9 @@ namespace lamella
   /// Nagaraj et al. 2020): deal.II's FE_Q<2>(p) on the section mesh, i.e. L4,
   /// L9 and L16 for p = 1, 2, 3, with Gauss-Lobatto nodes. Displacements are
   /// continuous, transverse strains may jump at ply interfaces. The geometry is
-  /// isoparametric. In each of three kinds of basis, 1, (x - x_c)/h and (z -
-  /// z_c)/h replace three functions, with the centroid (x_c, z_c) and a
-  /// reference length h.
+  /// isoparametric. There are three kinds of basis. In each, 1, (x - x_c)/h and
+  /// (z - z_c)/h replace three functions; (x_c, z_c) is the centroid, h a
+  /// length.
   /// - *nodal*: the nodal functions.
   /// - *in columns*, without rounding errors for rectangular grids much wider
   ///   than high: G_i(x) is the sum of the nodal functions of the column of
@@ -40,8 +40,7 @@ namespace lamella
   ///   with the larger number. The functions up to degree q span LE-q, so that
   ///   all degrees share the section matrices (doc/theory/theories.md).
   ///
-  /// Curved cells are mapped with degree p. Each LE-q contains the rigid
-  /// motions.
+  /// Curved cells are mapped with degree p. LE-q contains all rigid motions.
   class LagrangeElement : public CrossSectionElement
   {
   public:
@@ -81,9 +80,9 @@ namespace lamella
       return levels.size();
     }
 
-    /// Returns the rank of function @p tau in the elimination of DoFs by
-    /// supports: 0 for 1, x, z; 1 for other functions of a nodal basis (2 for
-    /// nodal functions if in columns); the degree of a hierarchical function.
+    /// Returns the rank of function @p tau, see the base class: 0 for 1, x, z;
+    /// the degree of other hierarchical functions; 1 for other functions of a
+    /// nodal basis, but 2 for nodal functions of a basis in columns.
     unsigned int
     level(const unsigned int tau) const override
     {
@@ -114,7 +113,7 @@ namespace lamella
       return geometry.map(cell, unit);
     }
 
-    /// Returns the nodes on @p boundary, weighted by integrals of functions.
+    /// Returns the nodes on @p boundary. Weights integrate nodal functions.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
@@ -140,9 +139,9 @@ namespace lamella
     coarse_section_grid(const unsigned int degree) const override;
 
   private:
-    /// A basis function on a cell, from the nodal functions N_i of the local
-    /// node numbers `nodes`. z is the coordinate along a column, z_c its value
-    /// at the centroid, h_z the length of a column:
+    /// A basis function on a cell. N_i are the nodal functions of the nodes
+    /// with local numbers `nodes`, z is the coordinate along a column, z_c its
+    /// value at the centroid, and h_z the length of a column:
     ///   nodal         N_i
     ///   column        G = sum N_i over the column's nodes on the cell
     ///   column_slope  G (z - z_c) / h_z
@@ -177,9 +176,9 @@ namespace lamella
       std::vector<Product>       products;
     };
 
-    /// A rectangular grid of nodes: index of each node along the long side
-    /// (column) and along the short side (place), from 0. n_columns is 0 if the
-    /// nodes are not a grid.
+    /// A rectangular grid of nodes. Each node has an index from 0 along the
+    /// long side (`column`) and along the short side (`place`). n_columns is 0
+    /// if the nodes are not a grid.
     struct Grid
     {
       std::vector<unsigned int> column, place;

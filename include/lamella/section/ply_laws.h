@@ -19,9 +19,9 @@ namespace lamella
   class PlyLaws
   {
   public:
-    /// Computes the laws of @p plies. The shear correction factor k, @p
-    /// shear_factor, changes the elasticity matrix C to D C D, with the
-    /// diagonal matrix D: sqrt(k) for the strains xy and yz, 1 for others.
+    /// Computes the laws of @p plies with elasticity matrices D C D. D is
+    /// diagonal: sqrt(k) for the strains xy and yz, 1 for others, where k is @p
+    /// shear_factor, the shear correction factor.
     explicit PlyLaws(const std::vector<Ply> &plies,
                      const double            shear_factor = 1.);
 
@@ -69,9 +69,9 @@ namespace lamella
     Harmonics
     harmonics(const unsigned int ply, const dealii::Point<2> &x) const;
 
-    /// Returns nine Fourier coefficients of the stiffness of @p ply. Their sum
-    /// times harmonics() is the stiffness at a point, exactly, since a rotated
-    /// stiffness is a polynomial of degree four in cos phi and sin phi.
+    /// Returns the matrices C_k with which the stiffness of @p ply at a point
+    /// is the sum of h_k C_k with its harmonics() h_k. This is exact, since a
+    /// rotated stiffness is a polynomial of degree 4 in cos phi and sin phi.
     std::array<ElasticTensor, n_harmonics>
     stiffness_harmonics(const unsigned int ply) const;
 

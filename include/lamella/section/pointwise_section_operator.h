@@ -13,8 +13,8 @@ namespace lamella
   /// forces over the integration points s of a section with weights w_s,
   ///   epsilon(x_s) = sum_alpha q_alpha D_s Phi_alpha + q_alpha' D_y Phi_alpha,
   ///   W_0 = sum_s w_s D_s^T C epsilon,   W_1 = sum_s w_s D_y^T C epsilon,
-  /// see SectionOperator. It applies to any section. The cost per point of the
-  /// axis is the number of points s times that of nonzero functions at a point.
+  /// see SectionOperator. It applies to any section. The cost per axis point is
+  /// proportional to the number of points s times functions nonzero at each.
   class PointwiseSectionOperator : public SectionOperator
   {
   public:
@@ -32,8 +32,8 @@ namespace lamella
     stiffness() const override;
 
   private:
-    /// The amplitude q of a section function, one value per strain component
-    /// (transverse shear may differ), and q'; or the conjugate forces.
+    /// The amplitude q of a section function and q', or the conjugate forces. q
+    /// has one value per strain component: transverse shear may be assumed.
     struct Coefficient
     {
       Voigt  value;

@@ -18,9 +18,9 @@ namespace lamella
   /// third block row and column for transverse shear.
   ///
   /// To avoid cancellation in slender beams, the shear strain q_w' + q_a / h of
-  /// deflection w and slope a, with the reference length h, is added before the
-  /// product. If Q is conjugate to this sum, the forces on q_w' and q_a
-  /// increase by Q and Q / h.
+  /// deflection w and slope a, with the reference length h, is summed before
+  /// the matrix is applied. The force Q conjugate to this sum is added to the
+  /// force on q_w', and Q / h to that on q_a.
   class ProductSectionOperator : public SectionOperator
   {
   public:
@@ -56,8 +56,8 @@ namespace lamella
             const unsigned int a,
             const unsigned int b) const;
 
-    /// Returns the first row of FieldPart @p p. Without assumed shear strains,
-    /// shear values have the rows of values.
+    /// Returns the first row in S of FieldPart @p p. Without assumed shear
+    /// strains, FieldPart::shear_value has the rows of FieldPart::value.
     unsigned int
     first_row(const unsigned int p) const;
 

@@ -100,8 +100,9 @@ namespace lamella
     }
 
     /// Returns the warping due to a section @p load that is constant along the
-    /// axis (Almansi-Michell, first term). The load is balanced by tractions of
-    /// the extension, torsion and shear solutions.
+    /// axis (Almansi-Michell, first term). Section forces that change along the
+    /// axis balance the load: those of the extension, torsion and shear
+    /// solutions.
     Vector
     response_to_constant(const Vector &load) const;
 
@@ -141,8 +142,8 @@ namespace lamella
   FieldColumns
   saint_venant_warpings(const SaintVenant &states, const Warping &warping);
 
-  /// Engineering constants of a section, from its 6 x 6 compliance. Each
-  /// stiffness is for a single force or moment, with coupled deformations free.
+  /// Engineering constants of a section, from its 6 x 6 compliance. Stiffnesses
+  /// are for one force or moment each; coupled deformations are free.
   struct SectionConstants
   {
     /// Axial stiffness for forces through the tension center [force].

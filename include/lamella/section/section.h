@@ -49,8 +49,8 @@ namespace lamella
   };
 
   /// Indices of the rigid section functions, with centroid (x_c, z_c) and
-  /// length h. Slopes are rotations about z and x. EBBT and TBT have no
-  /// rotation_y.
+  /// length h. Slopes are rotations about z and x. No rotation_y in EBBT and
+  /// TBT.
   namespace RigidField
   {
     constexpr unsigned int translation_x = 0, ///< u_x = 1.
@@ -133,8 +133,9 @@ namespace lamella
       return fields[alpha];
     }
 
-    /// Returns the coefficients of the displacement v x u; u has coefficients
-    /// @p q, @p v is in body axes. Not for EBBT and TBT.
+    /// Returns the coefficients of the cross product @p v x u of @p v (body
+    /// axes) and the displacement u with coefficients @p q. Not for EBBT and
+    /// TBT.
     std::vector<double>
     rotated(const dealii::Tensor<1, 3> &v, const std::vector<double> &q) const;
 
@@ -159,7 +160,7 @@ namespace lamella
       return ply_of_cell[cell];
     }
 
-    /// Returns the law in axes of the body at the point @p x of @p cell.
+    /// Returns the law at the point @p x of @p cell, in axes of the body.
     ElasticLaw
     law(const unsigned int cell, const dealii::Point<2> &x) const
     {
@@ -220,11 +221,11 @@ namespace lamella
     bool
     spans_the_section() const;
 
-    /// Returns the matrix int e_p^T C e_q dA over pairs of section functions;
-    /// empty except for TE-N with N > 1. The strain of a function with
-    /// amplitude a(y) is a (e_0 + e_1) + a' e_2, where e_1 are its transverse
-    /// shear strains, e_0 its other strains, and e_2 the strains due to the
-    /// derivative along y. @p p and @p q are 0, 1 or 2.
+    /// Returns the matrix int e_p^T C e_q dA over pairs of section functions,
+    /// for @p p and @p q from 0 to 2; empty except for TE-N with N > 1. The
+    /// strain of a function with amplitude a(y) is a (e_0 + e_1) + a' e_2,
+    /// where e_1 are the transverse shear strains due to a, e_0 its other
+    /// strains, and e_2 all strains due to a'.
     const dealii::LAPACKFullMatrix<double> &
     moments(const unsigned int p, const unsigned int q) const
     {
@@ -299,7 +300,7 @@ namespace lamella
     /// Computes S_pq as sums of moments().
     void
     add_moments();
-    /// Rows of S_00, S_01, S_10, S_11 and S_shear() for functions on all cells.
+    /// Rows of S_00, S_01, S_10, S_11 and S_shear() for the linear functions.
     using DenseRows = std::array<std::vector<Vector>, 5>;
     /// Strains, or stresses times weights, of the functions of a cell, six rows
     /// per point: e_0, e_1 and e_2 of moments().

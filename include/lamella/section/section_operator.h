@@ -51,8 +51,8 @@ namespace lamella
     std::vector<double> energy;
   };
 
-  /// Restricts @p forces, conjugate to the section functions of a Section, to
-  /// the functions number @p list of @p space, which may be modes.
+  /// Converts @p forces, conjugate to the section functions of a Section, to
+  /// forces conjugate to the functions number @p list (or modes) of @p space.
   SectionForces
   on_list(const SectionSpace              &space,
           const std::vector<unsigned int> &list,

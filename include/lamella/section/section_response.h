@@ -14,8 +14,8 @@ namespace lamella
   ///   ( S_00 + i k (S_01 - S_10) + k^2 S_11 ) v = f,
   /// with the matrices S_pq of Section. The matrix is Hermitian and positive
   /// definite for wave numbers k > 0. Solutions v at a few k approximate the
-  /// deformation near this load (rational Krylov space). Each k takes one
-  /// factorization for all loads. Keeps a reference to the section.
+  /// deformation near a load f on a short length (rational Krylov space). Each
+  /// k takes one factorization for all loads. Keeps a reference to the section.
   class SectionResponse
   {
   public:

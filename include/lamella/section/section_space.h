@@ -96,9 +96,9 @@ namespace lamella
     bool
     is_dense(const std::vector<unsigned int> &list) const;
 
-    /// Returns the elimination level of function @p alpha: sparse
-    /// factorizations eliminate low levels first. It is 0 for section functions
-    /// linear in x and z, higher for other ones, and 1 for modes.
+    /// Returns the level of function @p alpha: supports eliminate DoFs of low
+    /// levels first. It is 0 for section functions linear in x and z, higher
+    /// for other ones, and 1 for modes.
     unsigned int
     level(const unsigned int alpha) const
     {
@@ -155,7 +155,7 @@ namespace lamella
     }
 
     /// Returns the rows of the section matrices S_pq over section functions and
-    /// modes, restricted to functions whose flag in @p carried is true.
+    /// modes. Only functions whose flag in @p carried is true have entries.
     std::vector<FactorRow>
     rows(const std::vector<bool> &carried) const;
 

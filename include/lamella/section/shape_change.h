@@ -20,9 +20,9 @@ namespace lamella
   ///   c = 2 (int e_2 . C e_2 + 2 e_3 . C e_1 dA - f . v) / int e_1 . C e_1 dA
   /// with the elasticity matrix C, the strain e_1 of the Saint-Venant
   /// displacement u_1 for k = 1, and the quadratic and cubic strains e_2 and
-  /// e_3 of u_1 in axes that rotate with the section. v is the displacement
-  /// (modal derivative) that relaxes e_2 under the forces f, the work of the
-  /// stress C e_1 on terms bilinear in u_1 and v. The axis can stretch.
+  /// e_3 of u_1 in axes that rotate with the section. The forces f on v are due
+  /// to C e_2, and to C e_1 by strains bilinear in u_1 and v. Under them, v
+  /// (modal derivative) relaxes the section. The axis can stretch.
   /// The result estimates the error of GeometricallyExactBeam, which neglects
   /// this effect. It is valid only if c k^2 is small; strips of width b and
   /// thickness h flatten in edge layers if b^2 k / h > 1. @p states are the

@@ -33,9 +33,9 @@ namespace lamella
     virtual void
     complete(SectionPoint &point) const = 0;
 
-    /// Returns the strain that an @p initial strain (e.g. thermal) at a point
-    /// adds to the strain of the displacements, by free lateral contraction.
-    /// This default implementation returns zero.
+    /// Returns the strain due to free lateral contraction that an @p initial
+    /// strain (e.g. thermal) at a point causes in addition to the strain of the
+    /// displacements. This default implementation returns zero.
     virtual Voigt
     of_initial(const unsigned int /*cell*/,
                const dealii::Point<2> & /*x*/,
@@ -54,8 +54,7 @@ namespace lamella
   class FreeContraction : public StrainCompletion
   {
   public:
-    /// Constructs the completion from the laws of the plies and each cell's
-    /// ply.
+    /// Constructs the completion from laws of plies and the ply of each cell.
     FreeContraction(const PlyLaws                   &laws,
                     const std::vector<unsigned int> &ply_of_cell);
 
@@ -65,8 +64,7 @@ namespace lamella
     complete(SectionPoint &point) const override;
 
     /// Returns eps_0 - P eps_0 for the @p initial strain eps_0. P keeps {yy,
-    /// xy, yz} and computes {xx, zz, xz} from sigma_xx = sigma_zz = sigma_xz =
-    /// 0.
+    /// xy, yz} and computes {xx, zz, xz} from zero stresses xx, zz and xz.
     Voigt
     of_initial(const unsigned int      cell,
                const dealii::Point<2> &x,
@@ -119,8 +117,8 @@ namespace lamella
     void
     find_means(const std::vector<SectionPoint> &points,
                const std::vector<double>       &weights);
-    /// Adds the contribution of a point to the stiffness @p K of the modes, and
-    /// to of_in_plane and of_along, which then have the loads on the modes.
+    /// Adds the contribution of a point to the stiffness @p K of the modes and
+    /// to their loads, which of_in_plane and of_along contain at first.
     void
     add_energies(const SectionPoint               &point,
                  const double                      weight,
@@ -131,8 +129,7 @@ namespace lamella
     std::vector<Voigt>
     mode_strains(const unsigned int cell, const dealii::Point<2> &unit) const;
 
-    /// Expansion TE-2 on the same mesh, whose quadratic functions are the
-    /// modes.
+    /// Expansion TE-2 on the same mesh; its quadratic functions are the modes.
     TaylorElement      modes;
     std::vector<Voigt> means; ///< Mean strain of each mode over the section.
     /// Amplitudes of the modes due to the in-plane strains D_s Phi and the

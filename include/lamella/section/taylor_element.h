@@ -75,8 +75,8 @@ namespace lamella
       return geometry.map(cell, unit);
     }
 
-    /// Returns N + 1 Gauss-Lobatto points on each side of the boundary, with
-    /// common vertices. Weights are integrals of their Lagrange polynomials.
+    /// Returns N + 1 Gauss-Lobatto points on each boundary side, each vertex
+    /// once. Weights are integrals of the points' Lagrange polynomials.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
 
@@ -93,10 +93,11 @@ namespace lamella
     section_grid() const override;
 
   private:
-    /// Recurrence of an orthonormal polynomial: the coordinate @p direction (0
-    /// for x, 1 for z) times the polynomial @p parent, minus @p parts times the
-    /// polynomials from index @p first on, divided by @p norm. Products with
-    /// polynomials before @p first are zero. Polynomial 0 is the constant 1.
+    /// Recurrence of an orthonormal polynomial: the product of coordinate
+    /// `direction` (0 for x, 1 for z) and polynomial number `parent`, minus the
+    /// polynomials from number `first` on times `parts`; divided by `norm`. The
+    /// product is orthogonal to those before `first`. Number 0 is the constant
+    /// 1.
     struct Step
     {
       /// Indices as described above, and the degree of the polynomial.

@@ -53,14 +53,13 @@ namespace lamella
     /// Default of section_order.
     static constexpr unsigned int default_section_order = 3;
 
-    /// True if the functions of LE, also those for SV, are hierarchical by
-    /// degree (see LagrangeElement::Basis); false for Lagrange polynomials.
-    /// Must be true if nodes have different degrees.
+    /// True if the functions of LE (also of the LE for SV) have a hierarchical
+    /// basis, required if axis nodes have different degrees; false for nodal
+    /// functions (LagrangeElement::Basis).
     bool hierarchical = false;
 
     /// True if sections of EBBT, TBT and TE-1 contract freely under bending
-    /// (StrainCompletion). If false, Poisson locking stiffens by 35 % at nu =
-    /// 0.3.
+    /// (StrainCompletion). If false, they are 35 % too stiff at nu = 0.3.
     bool poisson_correction = true;
     /// Shear correction factor k of TBT, 0 < k <= 1, for the shear stiffness k
     /// G A, e.g. 5/6 for homogeneous rectangles. Stresses include k.
@@ -171,13 +170,12 @@ namespace lamella
     }
 
     /// Returns SV with @p waves wave numbers, whose functions are computed with
-    /// the Lagrange expansion LE-N of this theory.
+    /// this theory, which must be LE-N.
     Theory
     to_saint_venant(const unsigned int waves) const;
 
-    /// Returns true if this theory includes all displacements of @p other: both
-    /// are of the same kind (EBBT and TBT count as TE), @p other not of higher
-    /// order.
+    /// Returns true if this theory includes all displacements of @p other: same
+    /// kind (EBBT and TBT count as TE) and at least the order of @p other.
     bool
     holds(const Theory &other) const;
 
@@ -194,14 +192,13 @@ namespace lamella
     static Theory
     solid(const unsigned int order);
 
-    /// Returns the theory of the section mesh: for SV-N its LE, else this
-    /// theory.
+    /// Returns for SV-N the theory LE of its functions, else this theory.
     Theory
     of_section() const;
 
-    /// Returns the theory named in @p entry. Throws InputError for other text.
-    /// N is 1 to 20 for TE-N, 1 to 8 for LE-N, 1 or 2 for solid-N, 0 to 40 for
-    /// SV-N.
+    /// Returns the theory named in @p entry: TE-N with N from 1 to 20, LE-N (1
+    /// to 8), solid-N (1, 2), SV-N (0 to 40), EBBT or TBT; else throws
+    /// InputError.
     static Theory
     parse(const Entry &entry);
   };
@@ -250,18 +247,18 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Returns the theory of a body from the entries @p in, by default
-    /// @p scene_theory. Throws InputError, also for a shear factor not in (0,
-    /// 1].
+    /// Returns the theory of a body from the entries @p in, by default @p
+    /// scene_theory. Throws InputError, e.g. for a shear factor not in (0, 1].
     static Theory
     parse(const Entries &in, const Entry &scene_theory);
 
     /// Returns the theories of the intervals of the axis of a body of
     /// @p length, from the entries `Theories` and `Theory breaks`; empty if
     /// they are not set. All have the same section order; they are hierarchical
-    /// if LE degrees differ from it. Throws InputError unless all are LE or SV,
-    /// there is one per interval, all SV-N have the same N, the section order
-    /// is at least the highest LE degree, and breaks ascend.
+    /// if LE degrees differ from it. Throws InputError unless
+    /// - all are LE or SV, one per interval, and breaks ascend;
+    /// - all SV-N have the same N;
+    /// - the section order is at least the highest LE degree.
     static TheoryPieces
     parse_pieces(const Entries &in, const double length);
   };

@@ -12,9 +12,8 @@ namespace lamella
 {
   // Stiffnesses of a section or laminate alone, for the accuracy of a theory.
 
-  /// Returns the compliance S = C^-1 of @p ply in the body frame
-  /// [length^2/force]. 1 / S_22 is Young's modulus along the beam, 1 / S_66 is
-  /// G_yz.
+  /// Returns the compliance S = C^-1 of @p ply in body axes [length^2/force]. 1
+  /// / S_22 is Young's modulus along the beam, 1 / S_66 the modulus G_yz.
   ElasticTensor
   compliance(const Ply &ply);
 
@@ -42,8 +41,8 @@ namespace lamella
 
   /// Returns the torsional stiffness G J [force length^2] of @p section in its
   /// theory: the torque for a unit twist per length with the warping of minimum
-  /// energy (Saint-Venant torsion). Empty for theories without torsion, for
-  /// more than 2500 section functions, and for extremely thin cells.
+  /// energy (Saint-Venant torsion). Returns an empty optional for theories
+  /// without torsion, more than 2500 section functions or extremely thin cells.
   ///
   /// With the section matrices S_pq (see Section), the rotation r about y, the
   /// reference length h, and coefficients w of all other section functions

@@ -9,9 +9,9 @@
 
 namespace lamella
 {
-  /// Returns the axial strain of a fiber at @p point of a section with the
-  /// twist k, divided by k^2 / 2: r^2 with the distance r from the centroid
-  /// [length^2], and the lateral contraction by StrainCompletion.
+  /// Returns the strain of a fiber at @p point of a section with the twist k,
+  /// divided by k^2 / 2 [length^2]: the axial strain r^2, with the distance r
+  /// from the centroid, and the lateral contraction of StrainCompletion.
   Voigt
   stretch_of_fiber(const Section &section, const SectionPoint &point);
 
@@ -21,11 +21,11 @@ namespace lamella
   ///   epsilon_2 = k^2 / 2 (r^2 e_yy + D_s v),
   /// where e_yy is a unit strain along y, D_s v the in-plane strain of the free
   /// contraction v, and S_00 v = -int D_s^T C e_yy r^2 dA with the elasticity
-  /// matrix C and the section matrix S_00. With I_n = int r^n dA and I_p
-  /// = I_2, this effect adds E (I_4 - I_p^2 / A) k^2 / 2 to the stiffness G J
-  /// of a strip and reduces that of a column under the compression N by N I_p /
-  /// A. Only for LE, with a fine mesh: with one cell of LE-2, I_4 - I_p^2 / A
-  /// is 19 % too large in a bar of 8 x 5 and 7 % in a strip of 30 x 0.8.
+  /// matrix C and the section matrix S_00. With I_n = int r^n dA and I_p = I_2,
+  /// this effect adds E (I_4 - I_p^2 / A) k^2 / 2 to the stiffness G J of a
+  /// strip. It reduces G J of a column under the compression N by N I_p / A.
+  /// Only for LE with a fine mesh. On one cell of LE-2, I_4 - I_p^2 / A is 19 %
+  /// too large in a bar of 8 x 5 and 7 % in a strip of 30 x 0.8.
   class TwistStretch
   {
   public:
@@ -37,9 +37,8 @@ namespace lamella
     strain(const SectionPoint &point) const;
 
     /// Returns the generalized forces of the second-order strain for k^2 / 2 =
-    /// 1 [force length^2], conjugate to the axial derivatives of the amplitudes
-    /// of the section functions. The forces conjugate to the amplitudes are
-    /// zero.
+    /// 1 [force length^2], conjugate to the axial derivatives of amplitudes of
+    /// section functions. The forces conjugate to the amplitudes are zero.
     const std::vector<double> &
     work() const
     {

@@ -12,9 +12,10 @@ namespace lamella
   ///   w <- w - sum_r c_r R_r   with   int R_s . w dA = 0   for all s,
   /// with the energy norm
   ///   |w|^2 = w^T (S_00 + (0.1 / H)^2 S_11) w,
-  /// for amplitudes that vary along the axis over about ten section heights H.
-  /// S_00 and S_11 are section matrices. Keeps a reference to the section,
-  /// which must have a rotation about y (not EBBT or TBT).
+  /// for amplitudes whose derivative along the axis is 0.1 / H times their
+  /// value, with the section height H. S_00 and S_11 are section matrices.
+  /// Keeps a reference to the section, which must have a rotation about y (not
+  /// EBBT, TBT).
   class Warping
   {
   public:
