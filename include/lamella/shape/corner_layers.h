@@ -18,8 +18,8 @@ namespace lamella
     /// corner. 0.15 is optimal for p-extension (Szabo and Babuska, Finite
     /// Element Analysis, 1991, sec. 10.2).
     double ratio = 0.15;
-    /// Interior angle in degrees above which a corner is re-entrant. Fillets
-    /// meshed by a few straight edges have smaller angles.
+    /// Interior angle in degrees above which a corner counts as re-entrant.
+    /// Corners between the straight edges of a fillet have smaller angles.
     double min_reentrant_angle = 225.;
   };
 
@@ -31,10 +31,10 @@ namespace lamella
 
   /// Returns the mesh @p section with @p layers geometrically graded layers of
   /// cells around each of its singular_corners(). Each edge that ends at such a
-  /// corner is split at the fractions r^k of its length, k = 1 to @p layers, r
-  /// = CornerRules::ratio. Opposite edges of a cell are split equally. Edges
-  /// must be straight. Throws InputError for the entry `Corner layers` in the
-  /// subsection @p what if there are no singular corners or too many cells.
+  /// corner is split at distances r^k times its length from it, k = 1 to @p
+  /// layers, r = CornerRules::ratio. Opposite edges of a cell are split alike.
+  /// Edges must be straight. Throws InputError for the entry `Corner layers` in
+  /// the subsection @p what if there are no singular corners or too many cells.
   std::shared_ptr<const SectionMesh>
   graded_to_corners(const SectionMesh &section,
                     const unsigned int layers,

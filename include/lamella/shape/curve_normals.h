@@ -11,20 +11,20 @@
 
 namespace lamella
 {
-  /// The outward unit normals of boundaries of a section, extended to all
-  /// points x of the section: the normal at x is that of the nearest point p on
-  /// a side whose normal is parallel to x - p. Normals vary linearly along a
-  /// side; at a vertex, the normals of the adjacent sides are averaged unless
-  /// they differ by more than 30 degrees.
+  /// The outward unit normals n of some boundaries of a section, extended to
+  /// all points x of the section: n(x) = n(p) at the nearest boundary point p
+  /// for which n(p) is parallel to x - p. Along a boundary edge, n is linear.
+  /// At a vertex, the normals of both edges are averaged unless they differ by
+  /// more than 30 degrees.
   class CurveNormals
   {
   public:
-    /// Collects the sides of the boundaries @p names of @p section.
+    /// Collects the edges of the boundaries @p names of @p section.
     CurveNormals(const SectionMesh              &section,
                  const std::vector<std::string> &names);
 
     /// Returns the outward unit normal, extended from the boundaries to the
-    /// point @p x of the section. All sides are searched.
+    /// point @p x of the section. All edges are searched.
     dealii::Tensor<1, 2>
     at(const dealii::Point<2> &x) const;
 

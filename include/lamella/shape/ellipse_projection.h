@@ -25,8 +25,8 @@ namespace lamella
 
     /// Returns the parameter phi in (-pi, pi] of the point E(phi) of the
     /// ellipse closest to @p x, by Newton's method for (x - E) . E' = 0 within
-    /// a quadrant. phi is unique at depths below the smallest radius of
-    /// curvature, min(a, b)^2 / max(a, b).
+    /// a quadrant. phi is unique if @p x is less deep below the ellipse than
+    /// the smallest radius of curvature, min(a, b)^2 / max(a, b).
     double
     parameter(const dealii::Point<2> &x) const;
 

@@ -33,7 +33,7 @@ namespace lamella
   check_angles(const GmshMesh &mesh, const Entry &entry);
 
   /// Removes lines of @p mesh that are not sides of cells. Throws InputError
-  /// for @p entry if a line is an interior side or belongs to two boundaries.
+  /// for @p entry if a line is between two cells or belongs to two boundaries.
   void
   keep_boundary_lines(GmshMesh &mesh, const Entry &entry);
 } // namespace lamella

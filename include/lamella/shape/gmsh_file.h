@@ -44,10 +44,10 @@ namespace lamella
     {
       /// Element type as numbered by Gmsh, e.g. GmshFile::triangle.
       int type = 0;
-      /// Absolute tag of the physical group of the element; 0 if it has none.
+      /// Tag of the element's physical group without sign; 0 if it has none.
       int          group = 0;
       unsigned int line  = 0; ///< Line number in the file, from 1.
-      /// Indices of the 1 to 4 nodes in GmshFile::nodes, then zeros.
+      /// Indices of its 1 to 4 nodes in GmshFile::nodes; unused entries are 0.
       std::array<unsigned int, 4> nodes{};
     };
 

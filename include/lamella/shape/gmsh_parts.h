@@ -28,7 +28,7 @@ namespace lamella
       , entry(entry)
     {}
 
-    /// Returns @p word for messages: quoted, shortened, printable.
+    /// Returns @p word as shown in messages: quoted, short and printable.
     static std::string
     shown(const std::string_view word);
 
@@ -46,8 +46,8 @@ namespace lamella
     void
     expect(const std::size_t n, const std::string &meaning) const;
 
-    /// Returns word @p i of the current line as an integer from @p lowest to
-    /// @p highest. Throws InputError, naming it @p meaning, for other text.
+    /// Returns word @p i of the current line as an integer from @p lowest to @p
+    /// highest. Throws InputError for other text, with @p meaning as its name.
     std::int64_t
     integer(const std::size_t  i,
             const std::string &meaning,
@@ -56,7 +56,7 @@ namespace lamella
               std::numeric_limits<std::int64_t>::max()) const;
 
     /// Returns word @p i of the current line as a finite number. Throws
-    /// InputError, naming the number @p meaning, for other text.
+    /// InputError for other text, with @p meaning as its name.
     double
     number(const std::size_t i, const std::string &meaning) const;
 

@@ -28,8 +28,8 @@ namespace lamella
     std::vector<unsigned int> cells_per_ply{1};
     /// Number of equal cells in each interval of the width, from x = 0.
     std::vector<unsigned int> cells_across{1};
-    /// Ends of the intervals of cells_across, except the last, ascending x
-    /// [length].
+    /// Positions x of the boundaries between the intervals of cells_across,
+    /// ascending [length].
     std::vector<double> across_breaks{};
 
     /// Returns the sum of the ply thicknesses [length].
@@ -54,10 +54,10 @@ namespace lamella
   ///   A = sum_k Q_k (z_k - z_k-1)
   ///   B = 1/2 sum_k Q_k (z_k^2 - z_k-1^2)
   ///   D = 1/3 sum_k Q_k (z_k^3 - z_k-1^3)
-  /// Q_k is the plane-stress stiffness of ply k in the body's axes, z the
-  /// distance from the mid-plane. e and k are strains and curvatures of the
-  /// mid-plane, N and M forces and moments per width. Units are force/length
-  /// for A, force for B, force times length for D.
+  /// Q_k is the plane-stress stiffness of ply k in the body's axes; its faces
+  /// are at the distances z_k-1 and z_k from the mid-plane. e and k are strains
+  /// and curvatures of the mid-plane, N and M forces and moments per width.
+  /// Units are force/length for A, force for B, force times length for D.
   struct LaminateStiffness
   {
     dealii::Tensor<2, 3> A, ///< Extensional stiffness [force / length].

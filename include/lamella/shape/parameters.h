@@ -26,8 +26,8 @@ namespace lamella
     /// Returns the section described by the entries @p in. @p materials are the
     /// names of all materials; a single one is the default. The path of a mesh
     /// file is relative to @p folder; the file is not read. Throws InputError
-    /// for invalid entries, entries of other shapes, more than about 50,000
-    /// cells, and more than 10,000 cells in one direction.
+    /// for invalid entries, entries that only other shapes have, more than
+    /// about 50,000 cells, and more than 10,000 cells in one direction.
     static SectionShape
     parse(const Entries                  &in,
           const std::vector<std::string> &materials,

@@ -48,7 +48,7 @@ namespace lamella
 
   /// Throws InputError for the subsection @p path if a cell has an aspect ratio
   /// (diameter^2 / area) above 2e6. Its stiffnesses in the two directions would
-  /// differ by the square of this ratio, beyond double precision.
+  /// differ by the square of this ratio, too much for double precision.
   void
   check_proportions(const SectionMesh &section, const std::string &path);
 } // namespace lamella

@@ -14,12 +14,13 @@
 
 namespace lamella
 {
-  /// The isoparametric map from the unit square to the cells of a section mesh,
-  /// with the nodes x_i of FE_Q<2>(degree), which follow curved edges,
+  /// The isoparametric map x(xi) from the unit square to each cell of a section
+  /// mesh, with its Jacobian matrix J,
   ///   x(xi) = sum_i N_i(xi) x_i, J = sum_i x_i (x) grad N_i,
-  /// with Lagrange polynomials N_i at Gauss-Lobatto points. The map is bilinear
-  /// for straight-sided cells. For curved cells, the area converges with the
-  /// degree (doc/reference/sections.md). Shares ownership of the mesh.
+  /// with the nodes x_i of FE_Q<2>(degree), which lie on curved edges, and the
+  /// Lagrange polynomials N_i at Gauss-Lobatto points. The map is bilinear for
+  /// straight-sided cells. For curved cells, the area converges with the degree
+  /// (doc/reference/sections.md). Shares ownership of the mesh.
   class SectionGeometry
   {
   public:

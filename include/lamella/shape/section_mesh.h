@@ -50,7 +50,7 @@ namespace lamella
   {
     std::string material; ///< Name of the material in the scene.
     /// Fiber angle in the plane of the ply in degrees: 0 along the beam axis +y
-    /// and positive towards the tangent of PlyPlane, which is +x in a laminate.
+    /// and positive towards the tangent t of PlyPlane, +x in a laminate.
     double angle  = 0.;
     double bottom = 0.,  ///< Smallest z [length].
       top         = 0.;  ///< Largest z [length].
@@ -89,8 +89,8 @@ namespace lamella
   /// The geometry of a section: a mesh of quadrilaterals in its plane, in the
   /// coordinates x, z of the body. The lower left corner is the origin, except
   /// for meshes from files. The mesh is never refined: cross-section expansions
-  /// and solid meshes refer to its cell indices. Edges not on arcs are
-  /// straight.
+  /// and solid meshes refer to its cell indices. Edges are straight unless they
+  /// lie on arcs.
   struct SectionMesh
   {
     /// Mesh; the material id of a cell is the index of its ply in @p plies.

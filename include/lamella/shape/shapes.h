@@ -75,7 +75,8 @@ namespace lamella
   /// graded_towards, where cells have about the width finest_cell. The mesh
   /// consists of half a butterfly mesh at P, concentric rings, and a block at
   /// the flat side. Ring radii grow by about exp(pi / sectors), so that cells
-  /// are nearly square. A conformal map of the half disc moves P from the top.
+  /// are nearly square. If P is not the top of the arc, a conformal map of the
+  /// half disc moves the finest cells from the top to P.
   struct HalfDisc
   {
     double radius = 0.; ///< Radius [length].
@@ -86,9 +87,8 @@ namespace lamella
     double finest_cell = 0.;
     /// Number of cells in each ring around the point of finest mesh: a multiple
     /// of 4, and at least 12 if graded_towards is not 90.
-    unsigned int sectors = 8;
-    /// Material and fiber angle of the section.
-    OrientedMaterial oriented_material;
+    unsigned int     sectors = 8;
+    OrientedMaterial oriented_material; ///< Material and fiber angle.
   };
 
   /// A solid ellipse in [0, width] x [0, height] with the boundary `arc`.
@@ -106,8 +106,9 @@ namespace lamella
   /// `left`, `right`, `bottom` and `top`, all others `inner`. Walls are meshed
   /// as solids, without a thin-wall theory.
   ///
-  /// The mesh consists of rectangular blocks, e.g. eight of 3 x 3 for a box.
-  /// The corner block of a web and a flange has cells_per_wall^2 cells.
+  /// The mesh consists of rectangular blocks, e.g. for a box 3 x 3 without the
+  /// middle one. The corner block of a web and a flange has cells_per_wall^2
+  /// cells.
   ///
   /// The plies of a wall are parallel to the wall (see PlyPlane). Flanges
   /// extend over the whole width, webs end at flanges. Normals point outwards:
@@ -146,8 +147,7 @@ namespace lamella
     double width = 0., ///< Outer dimension along x [length].
       height     = 0.; ///< Outer dimension along z [length].
     /// Plies from inside to outside. The sum of their thicknesses must be less
-    /// than
-    /// min(width, height)^2 / (2 max(width, height)).
+    /// than min(width, height)^2 / (2 max(width, height)).
     WallLayup layup;
     /// Number of cells around the tube, a multiple of 4.
     unsigned int cells_around  = 24;
@@ -171,7 +171,7 @@ namespace lamella
     /// Direction of a constant ply normal in degrees from +x towards +z.
     double direction = 90.;
     /// Names of physical lines, separated by blanks. If set, the normal at a
-    /// point is that of the nearest point on these lines; if empty,
+    /// point is that of the nearest point on these lines; if empty, see
     /// `direction`.
     std::string curve = {};
     /// True if normals of `curve` point out of the section, false if into it.

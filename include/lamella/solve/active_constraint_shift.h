@@ -11,9 +11,10 @@
 namespace lamella
 {
   /// Regularization of an indefinite tangent stiffness K by springs in the
-  /// active constraints. Bodies need it that would buckle without their contact
-  /// with obstacles (a column behind a stop). S = K + rho B^T B is definite,
-  /// with the active constraint rows B and a spring of stiffness rho in each.
+  /// active constraints, for bodies that would buckle without their contact
+  /// with an obstacle (a column beside a stop). S = K + rho B^T B is definite,
+  /// with the rows B of active constraints and a spring of stiffness rho in
+  /// each.
   ///
   /// With the gaps g, penalty eps, contact forces lambda and shifted forces
   /// lambda' = lambda + rho g, the increment x from a state (index 0) with
@@ -30,8 +31,8 @@ namespace lamella
     /// Springs to the ground, one list per body.
     using Springs = std::vector<std::vector<SpringTerm>>;
 
-    /// Adds a spring to each active constraint of a body with an obstacle that
-    /// has a force in @p state. Its stiffness is @p share times the penalty.
+    /// Adds a spring, with @p share times the penalty as stiffness, to each
+    /// constraint on an obstacle that has a contact force in @p state.
     ActiveConstraintShift(const std::vector<ContactInterface> &contacts,
                           const State                         &state,
                           const unsigned int                   n_bodies,
@@ -51,21 +52,22 @@ namespace lamella
       return of_bodies;
     }
 
-    /// Returns all constraints; springs are subtracted from their penalties.
+    /// Returns all constraints, with penalties reduced by their springs.
     GapConstraints
     rows() const
     {
       return GapConstraints(softened);
     }
 
-    /// Adds spring stiffness times gap to the force of each constraint with a
-    /// spring, for the displacements @p u at load factor @p factor.
+    /// Replaces the forces lambda of constraints with a spring by the shifted
+    /// forces lambda', for the gaps at displacements @p u and load factor @p
+    /// factor.
     void
     remove_shift(const BlockVector &u,
                  const LoadFactor  &factor,
                  State             &state) const;
+    /// Replaces lambda' by lambda again; deactivates constraints without force.
     void
-    /// Inverse of remove_shift(). Also deactivates constraints without force.
     apply_shift(const BlockVector &u,
                 const LoadFactor  &factor,
                 State             &state) const;

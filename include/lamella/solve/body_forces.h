@@ -32,7 +32,7 @@ namespace lamella
   };
 
   /// Sum of all forces on one body and of their moments about its center, for
-  /// the check of equilibrium; computed from the work on rigid motions.
+  /// the check of equilibrium. Each is computed as work on the rigid motions.
   class BodyForces
   {
   public:
@@ -67,7 +67,7 @@ namespace lamella
     at_least(const double force);
 
     /// Returns |sum of forces| / F and |sum of moments| / (F times the body
-    /// size), where F is the largest single force (or moment over body size).
+    /// size), where F is the largest added force (or moment over body size).
     std::pair<double, double>
     unbalanced() const;
 

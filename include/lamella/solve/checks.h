@@ -12,8 +12,8 @@
 namespace lamella
 {
   /// Results of the checks of a load step: equilibrium, energy, the contact law
-  /// and the range of linear kinematics. The balance of a body is skipped if
-  /// its strain energy is within the rounding of its displacements.
+  /// and the range of linear kinematics. The force and moment balances of a
+  /// body are skipped if its strain energy is below that of rounding errors.
   struct Checks
   {
     /// Reaction forces of the supports on the bodies; moments are about the
@@ -34,25 +34,25 @@ namespace lamella
     /// Strain energy 1/2 int (e - e_0)^T C (e - e_0) dV, thermal strain e_0.
     double energy        = 0.;
     double external_work = 0.; ///< Half the work of loads and reactions.
-    /// Strain energy of each body; zero if it is within rounding.
+    /// Strain energy of each body; zero if below that of rounding errors.
     std::vector<double> energies;
-    /// Energy of the stabilizing springs; rounding once they are released.
+    /// Energy of the stabilizing springs; about zero once they are released.
     double stabilization_energy = 0.;
     double stabilization_share  = 0.; ///< Spring over total energy.
-    /// |energy - external_work - half the contact forces times displacements|
-    /// over the larger of the first two, springs included: zero by Clapeyron's
-    /// theorem. For heated bodies, `energy` is here that of the total strains,
-    /// and the work of the thermal load is included.
+    /// Relative error of the energy balance (Clapeyron's theorem): strain and
+    /// spring energy minus external_work and half the contact forces times
+    /// displacements, over the largest energy or work. For heated bodies, the
+    /// energy of the total strains and the work of the thermal load are used.
     double energy_balance = 0.;
     /// Largest rotation [rad]; linear kinematics neglects half its square.
     double max_rotation = 0.;
     /// True for finite rotations: forces and moments refer to the current
-    /// configuration, and energies are not balanced. False if linear.
+    /// configuration, and there is no energy balance. False if linear.
     bool   is_large   = false;
     double max_strain = 0., ///< Largest principal Green strain.
       max_rms_strain  = 0., ///< Largest rms of the axial strain over a section.
       max_element_rotation = 0., ///< Largest rotation within an element [rad].
-      shape_change = 0.; ///< Relative error of moments by rigid section shapes.
+      shape_change = 0.; ///< Relative moment error due to rigid section shape.
     /// Estimated effects of large deflections; not set by check_state().
     NonlinearityEstimate beyond;
     /// Largest displacement component of all bodies and obstacles.

@@ -13,7 +13,6 @@ namespace lamella
   /// 1/2 lambda^T M lambda + q^T lambda over lambda >= 0. In contact, M is the
   /// regularized compliance of the contact constraints, q their gaps without
   /// contact forces, and s their gaps under the forces lambda.
-  /// contact forces, and s those under the forces lambda (Eq. 18).
   struct ComplementarityProblem
   {
     /// Entries of M by columns [length/force if s is a gap]; positive diagonal.
@@ -41,10 +40,10 @@ namespace lamella
   /// First, block principal pivoting is used: constraints with lambda_i < 0 are
   /// deactivated, those with s_i < 0 activated (Kostreva, 1978; the primal-dual
   /// active set method). If ten rounds do not converge, an interior-point
-  /// method (Mehrotra, 1992) finds a better start. If the number of wrong
+  /// method (Mehrotra, 1992) finds a better active set. If the number of wrong
   /// constraints still does not fall for three rounds, only the wrong
   /// constraint with the largest index changes (Murty's rule; Judice and Pires,
-  /// 1994). After 10 n + 100 sets, the last one is returned.
+  /// 1994). After 10 n + 100 sets, the solution for the last one is returned.
   ///
   /// Costs in operations: |A|^3 / 3 for the Cholesky factor of a set and n |A|
   /// for s; n^3 / 3 for an interior-point iteration. Throws NumericsError if a

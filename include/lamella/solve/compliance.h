@@ -26,8 +26,8 @@ namespace lamella
     Compliance(const TangentOperator &tangent_operator,
                const GapConstraints  &rows);
 
-    /// Adds the constraints with the indices @p wanted to the compliance. One
-    /// multiple solution per body computes all that have not been added before.
+    /// Adds the constraints with the indices @p wanted to the compliance, by
+    /// one solution per body for all that have not been added before.
     void
     include(const std::vector<unsigned int> &wanted);
 

@@ -16,8 +16,8 @@ namespace lamella
   /// Contact solver by static condensation onto the contact forces, the dual
   /// form of the problem. The stiffness K is factorized once per body. Contact
   /// is solved with the compliance C (Compliance) of a working set of
-  /// constraints. A linear solution consists of one with K, a small dense
-  /// system
+  /// constraints. A linear system with active constraints is solved in three
+  /// steps: a solution with K, a small dense system
   ///   (C + d) dlambda = r_lambda - B K^-1 r_u,
   /// and one backward substitution K^-1 B^T dlambda, with constraint rows B and
   /// the residuals r_u of equilibrium and r_lambda of the contact law. The
@@ -27,11 +27,11 @@ namespace lamella
   /// complementarity problem of the working set exactly
   /// (solve_complementarity()) and evaluates the gaps of all other constraints.
   /// Constraints that penetrate most are added: at most eight, or as many as
-  /// the set has. Constraints without penalty whose gap closes without a force
-  /// are added once, at the end. If most of the working set is open, open
-  /// constraints are removed, each at most once. Dependent constraints (more
-  /// contact points than surface DoFs) share the force as in the least-squares
-  /// solution.
+  /// the set has if it has more. Constraints without penalty whose gap closes
+  /// without a force are added once, at the end. If most of the working set is
+  /// open, open constraints are removed, each at most once. Dependent
+  /// constraints (more contact points than surface DoFs) share the force as in
+  /// the least-squares solution.
   class CondensedStrategy : public ContactStrategy
   {
   public:
@@ -74,8 +74,8 @@ namespace lamella
 
   private:
     /// Returns the regularization d of gap or slip @p number [length / force]:
-    /// at least 1e-10 of the diagonal entry of the compliance C, so that C + d
-    /// is definite, and 1e-8 of NumericalCompliance. `exact` uses this bound.
+    /// NumericalCompliance, or 1e-8 of it for the method `exact`; at least
+    /// 1e-10 of the diagonal entry of C, so that C + d is positive definite.
     double
     compliance_of_law(const unsigned int number) const;
 
@@ -84,7 +84,8 @@ namespace lamella
     with_slips(const std::vector<unsigned int> &part) const;
 
     /// Returns the matrix R K^-1 F + d of the active constraints @p closed,
-    /// column by column, with constraint rows R and columns F of the forces.
+    /// column by column, with rows R, and nodal forces F due to unit contact
+    /// forces.
     std::vector<double>
     contact_system(const ActiveConstraints &closed);
     /// Replaces @p lambda by the solution of contact_system() with the
@@ -98,12 +99,12 @@ namespace lamella
     using Violations = std::vector<std::pair<double, unsigned int>>;
 
     /// Returns the initial working set: constraints that are active or have a
-    /// force, and those in the compliance unless most of these would be open.
+    /// force, and those with known compliance unless most would be open.
     std::vector<unsigned int>
     initial_working_set(const ContactProblem &problem) const;
 
-    /// Returns the constraints outside @p part without penalty whose gaps @p g
-    /// are closed up to a hundred times the tolerance.
+    /// Returns the constraints without penalty, outside @p part, whose gaps @p
+    /// g are below a hundred times ContactProblem::closed.
     Violations
     touching_rows(const ContactProblem            &problem,
                   const std::vector<unsigned int> &part,
@@ -132,7 +133,7 @@ namespace lamella
                     const std::vector<double>       &forces) const;
 
     /// Moves open constraints from @p part to @p left if most of @p part are
-    /// open. Constraints already in @p left stay in @p part.
+    /// open; those already in @p left stay, since none is removed twice.
     static void
     remove_idle_rows(const ContactProblem      &problem,
                      const ContactSolution     &solution,

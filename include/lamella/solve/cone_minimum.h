@@ -12,7 +12,7 @@ namespace lamella
   /// is unique if W is positive definite. Interior-point method with
   /// Nesterov-Todd scaling and Mehrotra's predictor (Andersen, Roos and
   /// Terlaky, Math. Program. 95 (2003) 249-277): 10 to 25 factorizations of W
-  /// plus a block-diagonal matrix. May return an iterate not yet converged.
+  /// plus a block-diagonal matrix. Without convergence, the last iterate.
   PointVectors
   cone_minimum(const PointCompliance &W, const PointVectors &q);
 } // namespace lamella

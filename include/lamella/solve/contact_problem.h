@@ -34,15 +34,14 @@ namespace lamella
     std::vector<double> estimate;
     /// Indices of the constraints in the initial active set, ascending.
     std::vector<unsigned int> start;
-    /// Slip of each constraint in the load step along its tangents [length].
     /// Slip of each constraint in the load step along its tangents [length];
     /// empty without friction.
     std::vector<dealii::Tensor<1, 2>> slip = {};
     /// Shear force of each constraint in the state [force].
     std::vector<dealii::Tensor<1, 2>> shear = {};
-    /// Initial forces (n, t_1, t_2) of the iteration for each constraint.
+    /// Forces (n, t_1, t_2) at which the friction iteration starts.
     std::vector<dealii::Tensor<1, 3>> first_forces = {};
-    /// Tolerance [length]: gaps above -closed are not negative beyond rounding.
+    /// Tolerance [length]: gaps from -closed to 0 are rounding errors of zero.
     double closed = 0.;
   };
 
@@ -66,9 +65,10 @@ namespace lamella
 
   /// Active constraints of a linear system with contact. The increment of each
   /// listed gap or slip is prescribed, and its force lambda is unknown. In a
-  /// slipping constraint, normal and shear force act together along B_n^T +
-  /// sum_a c_a B_t,a^T, with the rows B_n of the gap and B_t,a of the slips,
-  /// and the factors c = mu e of friction coefficient mu and shear direction e.
+  /// slipping constraint, normal and shear force together are the nodal forces
+  /// lambda (B_n^T + sum_a c_a B_t,a^T), with the rows B_n of the gap and B_t,a
+  /// of the slips, and c = mu e with friction coefficient mu and shear
+  /// direction e.
   struct ActiveConstraints
   {
     ActiveConstraints() = default;
@@ -116,8 +116,8 @@ namespace lamella
   {
   public:
     /// Returns the compliance of constraint @p row with the penalty eps: 1/eps
-    /// for the method `penalty`, otherwise 1/eps divided by `stiffening` (less
-    /// for `exact` in the condensed strategy).
+    /// for the method `penalty`, otherwise 1/eps divided by `stiffening`. The
+    /// condensed strategy reduces it further for `exact`.
     double
     operator()(const GapConstraint &row) const;
 

@@ -18,10 +18,10 @@ namespace lamella
   /// largest displacement (ContactSolver::displacement_scale()).
   struct SolverParameters
   {
-    /// Maximum number of active-set rounds in a load step; more are a failure.
+    /// Maximum number of active-set rounds in a load step; then it fails.
     unsigned int max_iterations = 50;
 
-    /// Refinement ends if a correction relative to the solution is below this.
+    /// Correction, relative to the solution, below which refinement ends.
     double refinement_tolerance = arithmetic::rounding_of_sums;
     /// Maximum number of corrections by refinement, besides the mandatory ones.
     /// Refinement also ends if a correction exceeds half the previous one.
@@ -55,9 +55,9 @@ namespace lamella
   /// f_int is linear in u; the active set is the only nonlinearity.
   ///
   /// Iterative refinement: the residuals of both equations are evaluated, f_int
-  /// from strains (Structure::residual()), and corrected with the factorization
-  /// of the strategy. Keeps references to the structure and the gap
-  /// constraints. Collective, with equal arguments.
+  /// from strains (Structure::residual()), and the solution is corrected with
+  /// the factorization of the strategy. Keeps references to the structure and
+  /// the gap constraints. Collective, with equal arguments.
   class ContactSolver
   {
   public:
@@ -102,9 +102,9 @@ namespace lamella
                   const State      &previous = State());
 
     /// Returns @p state, a result of solve_contact(), without the influence of
-    /// the stabilizing springs. Each round solves with spring offsets at the
-    /// previous state. Throws NumericsError after max_releases rounds if a body
-    /// is unconstrained or the springs are too stiff.
+    /// the stabilizing springs. Each round solves with springs that have no
+    /// force in the previous state. Throws NumericsError after max_releases
+    /// rounds if a body is unconstrained or the springs are too stiff.
     State
     release_springs(State state, const LoadFactor &factor);
 
@@ -185,8 +185,8 @@ namespace lamella
       }
     };
 
-    /// Returns the violations of the contact law; gaps above -@p closed are
-    /// zero.
+    /// Returns the violations of the contact law; gaps above -@p closed count
+    /// as zero.
     ContactViolations
     violations(const State      &state,
                const LoadFactor &factor,

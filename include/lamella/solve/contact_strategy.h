@@ -14,7 +14,7 @@
 namespace lamella
 {
   /// Solution method for contact (entry `Contact strategy`). Both methods give
-  /// the same results if the solution is unique, as with little friction.
+  /// the same results if the solution is unique, e.g. without friction.
   enum class Strategy
   {
     undefined,
@@ -53,10 +53,11 @@ namespace lamella
     ///   K du = B^T (lambda - lambda_state),  g = g_state + B du,
     ///   lambda = max(0, ((d - a) lambda_bar - g) / d),
     /// with gaps g, constraint rows B and contact forces lambda. This is the
-    /// contact law with the compliance a increased to d about an estimate
-    /// lambda_bar of the forces (NumericalCompliance). The solution is unique
-    /// without friction. @p monitor is called after each round; its exceptions
-    /// end the search. Throws NumericsError if a system cannot be solved.
+    /// contact law with the compliance d instead of a, without effect if the
+    /// estimate lambda_bar is lambda (NumericalCompliance). The solution is
+    /// unique without friction. @p monitor is called after each round; its
+    /// exceptions end the search. Throws NumericsError if a system cannot be
+    /// solved.
     virtual ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor) = 0;
 
@@ -64,11 +65,11 @@ namespace lamella
     ///   K du - C dlambda   = r_u,
     ///   R du + d dlambda   = r_lambda,
     /// with the rows R of the gaps and slips @p closed, the columns C of their
-    /// forces (C = R^T without friction) and the numerical compliance d.
-    /// @p r_lambda (lengths) and @p dlambda (forces) have one entry per number
-    /// of @p closed; @p r_u (forces) need not be condensed. du is zero in
-    /// prescribed DoFs. The factorization is reused in the next call. Throws
-    /// NumericsError if the system is indefinite or singular.
+    /// forces (C = R^T without friction) and the numerical compliance d. @p
+    /// r_lambda (lengths) and @p dlambda (forces) have one entry per item of
+    /// ActiveConstraints::numbers; @p r_u (forces) need not be condensed. du is
+    /// zero in prescribed DoFs. The factorization is reused in the next call.
+    /// Throws NumericsError if the system is indefinite or singular.
     virtual void
     solve(const ActiveConstraints &closed,
           const BlockVector       &r_u,
@@ -96,7 +97,7 @@ namespace lamella
     virtual bool
     forces_are_accurate() const = 0;
 
-    /// Returns advice, part of a sentence, if contact does not converge.
+    /// Returns advice for the message if contact does not converge, a phrase.
     virtual std::string
     remedy() const = 0;
 

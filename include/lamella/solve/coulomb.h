@@ -43,7 +43,8 @@ namespace lamella
     std::vector<PointState> states; ///< Contact state of each point.
     /// Relative error of the contact law: the largest component of lambda -
     /// P(lambda - v), with forces lambda, gaps and slips v and the projection P
-    /// onto the friction cone, over the largest scaled force if that exceeds 1.
+    /// onto the friction cone, over the largest force if above 1. Forces are
+    /// scaled.
     double error = 0.;
     /// Sign of the determinant of the matrix that maps contact forces to the
     /// gaps and sticking slips of closed points: -1 for an unstable solution,

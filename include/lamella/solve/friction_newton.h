@@ -14,21 +14,21 @@ namespace lamella
   /// forces of the whole scene for the `full` strategy. For the gap g, the slip
   /// s in the load step, the force lambda and its estimate lambda_bar, the
   /// law_compliance() a and the numerical compliance d of a constraint, let
-  ///   v = (g, s) + a lambda + (d - a) (lambda - lambda_bar),
-  /// The method is that of Alart and Curnier (Comput. Methods Appl. Mech. Eng.
-  /// 92 (1991) 353-375) for equilibrium and lambda = P(lambda - rho v), with
-  /// the projection P onto the friction cone and a parameter rho. With the
-  /// trial force z = lambda - rho v, its tangential direction e, b = mu max(0,
+  ///   v = (g, s) + a lambda + (d - a) (lambda - lambda_bar).
+  /// Newton's method solves equilibrium and lambda = P(lambda - rho v), with
+  /// the projection P onto the friction cone and a parameter rho (Alart and
+  /// Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375). With the
+  /// trial force z = lambda - rho v, the unit vector e along z_t, b = mu max(0,
   /// z_n) and k = b / |z_t|, a constraint is in one of three states:
   ///   open    where z_n <= 0:     lambda = 0;
   ///   sticks  where |z_t| <= b:   v = 0, K^p = (B_n^T B_n + B_t^T B_t) / d;
   ///   slips   otherwise:          v_n = 0, lambda_t = mu lambda_n along e,
   ///           -w s across e with w = k rho / (1 - k + k rho d), and K^p =
   ///     B_n^T B_n / d + (mu / d) B_e^T B_n + w B_x^T B_x,
-  /// where K^p is the contribution of the constraint to the stiffness, with
-  /// the rows B_n of the gap, B_t of the slips, B_e along e and B_x across it.
-  /// Steps are shortened by a line search every fourth time after the first
-  /// eight. The tangential rho is b / |v_t|. Keeps references to all arguments.
+  /// where K^p is the contribution of the constraint to the stiffness, with the
+  /// rows B_n of the gap, B_t of the slips, B_e along e and B_x across it.
+  /// After the first eight steps, every fourth is shortened by a line search.
+  /// The tangential rho is b / |v_t|. Keeps references to all arguments.
   class FrictionNewton
   {
   public:

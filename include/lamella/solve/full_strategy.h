@@ -21,8 +21,8 @@ namespace lamella
   /// Each iteration factorizes the matrix of the whole scene (PenaltyMatrix).
   /// Globalization: tensile constraints are deactivated. Those with the deepest
   /// penetration are activated, at most eight or as many as are active. If an
-  /// active set occurs again, the step ends at the lowest energy along it.
-  /// FrictionNewton solves problems with friction.
+  /// active set occurs again, the step is shortened to the point of lowest
+  /// energy. FrictionNewton solves problems with friction.
   class FullStrategy : public ContactStrategy
   {
   public:
@@ -89,8 +89,8 @@ namespace lamella
     /// get no force. Returns the largest change of a displacement [length].
     double
     step(const ContactProblem &problem, Iterate &at);
-    /// Returns d lambda - (g + a lambda) of each constraint [length]: d times
-    /// its force if positive, or the penetration -g for penalties.
+    /// Returns d lambda - (g + a lambda) of each constraint [length]; it is to
+    /// be active if this is positive. For penalties, it is the penetration -g.
     std::vector<double>
     overlaps(const ContactProblem &problem, const Iterate &at) const;
     /// Returns true if constraint @p row is active and not tensile in @p at.

@@ -21,8 +21,7 @@ namespace lamella
   /// With a penalty stiffness eps, g + lambda / eps replaces g.
   struct KktResidual
   {
-    /// Number of constraints with a contact force.
-    unsigned int active = 0;
+    unsigned int active = 0; ///< Number of constraints with a contact force.
     /// Resultant contact force on the second side, scene axes.
     dealii::Tensor<1, 3> force;
     dealii::Tensor<1, 3> moment; ///< Moment of `force` about the scene origin.
@@ -31,11 +30,10 @@ namespace lamella
     /// Point on the line of action of `force` nearest to the mean of the active
     /// contact points, weighted by their forces.
     dealii::Point<3> center_of_pressure;
-    /// Sum of the contact forces on both bodies over the sum of their norms;
-    /// zero up to rounding.
-    double imbalance = 0.;
-    /// Largest penetration [length].
-    double max_penetration = 0.;
+    /// Norm of the sum of the contact forces on both bodies, over the sum of
+    /// the normal forces; zero up to rounding.
+    double imbalance       = 0.;
+    double max_penetration = 0.; ///< Largest penetration [length].
     /// Smallest contact force of an active constraint; zero if none is active.
     double min_force = 0.;
     /// Largest product of contact force and positive gap [energy].
@@ -43,17 +41,17 @@ namespace lamella
     /// Largest error of the contact law [length]: |g + lambda / eps| of active
     /// constraints, 1 / eps = 0 without penalty; -g of inactive ones.
     double law_error = 0.;
-    /// Largest difference between initial weighted and pointwise gap of an
-    /// active constraint [length]. It is large if the mesh is too coarse for
-    /// the curvature of the surfaces.
+    /// Largest amount by which the initial gap of an active constraint, a
+    /// weighted mean, exceeds that at its contact point [length]. It is large
+    /// if the mesh is too coarse for the curvature of the surfaces.
     double unresolved_curvature = 0.;
     /// Resultant shear force on the second body of the contact, scene axes.
     dealii::Tensor<1, 3> shear;
     double               sticking = 0.; ///< Area of sticking points [length^2].
     double               slipping = 0.; ///< Area of slipping points [length^2].
     double               dissipated = 0.; ///< Energy dissipated by friction.
-    /// Largest relative violation: law error over displacement, tensile force
-    /// over largest force, or complementarity over the product of both.
+    /// Largest relative violation: law error over largest displacement, tensile
+    /// force over largest force, or complementarity over the product of these.
     double violation = 0.;
   };
 

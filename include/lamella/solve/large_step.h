@@ -47,7 +47,7 @@ namespace lamella
 
     const Structure &structure;
     Newton           newton;
-    /// Displacements to which the contact constraints belong.
+    /// Displacements at which the contact constraints were last updated.
     BlockVector            reached;
     const unsigned int     n_supports;
     const SolveParameters &parameters;

@@ -22,11 +22,10 @@ namespace lamella
   struct SolvedStep
   {
     /// Load factor t, which multiplies loads and prescribed displacements.
-    LoadFactor load_factor;
-    State      state;  ///< Equilibrium state at the end of the load step.
-    Checks     checks; ///< Residuals, balances and resultants of `state`.
-    /// Number of equal substeps of the load step.
-    unsigned int substeps = 1;
+    LoadFactor   load_factor;
+    State        state;  ///< Equilibrium state at the end of the load step.
+    Checks       checks; ///< Residuals, balances and resultants of `state`.
+    unsigned int substeps = 1; ///< Number of equal substeps of the load step.
     /// Relative change from the solution with half as many substeps (see
     /// change_of()); empty if the number of substeps is fixed.
     std::optional<double> change = {};
@@ -40,7 +39,7 @@ namespace lamella
   /// - friction forces, over the largest, at least 1 % of the largest force,
   /// - displacements, over the largest displacement,
   /// - dissipated energy, over its value, at least 1 % of the strain energy.
-  /// References are at least @p before_force and the displacement of @p before.
+  /// Divisors are at least @p before_force, or the displacement of @p before.
   double
   change_of(const SolvedStep &one,
             const SolvedStep &other,

@@ -13,8 +13,8 @@ namespace lamella
   /// factorization, with the available memory of the machine or a limit. Throws
   /// InputError on all processes if it is insufficient. A matrix takes 24 bytes
   /// per nonzero, distributed evenly over the processes. The size of a factor
-  /// follows from its symbolic analysis. All processes of a machine count.
-  /// Collective.
+  /// follows from its symbolic analysis. The memory of all processes of a
+  /// machine is added. Collective.
   class MemoryBudget
   {
   public:

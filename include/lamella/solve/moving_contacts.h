@@ -15,7 +15,7 @@
 namespace lamella
 {
   /// Transfers contact forces and friction variables to new constraints when
-  /// surfaces are paired anew, by contact points on the slave body.
+  /// surfaces are paired anew: to those at the same points of the slave body.
   class MultiplierTransfer
   {
   public:
@@ -44,12 +44,12 @@ namespace lamella
       dealii::Tensor<1, 3> shear, direction, before;
       double               length = 0., dissipated = 0.;
     };
-    /// Adds the dissipated energy of points without new constraint to @p of.
+    /// Keeps the dissipated energy of points without new constraint in @p of.
     void
     preserve_dissipation(const std::vector<ContactInterface> &contacts,
                          FrictionState                       &of) const;
 
-    /// Values of all constraints with friction, or of the active constraints.
+    /// Values of all constraints, or of the active ones without friction.
     std::map<Key, StoredMultiplier> places;
   };
 
@@ -114,8 +114,8 @@ namespace lamella
             const BlockVector                 &u,
             const LoadFactor                  &factor);
 
-    /// Updates the constraints to @p state at load factor @p factor. If an
-    /// active constraint leaves the other surface, it is deactivated if an
+    /// Updates the constraints to @p state at load factor @p factor. An active
+    /// constraint without projection on the other surface is deactivated if an
     /// `edge to surface` contact covers that end. Otherwise throws MissingEnds
     /// (discretization `auto`) or NumericsError.
     void

@@ -24,25 +24,25 @@ namespace lamella
     /// Equilibrium is reached if the norm of the unbalanced forces, over that
     /// of the internal forces or of the loads, is at most this value.
     double force_tolerance = arithmetic::rounding_of_solutions;
-    /// Relative residual below which a stagnating iteration has converged.
-    /// Rounding in slender bodies is (length / thickness)^3 1e-16.
+    /// Relative residual below which stagnation counts as convergence. Rounding
+    /// errors of slender bodies are (length / thickness)^3 1e-16.
     double stagnation_level = arithmetic::same_value;
-    /// The residual stagnates if two iterations each leave more than this part.
+    /// Two successive ratios of residuals above this count as stagnation.
     double stall_ratio = 0.5;
-    /// Relative residual that suffices if the correction is negligible.
+    /// Relative residual that is accepted if the correction is negligible.
     double near_equilibrium = 1e-3;
-    /// Negligible displacement correction over the scene diagonal.
+    /// Correction over the scene diagonal that counts as negligible.
     double negligible_correction = arithmetic::same_position;
     /// The iteration diverges above this ratio of residual to initial residual.
     double divergence_ratio = 1e12;
     /// A residual below this fraction of the initial residual counts as zero.
     double nothing = arithmetic::rounding_of_sums;
-    /// Tolerance of the contact law over the largest displacement; if the error
-    /// stagnates, `stagnation_level` is the tolerance.
+    /// Tolerance of the contact law over the largest displacement, replaced by
+    /// `stagnation_level` if the error of the law stagnates.
     double law = arithmetic::negligible;
-    /// Error of a gap over the scene diagonal that satisfies the contact law.
+    /// Error of the contact law over the scene diagonal that counts as zero.
     double touching = arithmetic::rounding;
-    /// Step of finite differences of contact normals over the scene diagonal.
+    /// Step, over the scene diagonal, of finite differences of contact normals.
     double difference = arithmetic::same_value;
     /// Relative tolerance of GMRES in Newton::correct_row_rotation().
     double rotation_tolerance = 1e-3;
@@ -74,10 +74,9 @@ namespace lamella
   struct Equilibrium
   {
     /// State; its number of iterations includes failed attempts.
-    State      state;
-    LoadFactor factor; ///< Load factor of `state`.
-    /// Number of bisections of the load step.
-    unsigned int cuts = 0;
+    State        state;
+    LoadFactor   factor;   ///< Load factor of `state`.
+    unsigned int cuts = 0; ///< Number of bisections of the load step.
     /// Unbalanced forces over internal forces or loads (norms).
     double residual  = 0.;
     double law_error = 0.; ///< Largest error of the contact law [length].
@@ -234,10 +233,10 @@ namespace lamella
                     const State       &state,
                     const LoadFactor  &to) const;
 
-    /// Checks that @p state at load factor @p to is also stable without its
-    /// stabilizing springs. Throws NumericsError if it is not, and
-    /// IllConditioned if it is unstable even with springs. Returns false if the
-    /// check does not apply: if there is no contact force, or with friction
+    /// Checks whether @p state at load factor @p to is stable without its
+    /// springs. Throws NumericsError if it is not, and IllConditioned if it is
+    /// unstable even with springs. Returns false if the check does not apply:
+    /// if there is no contact force, or with friction
     /// (CoulombSolution::stability).
     ///
     /// R are the spring rows, scaled such that the tangent K contains R^T R. C

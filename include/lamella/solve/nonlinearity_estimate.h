@@ -27,10 +27,10 @@ namespace lamella
     /// Smallest positive lambda of (K + lambda K_G) v = 0 for fixed active
     /// constraints, with the stiffness K and geometric stiffness K_G of linear
     /// and membrane stresses (SecondOrder). The state buckles at lambda times
-    /// the loads if stresses grow in proportion. Error: 5 % above 10, much less
-    /// below. Empty if lambda is above 100 or
-    /// SecondOrder::largest_short_wave_ratio(), if there is no compression, or
-    /// if `stiffening` is above 1.
+    /// the loads if stresses grow in proportion. Its error is 5 % if lambda is
+    /// above 10, much less below. Empty if lambda is above 100, if short-wave
+    /// buckling is possible below lambda, if there is no compression, or if
+    /// `stiffening` is above 1.
     std::optional<double> buckling_factor;
     /// Index of the body with the largest energy in the buckling mode.
     unsigned int buckled = 0;

@@ -92,7 +92,7 @@ namespace lamella
     Rotations  rotations   = Rotations::undefined; ///< Small or finite.
     StressAxes stress_axes = StressAxes::material; ///< Output axes.
     Strategy   strategy    = Strategy::undefined;  ///< Contact algorithm.
-    /// Contact iterations; a scene file sets their maximum number only.
+    /// Limits of the contact iterations; a scene sets max_iterations only.
     SolverParameters loop;
     NewtonParameters newton; ///< Newton's method for finite rotations.
     /// Linear solver for the stiffness of a body (condensed contact strategy).
@@ -111,8 +111,8 @@ namespace lamella
     static void
     declare(dealii::ParameterHandler &prm);
 
-    /// Reads the entries at the top level of a scene. Throws InputError without
-    /// load factors, and for invalid numbers or linear solvers.
+    /// Reads the entries at the top level of a scene. Throws InputError if
+    /// there are no load factors, and for invalid numbers or linear solvers.
     static SolveParameters
     parse(const Entries &in);
   };

@@ -11,29 +11,32 @@
 
 namespace lamella
 {
-  /// Throws NumericsError if @p state is not reliable. Tests in this order:
-  /// stabilizing springs with more than a tenth of the energy; last corrections
-  /// of iterative refinement above 1e-6 of the displacements; force, moment or
-  /// energy balance or residual above 1e-3; a tensile contact force, or an
-  /// error of the contact law above 1e-6 of the displacements; values that are
-  /// not finite; a rotation above @p rotation_limit [rad].
+  /// Throws NumericsError if @p state is not reliable, i.e. if
+  /// - stabilizing springs store more than a tenth of the energy,
+  /// - the last correction of a refinement exceeds 1e-6 of the displacements,
+  /// - the residual, or a force, moment or energy balance, exceeds 1e-3,
+  /// - a contact force is tensile,
+  /// - an error of the contact law exceeds 1e-6 of the displacements,
+  /// - values are not finite, or a rotation exceeds @p rotation_limit [rad], or
+  /// - the rms axial strain of a section exceeds 5 % (finite rotations).
   void
   check_solution(const State  &state,
                  const Checks &checks,
                  const double  rotation_limit);
 
-  /// Throws NumericsError if support points miss their prescribed positions at
-  /// load factor @p at, in the state of @p here (finite rotations), since
-  /// several supports of the same points agree to first order only. The
-  /// tolerance is ten times the effect of rotated warping.
+  /// Throws NumericsError if supports of the same points contradict each other
+  /// at finite rotations: if points in the state of @p here are not at their
+  /// prescribed positions at load factor @p at. The tolerance is ten times the
+  /// displacement error that rotation of warped sections causes.
   void
   check_followed(const TangentOperator &here, const LoadFactor &at);
 
-  /// Returns warnings about a reliable @p state, one sentence each:
-  /// penetrations above 1e-3, or differences of weighted and pointwise gaps
-  /// above 1e-2, of the displacements; initial overlaps; rotations above 0.1
-  /// rad; springs with more than 1e-3 of the energy; errors of balances, or a
-  /// first correction of iterative refinement, above 1e-7.
+  /// Returns warnings about a reliable @p state, one sentence each, if
+  /// - bodies overlap initially, or penetrate by 1e-3 of the displacements,
+  /// - mean and pointwise gaps of a contact differ by 1e-2 of these,
+  /// - rotations exceed 0.1 rad, or springs store more than 1e-3 of the energy,
+  /// - errors of balances, or the first refinement correction, exceed 1e-7, or
+  /// - strains or rotations within elements are large (finite rotations).
   std::vector<std::string>
   warnings_of(const State                         &state,
               const Checks                        &checks,

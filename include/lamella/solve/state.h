@@ -19,9 +19,9 @@ namespace lamella
   {
     /// Displacements of all bodies, one block each, including prescribed DoFs.
     BlockVector u;
-    /// Largest displacement of each body in the linear solution without
-    /// contact; empty with stabilizing springs. For finite rotations, a hundred
-    /// times the largest displacement in all load steps so far.
+    /// Displacement to which rounding() refers, for each body: the largest one
+    /// without contact; for finite rotations, a hundred times the largest one
+    /// in all load steps so far. Empty with stabilizing springs.
     std::vector<double> free_sizes;
     /// Contact force of each gap constraint, positive in compression.
     std::vector<double> force;
@@ -32,13 +32,14 @@ namespace lamella
     /// Pairing data of each contact with finite rotations, for a restart.
     std::vector<ContactHistory> pairings;
 
-    /// Spring lengths without force; if empty, no force at zero displacements.
+    /// Lengths at which the springs have no force; all zero if empty.
     SpringOffsets rest;
 
-    /// Number of active-set iterations, also of release_springs().
+    /// Number of active-set iterations, including release_springs().
     unsigned int iterations = 0;
     /// Relative maximum norms of the corrections by iterative refinement
-    /// without contact. The first one is the error of the assembled matrix.
+    /// without contact. The first one is the rounding error of the assembled
+    /// matrix.
     std::vector<double> free_corrections;
     /// Relative corrections by iterative refinement with contact.
     std::vector<double> contact_corrections;

@@ -164,7 +164,7 @@ namespace lamella
     has_finite_rotations() const;
 
     /// Returns the energy integral of the thermal strains epsilon_0 over all
-    /// bodies, with the stiffness C: epsilon_0 . C epsilon_0 / 2 dV.
+    /// bodies, with the stiffness C: int epsilon_0 . C epsilon_0 / 2 dV.
     double
     thermal_energy() const
     {

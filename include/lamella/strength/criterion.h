@@ -111,10 +111,10 @@ namespace lamella
   /// sigma_22, sigma_33 and sigma_22 + sigma_33:
   ///   f = sum s_i sigma_i^2 + p_12 sigma_11 sigma_22 + p_13 sigma_11 sigma_33
   ///     + p_23 sigma_22 sigma_33 + sum l_i sigma_i.
-  /// For the stress R sigma_mech + sigma_res, f is a parabola in R between sign
-  /// changes. The reserve factor is the smallest root R of f = 1 over all
-  /// modes, or R of a sign change where f jumps above 1 (Tsai-Hill, Hashin's
-  /// fiber mode). Puck's stress exposure for inter-fiber fracture is
+  /// For the stress R sigma_mech + sigma_res, f is a parabola in R as long as
+  /// no sign changes. The reserve factor is the smallest root R of f = 1 over
+  /// all modes, or R of a sign change where f jumps above 1 (Tsai-Hill,
+  /// Hashin's fiber mode). Puck's stress exposure for inter-fiber fracture is
   /// homogeneous of degree 1: R = 1/f without residual stress, else bisection.
   class FailureSurface
   {

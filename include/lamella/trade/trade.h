@@ -63,9 +63,8 @@ namespace lamella
       /// Text that a valid record contains, see fingerprint().
       std::string fingerprint;
       /// True if error bars are computed in addition to the solution.
-      bool bars;
-      /// Folder for the results and the record.
-      std::string folder;
+      bool        bars;
+      std::string folder; ///< Folder for the results and the record.
     };
 
     /// Returns a text that changes if a stored record becomes invalid: scene
@@ -97,8 +96,8 @@ namespace lamella
                    const std::string                     &output,
                    const std::string                     &errors,
                    const double                           time_limit) const;
-    /// Determines the ply of quantities that are compared since they have
-    /// reference values. Throws InputError for unknown quantities.
+    /// Determines the ply in which each compared quantity is evaluated. Throws
+    /// InputError for unknown quantities.
     void
     check_quantities(const std::string &directory);
     /// Solves @p job, three times if this takes less than a second, and returns
@@ -139,7 +138,7 @@ namespace lamella
     std::vector<NamedQuantity> quantities;
     /// Result of each variant, in the order of variants.
     std::vector<VariantResult> results;
-    /// Name of the reference solution, or of the equal variant that was solved.
+    /// Name of the reference, or of an equal variant solved in its place.
     std::string reference;
     /// All output values of each variant; empty if the variant failed.
     std::vector<VariantValues> numbers;

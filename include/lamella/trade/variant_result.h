@@ -18,10 +18,9 @@ namespace lamella
   /// Estimated error of an output value, in the unit of the value.
   struct RunErrorBar
   {
-    double estimate = 0.; ///< Error estimate, to be added to the value.
-    double bar      = 0.; ///< Error bound.
-    /// True if the error bar is reliable.
-    bool trusted = false;
+    double estimate = 0.;    ///< Error estimate, to be added to the value.
+    double bar      = 0.;    ///< Error bound.
+    bool   trusted  = false; ///< True if the error bar is reliable.
   };
 
   /// Cost and values of one variant of a scene in a trade (comparison).
@@ -31,16 +30,15 @@ namespace lamella
     std::string theory; ///< Theory of the variant (TradeVariant::theory).
     /// Reason of the failure; empty if the variant succeeded.
     std::string failure;
-    /// Wall time of the process [s], without that of error bars which only the
-    /// study needs.
+    /// Wall time of the process [s], without the time of error bars that the
+    /// solution does not need.
     double seconds = 0.;
     /// Wall time [s] of each Phase by name, and `total`. For a solution to a
     /// tolerance, those of the last refinement pass.
     std::map<std::string, double> phases;
     /// DoFs of all bodies in the last refinement pass; 0 if the variant failed.
-    unsigned int dofs = 0;
-    /// Peak memory of the process [MB].
-    double memory = 0.;
+    unsigned int dofs   = 0;
+    double       memory = 0.; ///< Peak memory of the process [MB].
     /// Values of the compared quantities; empty if the variant failed.
     std::vector<double> values;
     double              axis = 1.; ///< Factor for the number of axis elements.

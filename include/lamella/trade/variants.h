@@ -31,9 +31,11 @@ namespace lamella
   ///   half discs      Finest cell over F, Sectors times F (multiples of 4, at
   ///                   least 8),
   ///   ellipses        Refinements + log2 F (rounded, 0 to 6),
-  ///   thin walls      Cells per wall and Cells along wall times F.
-  /// TradeVariant::overrides follow. A section is refined for all bodies that
-  /// use it. Throws InputError for a factor of a section from a mesh file.
+  ///   thin walls      Cells per wall and Cells along wall times F,
+  ///   tubes           Cells per ply and Cells around times F (multiples of 4),
+  ///   mesh files      Cells divided + log2 F (rounded, not negative).
+  /// TradeVariant::overrides are appended. A section is refined for all bodies
+  /// that use it. Throws InputError if a mesh file would be coarsened.
   ///
   /// For a solution to a tolerance, the overrides set `Tolerance` of Goals, and
   /// `auto` for the theory of the scene and for theory and axis elements of the
