@@ -265,12 +265,10 @@ namespace lamella
                                      highest :
                                      section_order_of(order);
       if (space < highest)
-        order.refuse(
-          "section.section-order-too-low: it is less than the degree "
-          "of LE-" +
-            std::to_string(highest) + " in Theories",
-          "Write Section order = auto, or " + std::to_string(highest) +
-            " or more.");
+        order.refuse("section.section-order-too-low: Theories has LE-" +
+                       std::to_string(highest) + ", with a higher degree",
+                     "Write Section order = auto, or " +
+                       std::to_string(highest) + " or more.");
       if (only_LE && space > highest)
         order.refuse("section.section-order-unused: only SV-N has it",
                      "Theories has no SV-N: write Section order = auto.");

@@ -17,8 +17,8 @@
 
 namespace lamella
 {
-  /// How many constraints make the pairing of a contact invalid at the present
-  /// displacements (Contact::pairing_is_valid()), by reason.
+  /// Counts of the constraints that make the pairing of a contact invalid at
+  /// the present displacements (Contact::pairing_is_valid()), by reason.
   struct PairingChange
   {
     /// Constraints in contact that a new search finds, but that the present
