@@ -109,8 +109,9 @@ namespace lamella
   {
     for (const auto &list : fields_of_node)
       if (section().n_fields() > n_node_unknowns && !fields().is_dense(list))
-        throw InputError("body.theory-without-rotating-sections: rotating "
-                         "sections need Theory = EBBT, TBT, SV or SV-N.");
+        throw InputError(
+          "body.theory-without-rotating-sections: "
+          "geometrically exact beams (sections with finite rotations) need Theory = EBBT, TBT, SV or SV-N.");
     make_stations();
     const SaintVenant states(*deformable_section);
     twist_stretch = std::make_unique<TwistStretch>(states);

@@ -136,7 +136,8 @@ namespace lamella
         "run.substeps-too-few: with twice as many substeps, " +
         std::to_string(solved.substeps) + ", results still change by " +
         to_text(100. * *solved.change, 2) +
-        " %: they depend on the slip path. Add Load factors between");
+        " %: they depend on the slip path. Add values between those of Load "
+        "factors");
     add(warnings_of_defects(sampled.defects));
     if (built.strength() != nullptr)
       if (const std::string found = worst_reserve_warning(

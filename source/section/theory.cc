@@ -228,10 +228,11 @@ namespace lamella
                      "contain, so they cannot be joined",
                    "Use LE-N and SV-N in Theories, or TE-N as Theory.");
       if (theory.kind == Theory::Kind::solid)
-        all.refuse("section.solid-in-pieces: " + word +
-                     " is no beam theory, but Theories are those of a beam",
-                   "Write only LE-N and SV-N in Theories, or use a separate "
-                   "body with the solid theory.");
+        all.refuse(
+          "section.solid-in-pieces: " + word +
+            " is no beam theory, but Theories accepts beam theories only",
+          "Write only LE-N and SV-N in Theories, or use a separate "
+          "body with the solid theory.");
       return theory;
     }
 

@@ -114,12 +114,12 @@ namespace lamella
                          "one kind, but auto may choose linear or large",
                          "Write Rotations = linear or large.");
       if (is_large && scene.trade.error_bars)
-        throw InputError("Trade/Error bars",
-                         "true",
-                         "trade.bars-with-large-rotations: with Rotations = "
-                         "large, error bars are of axis elements only",
-                         "Remove Error bars; the errors in the tables are "
-                         "those against the finest variant.");
+        throw InputError(
+          "Trade/Error bars",
+          "true",
+          "trade.bars-with-large-rotations: with Rotations = "
+          "large, error bars include the error of the axis mesh only",
+          "Remove Error bars; the tables then have the differences from the finest variant.");
     }
   } // namespace
 

@@ -94,8 +94,10 @@ namespace lamella
   FieldSample
   mean_sample(const std::vector<FieldSample> &samples);
 
-  /// Returns the column names of displacements, strains and stresses in CSV
-  /// files: ux ... uz, exx ... gyz, sxx ... syz, s11 ... s23, jump.
+  /// Returns the column names in CSV files: displacements ux ... uz, strains
+  /// exx
+  /// ... gyz, stresses sxx ... syz and s11 ... s23 (ply axes), and `jump`, the
+  /// relative difference of the stresses of adjacent elements (mean_sample()).
   const std::vector<std::string> &
   field_names();
 

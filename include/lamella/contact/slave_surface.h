@@ -171,10 +171,10 @@ namespace lamella
                            const std::vector<SlaveNode> &nodes,
                            const bool                    whole);
 
-  /// Returns the facet coordinates (s, t) of the intersection of the line x + t
-  /// d, with unit vector @p d, and a facet with the map @p map, up to 1e-7
-  /// outside the unit square. Newton's method, from the center. Empty if it
-  /// finds none.
+  /// Returns the facet coordinates at which the line through @p x along the
+  /// unit vector @p d intersects the facet with the map @p map. Points up to
+  /// 1e-7 outside the unit square are accepted. Newton's method, from the
+  /// center; returns an empty optional if it does not converge.
   std::optional<dealii::Point<2>>
   line_intersection(const FacetMap             &map,
                     const dealii::Point<3>     &x,

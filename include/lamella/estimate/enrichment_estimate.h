@@ -36,12 +36,13 @@ namespace lamella
   /// - axis: half of the elements (twice as many);
   /// - fields: three wave numbers less (four more);
   /// - section: one order or degree less (one more if the order is below
-  ///   EnrichmentRules::min_order).
+  ///   EnrichmentRules::min_order, otherwise also one less).
   ///
   /// All models have the same boundary-layer modes. A bar is the sum of
   /// |change| times the factors in EnrichmentRules. Finer models give shorter
   /// bars; coarser models cost half as much. The error estimate is the signed
-  /// sum by finer models only. ContactShares adds penalties and load steps.
+  /// sum of the changes to finer models; changes to coarser models enter the
+  /// bar only. ContactShares adds penalties and load steps.
   class EnrichmentEstimate
   {
   public:

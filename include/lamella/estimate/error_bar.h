@@ -23,7 +23,8 @@ namespace lamella
     double growth    = 0.9;
     double of_change = 2.,  ///< Factor of |change| in the bar.
       of_shares      = 0.5; ///< Factor of the sum of |change| by each source.
-    /// Lower limit of a refined source's bar, as a fraction of its last bar.
+    /// Least ratio of the bar of an error source (e.g. the axis mesh) after its
+    /// refinement to its bar in the refinement pass before.
     double of_pass = 1. / 8.;
   };
 

@@ -14,14 +14,13 @@ namespace lamella
   double
   operations(const Simulation &run);
 
-  /// Returns the estimated number of multiplications for the factorizations of
-  /// the finer models of Estimation, in which SV-10 (section functions for 10
-  /// wave numbers) replaces Lagrange expansions LE-N:
-  /// - factorization: CostRules::of_block m^3 per axis node, with m section
-  ///   functions (PlanRules::fields_of_responses) and CostRules::axes times as
-  ///   many nodes as the run has;
-  /// - products and eigenvectors (POD) of 2 functions per wave number and load;
-  /// - solutions of end segments for boundary-layer modes (nodes_of_pieces()).
+  /// Returns the estimated number of multiplications for error bars by finer
+  /// models (Estimation), in which SV-10 replaces Lagrange expansions LE-N. It
+  /// is the sum of
+  /// - factorization: c m^3 per axis node with m section functions, c =
+  ///   CostRules::of_block, and CostRules::axes times the nodes of the run;
+  /// - proper orthogonal decomposition of the responses to harmonic loads;
+  /// - solutions on short end segments for the boundary-layer modes.
   ///
   /// Returns infinity unless SV-10 can replace LE-N in all bodies.
   double

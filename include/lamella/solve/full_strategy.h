@@ -115,8 +115,9 @@ namespace lamella
                         const Iterate        &to,
                         const double          t) const;
     /// Returns the minimum of the convex energy along the step from @p from to
-    /// @p to, by bisection to 1 % of the initial work. Used if the active set
-    /// of @p to occurred before, to prevent cycles.
+    /// @p to. Bisection ends when the work of the unbalanced forces along the
+    /// step is at most 1 % of its value at @p from. Used to prevent cycles, if
+    /// the active set of @p to occurred before.
     Iterate
     energy_minimum(const ContactProblem &problem,
                    const Iterate        &from,

@@ -49,7 +49,8 @@ namespace lamella
     preserve_dissipation(const std::vector<ContactInterface> &contacts,
                          FrictionState                       &of) const;
 
-    /// Values of all constraints, or of the active ones without friction.
+    /// Contact forces and friction variables by position on the slave body: of
+    /// all constraints with friction, else of the active constraints only.
     std::map<Key, StoredMultiplier> places;
   };
 

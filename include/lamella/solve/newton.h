@@ -96,10 +96,10 @@ namespace lamella
   /// forces (ContactStrategy::solve()). The first iteration applies support
   /// motion as forces K du_p.
   ///
-  /// The geometric part of K uses the stress predicted by the last correction
-  /// (FiniteStrainSectionOperator). If a step fails, it is repeated with the
-  /// actual stress, then bisected. Stabilizing springs contribute to K only;
-  /// they have no force at the iterate.
+  /// The geometric part of K uses the stress before the last correction plus
+  /// its linearized change. If a step fails, it is repeated with the stress of
+  /// the present displacements, then bisected. Stabilizing springs contribute
+  /// to K only; they have no force at the iterate.
   ///
   /// Iterations end if forces balance, gaps satisfy the law, and no unpaired
   /// surfaces are in contact; unpaired surfaces in contact are paired anew. The

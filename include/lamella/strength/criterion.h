@@ -175,7 +175,8 @@ namespace lamella
                const Voigt &residual,
                const double from,
                const double to) const;
-    /// Returns the largest index of @p stress over all modes, and its mode.
+    /// Returns the largest failure index f(@p stress) of all failure modes, and
+    /// the name of that mode.
     std::pair<double, std::string_view>
     largest_form(const Voigt &stress) const;
     /// Returns the assessment without Puck's inter-fiber fracture.
