@@ -3,7 +3,7 @@
 // The room `contact`: search, pairing, and the contact law. It owns the gap
 // constraints with their geometry, rigid obstacles, penalties and other
 // enforcements, the contact traction, and checks of the pairing. It formulates
-// the contact problem; `solve` solves it.
+// the contact problem and never solves it (`solve` does).
 
 #ifndef lamella_contact_gap_constraints_h
 #define lamella_contact_gap_constraints_h
