@@ -105,7 +105,7 @@ def check_revised(program, folder):
     _, errors = interrupted(words, "Load step 7 ", signal.SIGINT)
     expect("No run can go on from there" in errors, errors.strip())
     done = subprocess.run([*words, "--resume"], capture_output=True, text=True)
-    expect(done.returncode == 1 and "has changed the axis or the contacts" in done.stderr,
+    expect(done.returncode == 1 and "[report.restart-revised]" in done.stderr,
            done.stderr.strip())
 
 

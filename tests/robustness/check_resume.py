@@ -267,7 +267,7 @@ def check_full_disk(program, scene, work):
                           capture_output=True, text=True)
     steps = json.loads((folder / "summary.json").read_text())["load_steps"]
     found = [{int(row["step"]) for row in rows} for rows in tables(folder).values()]
-    check(done.returncode == 1 and "Cannot write" in done.stderr and 0 < steps < STEPS
+    check(done.returncode == 1 and "[base.cannot-write]" in done.stderr and 0 < steps < STEPS
           and all(set(range(1, steps + 1)) <= numbers for numbers in found),
           f"a full disk at step {steps + 1} of {STEPS}: {done.returncode} "
           f"{done.stderr[:150]}")

@@ -16,6 +16,7 @@ Usage: check_side_by_side.py LAMELLA SCENE.prm WORKDIR [STARTS]
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -67,7 +68,7 @@ def check_one_folder(program, scene, folder):
     first = start(program, scene, folder, *many_steps(1000))
     check(wait_for(folder / "solution_0001.vtu", first), "the first run is at work")
     status, _, err = end(start(program, scene, folder))
-    check(status == 1 and "another run is at work there" in err,
+    check(status == 1 and "[report.folder-in-use]" in err,
           "a second run into the same folder is refused")
     check(end(first)[0] == 0 and (folder / "summary.json").exists(),
           "the first run ends well")
@@ -118,7 +119,7 @@ def check_faults_on_the_way(program, scene, folder):
     wait_for(folder / "solution_0002.vtu", run)
     shutil.rmtree(folder, ignore_errors=True)
     status, _, err = end(run)
-    check(status == 1 and ("was removed" in err or "Cannot write" in err),
+    check(status == 1 and re.search(r"\[(base.cannot-write|report.folder-removed)\]", err),
           f"a folder that is removed: {status} {err[:100]}")
     shutil.rmtree(folder, ignore_errors=True)
     run = subprocess.run(
@@ -130,7 +131,7 @@ def check_faults_on_the_way(program, scene, folder):
     limited = subprocess.run(
         ["bash", "-c", 'ulimit -f 20; exec "$0" "$1" --output "$2"',
          program, scene, str(folder / "full")], capture_output=True, text=True)
-    check(limited.returncode == 1 and "Cannot write" in limited.stderr
+    check(limited.returncode == 1 and "[base.cannot-write]" in limited.stderr
           and not list(folder.rglob("full/*.vtu*")),
           f"a file beyond its limit: {limited.returncode} {limited.stderr[:100]}")
 
