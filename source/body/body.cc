@@ -121,16 +121,16 @@ namespace lamella
 
 
   std::vector<Point<3>>
-  Body::line_points(const Point<3> &a, const Point<3> &b) const
+  Body::line_points(const Point<3> &from, const Point<3> &to) const
   {
-    const QGaussLobatto<1>    nodes(line_degree(a, b) + 1);
-    const std::vector<double> breaks = line_breaks(a, b);
+    const QGaussLobatto<1>    nodes(line_degree(from, to) + 1);
+    const std::vector<double> breaks = line_breaks(from, to);
     std::vector<Point<3>>     points;
     for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
       for (unsigned int q = k == 0 ? 0 : 1; q < nodes.size(); ++q)
         points.push_back(
-          a + (breaks[k] + nodes.point(q)[0] * (breaks[k + 1] - breaks[k])) *
-                (b - a));
+          from + (breaks[k] + nodes.point(q)[0] * (breaks[k + 1] - breaks[k])) *
+                   (to - from));
     return points;
   }
 

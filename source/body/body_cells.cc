@@ -78,9 +78,9 @@ namespace lamella
 
 
   std::vector<double>
-  Body::line_breaks(const Point<3> &a, const Point<3> &b) const
+  Body::line_breaks(const Point<3> &from, const Point<3> &to) const
   {
-    BoundingBox<3> around(std::vector<Point<3>>{a, b});
+    BoundingBox<3> around(std::vector<Point<3>>{from, to});
     around.extend(arithmetic::same_position_across * size());
     std::vector<double> breaks;
     for (unsigned int cell = 0; cell < cells().n; ++cell)
@@ -91,7 +91,7 @@ namespace lamella
           continue;
         for (unsigned int normal = 0; normal < 3; ++normal)
           for (const unsigned int side : {0, 1})
-            add_side_crossing(corners, normal, side, a, b - a, breaks);
+            add_side_crossing(corners, normal, side, from, to - from, breaks);
       }
     return merge_breaks(std::move(breaks));
   }
@@ -99,10 +99,10 @@ namespace lamella
 
 
   unsigned int
-  Body::line_degree(const Point<3> &a, const Point<3> &b) const
+  Body::line_degree(const Point<3> &from, const Point<3> &to) const
   {
     const GridIntervals degrees = cells().degrees;
-    const Tensor<1, 3>  d       = placement.vector_to_body(b - a);
+    const Tensor<1, 3>  d       = placement.vector_to_body(to - from);
     unsigned int        sum     = 0;
     for (unsigned int c = 0; c < 3; ++c)
       if (std::abs(d[c]) > arithmetic::same_position_along * d.norm())

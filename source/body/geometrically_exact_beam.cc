@@ -237,7 +237,7 @@ namespace lamella
     const std::vector<unsigned int> &list = section_operator.fields();
     const FrameFields                frame(list, h);
     const unsigned int               rigid = n_rigid();
-    const auto                       law   = std::make_shared<Law>();
+    auto                             law   = std::make_shared<Law>();
     law->fields.assign(list.begin(), list.end());
     law->warpings.assign(list.begin() + rigid, list.end());
     const FieldParts work =

@@ -210,11 +210,10 @@ namespace lamella
   {
     /// Functions in columns are no leading ones of each other.
     void
-    check_degrees(const BodyDescription             &body,
-                  std::shared_ptr<const SectionMesh> mesh)
+    check_degrees(const BodyDescription                    &body,
+                  const std::shared_ptr<const SectionMesh> &mesh)
     {
-      if (!body.theory.hierarchical ||
-          !LagrangeElement(std::move(mesh), 1).has_columns())
+      if (!body.theory.hierarchical || !LagrangeElement(mesh, 1).has_columns())
         return;
       std::string all;
       for (const Theory &theory : body.pieces.theories)
