@@ -395,7 +395,7 @@ namespace lamella
             integrate_cell_on_obstacle(cell);
           hats.close(cell);
         }
-      hats.finish(std::move(parts), result);
+      hats.finish(parts, result);
       return std::move(result);
     }
   } // namespace

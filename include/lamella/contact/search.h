@@ -33,7 +33,7 @@ namespace lamella
 
   /// Search in a fixed list of axis-parallel boxes with Boost's packed R-tree,
   /// the coarse phase of contact search. Results are indices in that list.
-  class BoxSearch
+  class BoxSearch // NOLINT(bugprone-exception-escape): moves of the R-tree
   {
   public:
     /// Creates an empty list, for which nearest() must not be called.
