@@ -413,20 +413,20 @@ namespace lamella
 
 
   std::shared_ptr<const Section>
-  make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory)
+  make_section(const std::shared_ptr<const SectionMesh> &mesh,
+               const Theory                             &theory)
   {
     const Theory                               of_section = theory.of_section();
     std::unique_ptr<const CrossSectionElement> element;
     if (of_section.kind == Theory::Kind::LE)
       element = std::make_unique<LagrangeElement>(
-        std::move(mesh),
+        mesh,
         of_section.order,
         LagrangeElement::default_column_aspect,
         of_section.hierarchical ? LagrangeElement::Basis::hierarchical :
                                   LagrangeElement::Basis::nodal);
     else
-      element =
-        std::make_unique<TaylorElement>(std::move(mesh), of_section.order);
+      element = std::make_unique<TaylorElement>(mesh, of_section.order);
     return std::make_shared<Section>(std::move(element), of_section);
   }
 } // namespace lamella

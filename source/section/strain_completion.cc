@@ -84,13 +84,13 @@ namespace lamella
 
 
   ContractionModes::ContractionModes(
-    std::shared_ptr<const SectionMesh> mesh,
-    const std::vector<SectionPoint>   &points,
-    const std::vector<double>         &weights,
-    const PlyLaws                     &laws,
-    const std::vector<unsigned int>   &ply_of_cell,
-    const unsigned int                 n_fields)
-    : modes(std::move(mesh), mode_degree)
+    const std::shared_ptr<const SectionMesh> &mesh,
+    const std::vector<SectionPoint>          &points,
+    const std::vector<double>                &weights,
+    const PlyLaws                            &laws,
+    const std::vector<unsigned int>          &ply_of_cell,
+    const unsigned int                        n_fields)
+    : modes(mesh, mode_degree)
     , means(2 * (modes.n_functions() - 3))
   {
     const unsigned int n = means.size();

@@ -364,7 +364,8 @@ namespace lamella
   /// LagrangeElement for LE and SV (Theory::of_section()), otherwise a
   /// TaylorElement, of degree 1 for EBBT and TBT. Not for solid-N.
   std::shared_ptr<const Section>
-  make_section(std::shared_ptr<const SectionMesh> mesh, const Theory &theory);
+  make_section(const std::shared_ptr<const SectionMesh> &mesh,
+               const Theory                             &theory);
 } // namespace lamella
 
 #endif

@@ -102,12 +102,12 @@ namespace lamella
 
     /// Computes the amplitudes of the modes from the integration @p points and
     /// @p weights of the section. Their strains must not be completed.
-    ContractionModes(std::shared_ptr<const SectionMesh> mesh,
-                     const std::vector<SectionPoint>   &points,
-                     const std::vector<double>         &weights,
-                     const PlyLaws                     &laws,
-                     const std::vector<unsigned int>   &ply_of_cell,
-                     const unsigned int                 n_fields);
+    ContractionModes(const std::shared_ptr<const SectionMesh> &mesh,
+                     const std::vector<SectionPoint>          &points,
+                     const std::vector<double>                &weights,
+                     const PlyLaws                            &laws,
+                     const std::vector<unsigned int>          &ply_of_cell,
+                     const unsigned int                        n_fields);
 
     void
     complete(SectionPoint &point) const override;
