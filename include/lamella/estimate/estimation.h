@@ -30,7 +30,8 @@ namespace lamella
   {
     /// Smallest significant change of a goal, as a fraction of its tolerance.
     double min_tolerance_share = 0.1;
-    /// The same without tolerances, as a fraction of the sum of all changes.
+    /// Smallest significant change of a goal without a tolerance, as a fraction
+    /// of the sum of its changes by all error sources.
     double min_total_share = 0.02;
   };
 

@@ -11,8 +11,8 @@
 
 namespace lamella
 {
-  /// The same row of the five axis matrices or of the five section matrices,
-  /// whose Kronecker products are the stiffness of a beam. Each column has five
+  /// A row of the five axis matrices, or of the five section matrices, whose
+  /// Kronecker products are the stiffness of a beam. Each column has five
   /// entries, one per matrix: for derivatives of orders (p, q) = (0, 0), (0,
   /// 1), (1, 0), (1, 1) of test and trial function, and for transverse shear.
   struct FactorRow

@@ -32,7 +32,7 @@ namespace lamella
     include(const std::vector<unsigned int> &wanted);
 
     /// Returns the indices of the constraints added by each call of include().
-    /// The same calls reproduce the compliance bit for bit.
+    /// A repetition of these calls reproduces the compliance bit for bit.
     const std::vector<std::vector<unsigned int>> &
     row_groups() const
     {
