@@ -112,7 +112,8 @@ namespace lamella
         const bool              slow   = missed.gap > parameters.slow * before;
         if (missed.is_active_set_correct() ?
               satisfies_contact_law(state, factor, missed.gap, slow) :
-              (found.active == last && correct_active_set(state, factor)) ||
+              ((found.active == last || !state.friction.empty()) &&
+               correct_active_set(state, factor)) ||
                 multipliers_are_reliable(state, settled, factor))
           return state;
         check_iterations(state.iterations,
@@ -205,8 +206,11 @@ namespace lamella
     double                    largest = 0.;
     for (const double lambda : state.force)
       largest = std::max(largest, std::abs(lambda));
-    const double slid =
-      std::max(closed, length_of(parameters.weak_law_tolerance, state, factor));
+    // A slip is known to a few corrections, once refinement gains no digits.
+    constexpr double few = 4.;
+    const double     slid =
+      std::max(few * closed,
+               length_of(parameters.weak_law_tolerance, state, factor));
     ContactViolations found;
     for (const unsigned int r : state.active)
       {
@@ -285,12 +289,11 @@ namespace lamella
 
 
   // Primal-dual exchange on refined states: tensile rows leave, penetrating
-  // rows join, all at once.
+  // rows join, all at once. With friction only directions of slip are
+  // corrected.
   bool
   ContactSolver::correct_active_set(State &state, const LoadFactor &factor)
   {
-    if (!state.friction.empty())
-      return false;
     State at = state;
     for (unsigned int round = 0; round < parameters.max_set_corrections;
          ++round)
@@ -306,6 +309,10 @@ namespace lamella
           }
         for (const unsigned int r : found.tensile)
           at.force[r] = 0.;
+        if (!at.friction.empty() &&
+            (!found.tensile.empty() || !found.penetrating.empty()))
+          return false;
+        turn_shear_forces(rows, factor, at);
         // Exchange: without the tensile rows, with the penetrating ones.
         std::vector<unsigned int> active_goals;
         std::set_difference(at.active.begin(),
@@ -362,10 +369,30 @@ namespace lamella
         before = change;
         progress("round " + std::to_string(round) +
                  " of releasing the stabilizing springs:");
-        State next = solve_contact(solve_free(factor, rest), factor, state);
-        next.iterations += state.iterations;
-        state = std::move(next);
+        state = with_springs_at(rest, std::move(state), factor);
       }
+  }
+
+
+
+  // With the same active set, the offsets only change a right-hand side.
+  State
+  ContactSolver::with_springs_at(const SpringOffsets &rest,
+                                 State                state,
+                                 const LoadFactor    &factor)
+  {
+    State next = state;
+    next.rest  = rest;
+    ++next.iterations;
+    next.contact_corrections     = refine(next, factor, 1);
+    const ContactViolations left = find_violations(next, factor);
+    if (left.is_active_set_correct() ?
+          satisfies_contact_law(next, factor, left.gap, false) :
+          !next.friction.empty() && correct_active_set(next, factor))
+      return next;
+    next = solve_contact(solve_free(factor, rest), factor, state);
+    next.iterations += state.iterations;
+    return next;
   }
 
 

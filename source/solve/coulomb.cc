@@ -2,8 +2,9 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/linear/dense_lu.h>
-#include <lamella/solve/cone_minimum.h>
 #include <lamella/solve/coulomb.h>
+#include <lamella/solve/dense_interface_system.h>
+#include <lamella/solve/interior_point.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@
 //   F(lambda) = lambda - P(lambda - v(lambda)),  v = q + W (lambda - about),
 // P the projection onto the cone of lambda_n. Structure of the file:
 // - CoulombSearch: the scaled problem, and the methods of the chain
-//   (solve_in_sequence()): Newton, sweeps, cones, decreasing regularization;
+//   (solve_in_sequence()): Newton, interior point, decreasing regularization;
 // - solve_coulomb(): proximal points about the last forces with a small
 //   regularization of W, which makes it definite (Rockafellar, SIAM J. Control
 //   Optim. 14 (1976) 877-898), and the stability test by a determinant.
@@ -27,9 +28,9 @@
 // not symmetric, as the friction bound depends on the normal force; solutions
 // with a negative determinant lie on branches without a load path.
 //
-// Costs: 2/3 n^3 per Newton step for n rows of closed points, n^2 per sweep,
-// n^3 / 3 per interior-point iteration of the cones. The
-// interior-point method costs 10 to 25 of these for any number of points.
+// Costs: 2/3 n^3 per Newton step for n rows of closed points, n^3 / 3 per step
+// of the interior point method, which takes about 25 of them for any number of
+// points.
 namespace lamella
 {
   using namespace dealii;
@@ -119,22 +120,10 @@ namespace lamella
              const unsigned int most,
              const unsigned int damped_from) const;
 
-      /// Returns @p lambda after @p sweeps of block Gauss-Seidel.
-      PointVectors
-      after_sweeps(PointVectors lambda, const unsigned int sweeps) const;
-
-      /// Returns the force of @p point by the law, with all others fixed.
-      Tensor<1, 3>
-      local_force(const unsigned int  point,
-                  const Tensor<1, 3> &v,
-                  const Tensor<1, 3> &force) const;
-
       CoulombSolution
-      solve_by_cones(const PointVectors &start) const;
+      solve_by_interior_point() const;
       CoulombSolution
-      by_compliance(const PointVectors &start,
-                    const double        first,
-                    const double        decrease_factor) const;
+      by_compliance(const PointVectors &start) const;
 
       CoulombRules        rules;
       PointCompliance     W;
@@ -459,115 +448,24 @@ namespace lamella
 
 
 
-    // Local problem of the nonsmooth Gauss-Seidel method (Jean, Comput. Methods
-    // Appl. Mech. Eng. 177 (1999) 235-257): projection of a fixed-point step
-    // with the diagonal of W for three rows, in closed form for two.
-    Tensor<1, 3>
-    CoulombSearch::local_force(const unsigned int  point,
-                               const Tensor<1, 3> &v,
-                               const Tensor<1, 3> &force) const
-    {
-      const unsigned int r = W.first[point], size = W.size(point);
-      const double       w_n = W(r, r);
-      if (size == 2)
-        {
-          // Two rows: exact solution, stick or slip to either side.
-          const double w_t = W(r + 1, r + 1), w_nt = W(r, r + 1),
-                       q_n = v[0] - w_n * force[0] - w_nt * force[1],
-                       q_t = v[1] - w_nt * force[0] - w_t * force[1];
-          Tensor<1, 3> found;
-          if (q_n >= 0.)
-            return found;
-          const double det = w_n * w_t - w_nt * w_nt;
-          found[0]         = (-q_n * w_t + q_t * w_nt) / det;
-          found[1]         = (-q_t * w_n + q_n * w_nt) / det;
-          if (found[0] >= 0. && std::abs(found[1]) <= mu[point] * found[0])
-            return found;
-          for (const double side : {1., -1.})
-            if (const double w = w_n + side * mu[point] * w_nt; w > 0.)
-              {
-                found[0] = -q_n / w;
-                found[1] = side * mu[point] * found[0];
-                if (side * (w_nt * found[0] + w_t * found[1] + q_t) <=
-                    arithmetic::rounding)
-                  return found;
-              }
-        }
-      Tensor<1, 3> found;
-      found[0] = std::max(0., force[0] - v[0] / w_n);
-      if (size == 1)
-        return found;
-      const double w_t =
-        std::max(W(r + 1, r + 1), W(r + size - 1, r + size - 1));
-      const Tensor<1, 3> z = tangential_part(force - v / w_t);
-      const double bound = mu[point] * found[0], length = tangential_norm(z);
-      return found + (length > bound ? bound / length : 1.) * z;
-    }
-
-
-
-    // Sweeps over all points; each change updates the velocities of all others.
-    PointVectors
-    CoulombSearch::after_sweeps(PointVectors       lambda,
-                                const unsigned int sweeps) const
-    {
-      PointVectors v = moved(lambda);
-      for (unsigned int k = 0; k < sweeps; ++k)
-        for (unsigned int i = 0; i < lambda.size(); ++i)
-          {
-            const Tensor<1, 3> found  = local_force(i, v[i], lambda[i]),
-                               change = found - lambda[i];
-            if (change != Tensor<1, 3>())
-              W.add_of_point(i, change, v);
-            lambda[i] = found;
-          }
-      return lambda;
-    }
-
-
-
-    // Fixed point of the associated problem (de Saxce and Feng, 1998): with
-    // gaps opened by mu |v_t| the law becomes normality, a convex minimum on
-    // cones (Acary, Cadoux, Lemarechal and Malick, 2011), then Newton.
+    // The points have no compliance of their own: the regularization is in W.
     CoulombSolution
-    CoulombSearch::solve_by_cones(const PointVectors &start) const
+    CoulombSearch::solve_by_interior_point() const
     {
-      // Lorentz cones in (mu lambda_n, lambda_t), with a least mu.
-      PointCompliance     cones = W;
-      std::vector<double> widths(W.n_rows(), 1.);
+      InterfacePoints points{{}, mu, std::vector<double>(W.n_points(), 0.), {}};
       for (unsigned int i = 0; i < W.n_points(); ++i)
-        widths[W.first[i]] = 1. / std::max(mu[i], rules.min_friction);
-      for (unsigned int j = 0; j < W.n_rows(); ++j)
-        for (unsigned int i = 0; i < W.n_rows(); ++i)
-          cones(i, j) *= widths[i] * widths[j];
-
-      CoulombSolution best;
-      best.force          = start;
-      best.error          = std::numeric_limits<double>::max();
-      PointVectors lambda = start;
-      const auto   free   = moved(PointVectors(W.n_points()));
-      for (unsigned int k = 0; k < rules.cone_rounds; ++k)
         {
-          const PointVectors v      = moved(lambda);
-          PointVectors       opened = free;
-          for (unsigned int i = 0; i < W.n_points(); ++i)
-            {
-              opened[i][0] += mu[i] * tangential_norm(v[i]);
-              opened[i][0] *= widths[W.first[i]];
-            }
-          lambda = cone_minimum(cones, opened);
-          for (unsigned int i = 0; i < W.n_points(); ++i)
-            lambda[i][0] *= widths[W.first[i]];
-          CoulombSolution found =
-            newton(lambda, rules.last_iterations, rules.last_iterations);
-          found.iterations += best.iterations;
-          if (found.error < best.error)
-            best = found;
-          best.iterations = found.iterations;
-          if (best.error < rules.tolerance)
-            break;
+          points.n_slips.push_back(W.size(i) - 1);
+          points.local_compliance.push_back(W(W.first[i], W.first[i]));
         }
-      return best;
+      DenseInterfaceSystem system(W, q, about);
+      unsigned int         n      = 0;
+      const PointVectors   lambda = lamella::solve_by_interior_point(
+        system, points, about, [&n](const Round &) { ++n; });
+      CoulombSolution found =
+        newton(lambda, rules.iterations, rules.damped_from);
+      found.iterations += n;
+      return found;
     }
 
 
@@ -590,9 +488,7 @@ namespace lamella
     // Newton's method, increase it after a failure. Newton's method without
     // regularization is tried from each intermediate solution.
     CoulombSolution
-    CoulombSearch::by_compliance(const PointVectors &start,
-                                 const double        first,
-                                 const double        decrease_factor) const
+    CoulombSearch::by_compliance(const PointVectors &start) const
     {
       constexpr double   least = 1e-12;
       constexpr unsigned tries = 8;
@@ -609,9 +505,9 @@ namespace lamella
           }
       };
       PointVectors lambda = start;
-      double       soft   = first;
-      for (unsigned int k = 0;
-           k < rules.max_regularized_rounds && soft <= 10. * first;
+      double       soft   = rules.first_compliance;
+      for (unsigned int k = 0; k < rules.max_regularized_rounds &&
+                               soft <= 10. * rules.first_compliance;
            ++k)
         {
           const CoulombSearch other = softened(soft, lambda);
@@ -619,11 +515,7 @@ namespace lamella
             other.newton(lambda, rules.iterations, rules.damped_from);
           if (found.error > rules.solved)
             {
-              const CoulombSolution again =
-                other.newton(other.after_sweeps(lambda,
-                                                rules.regularized_sweeps),
-                             rules.iterations,
-                             rules.damped_from);
+              const CoulombSolution again = other.solve_by_interior_point();
               best.iterations += found.iterations;
               if (again.error < found.error)
                 found = again;
@@ -638,7 +530,7 @@ namespace lamella
           offer(newton(lambda, tries, tries));
           if (best.error < rules.tolerance)
             break;
-          soft = std::max(least, soft * decrease_factor);
+          soft = std::max(least, soft * rules.decrease_factor);
         }
       return best;
     }
@@ -650,10 +542,6 @@ namespace lamella
     CoulombSolution
     CoulombSearch::solve_in_sequence(const PointVectors &start) const
     {
-      const PointVectors none(W.n_points());
-      const double       first = rules.first_compliance,
-                   second      = rules.second_compliance,
-                   factor      = rules.decrease_factor;
       CoulombSolution best;
       best.error       = std::numeric_limits<double>::max();
       best.force       = start;
@@ -668,21 +556,12 @@ namespace lamella
         best.iterations = iterations;
         return best.error < rules.tolerance;
       };
-      const auto from = [&](const PointVectors &lambda) {
-        return newton(after_sweeps(lambda, rules.sweeps),
-                      rules.iterations,
-                      rules.damped_from);
-      };
       if (is_it("forces of before",
                 newton(start, rules.first_iterations, rules.iterations)) ||
-          is_it("sweeps", from(start)) ||
-          is_it("sweeps from nothing", from(none)) ||
-          is_it("cones", solve_by_cones(best.force)) ||
-          is_it("compliance", by_compliance(best.force, first, factor)) ||
-          is_it("compliance from zero", by_compliance(none, second, factor)))
+
+          is_it("interior point", solve_by_interior_point()))
         return best;
-      is_it("compliance that decreases slowly",
-            by_compliance(none, second, rules.slow_decrease_factor));
+      is_it("compliance", by_compliance(best.force));
       return best;
     }
 

@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/friction_newton.h>
+#include <lamella/solve/sparse_interface_system.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 // and forces, in the form of Alart and Curnier (Comput. Methods Appl. Mech.
 // Eng. 92 (1991) 353-375); linearization of the return mapping as in Wriggers,
 // Computational Contact Mechanics, Springer 2006, Ch. 10. Each step:
-// 1. lengths(): gaps and slips v, raised by the numerical compliance;
+// 1. proximal_lengths(): gaps and slips v, raised by the numerical compliance;
 // 2. trial(): trial forces z = lambda - rho v and the states open, stick, slip;
 // 3. step(): one factorization of K + K^p with the linearized law of each row;
 // 4. violating_rows(): the natural map lambda - P(lambda - rho v) by rows.
@@ -24,21 +25,23 @@ namespace lamella
 
   // Undamped steps first. A negative determinant of the final tangent indicates
   // an unstable solution (see CoulombSolution::stability).
-  ContactSolution
-  FrictionNewton::solve(const ContactProblem &problem, const Monitor &monitor)
+  std::optional<ContactSolution>
+  FrictionNewton::solve(const ContactProblem &problem,
+                        Iterate               at,
+                        const Monitor        &monitor,
+                        const unsigned int    max_steps)
   {
     // Full steps converge fastest; some cycle, hence shortened steps later.
     constexpr unsigned int full_steps = 8, shortened_each = 4;
 
-    Iterate at    = begin(problem);
-    Scales  scale = scales(problem, at);
-    Trial   now   = trial(problem, at, scale);
+    Scales scale = scales(problem, at);
+    Trial  now   = trial(problem, at, scale);
     if (std::all_of(now.states.begin(),
                     now.states.end(),
                     [](const PointState s) { return s == PointState::open; }) &&
         largest_component(at.force) == 0.)
       return solution(problem, std::move(at), now);
-    for (unsigned int k = 0;; ++k)
+    for (unsigned int k = 0; k < max_steps; ++k)
       {
         Iterate next = step(problem, at, now);
         if (k >= full_steps && k % shortened_each == 0)
@@ -48,12 +51,13 @@ namespace lamella
         now               = trial(problem, at, scale);
         const Round round = violating_rows(at, now, scale);
         monitor(round);
-        if (round.changed.empty())
-          break;
+        if (!round.changed.empty())
+          continue;
+        if (matrix.sign_of_determinant() < 0)
+          throw_unstable();
+        return solution(problem, std::move(at), now);
       }
-    if (matrix.sign_of_determinant() < 0)
-      throw_unstable();
-    return solution(problem, std::move(at), now);
+    return {};
   }
 
 
@@ -69,18 +73,18 @@ namespace lamella
                0.};
     if (!problem.first_forces.empty())
       at.force = problem.first_forces;
-    BlockVector f      = tangent_operator.of().zero();
-    bool        differ = false;
+    bool differ = false;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
         const double       normal = at.force[r][0] - problem.force[r];
         const Tensor<1, 2> shear =
           Tensor<1, 2>({at.force[r][1], at.force[r][2]}) - problem.shear[r];
         differ = differ || normal != 0. || shear.norm() > 0.;
-        add_force(rows[r], normal, in_scene(rows[r], shear), f);
       }
     if (differ)
       {
+        BlockVector f = tangent_operator.of().zero();
+        add_contact_forces(rows, problem, at.force, f);
         matrix.factorize({});
         at.du   = matrix.solve(std::move(f));
         at.K_du = tangent_operator.apply(at.du);
@@ -114,27 +118,6 @@ namespace lamella
 
 
 
-  // v = (g, s - s_0) + d lambda - (d - a) lambda_bar, in components (n, t_1,
-  // t_2): the constraint of the proximal point about lambda_bar.
-  PointVectors
-  FrictionNewton::lengths(const ContactProblem &problem,
-                          const Iterate        &at) const
-  {
-    PointVectors v(rows.size());
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        const double d = compliance(rows[r]), a = law_compliance(rows[r]);
-        v[r][0] = problem.gap[r] + rows[r].jump(at.du) + d * at.force[r][0] -
-                  (d - a) * problem.estimate[r];
-        for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
-          v[r][1 + t] = problem.slip[r][t] + rows[r].slips[t].jump(at.du) +
-                        d * at.force[r][1 + t] - (d - a) * problem.shear[r][t];
-      }
-    return v;
-  }
-
-
-
   // Return mapping: z_n <= 0 open, |z_t| <= mu z_n stick, else slip. The
   // tangential rho = b / |v_t| prevents a stick state at a reversed slip.
   FrictionNewton::Trial
@@ -143,9 +126,10 @@ namespace lamella
                         const Scales         &scale) const
   {
     Trial result;
-    result.v = lengths(problem, at);
+    result.v = proximal_lengths(rows, compliance, problem, at.du);
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
+        result.v[r] += compliance(rows[r]) * at.force[r];
         const bool   pressed = at.force[r][0] > 0.;
         const double none    = pressed ? scale.slip_rounding : scale.closed,
                      gap =
@@ -240,8 +224,9 @@ namespace lamella
                        const Iterate        &at,
                        const Trial          &trial)
   {
-    Law         law{PointVectors(rows.size()), {}};
-    BlockVector r_u = tangent_operator.of().zero();
+    Law          law{PointVectors(rows.size()), {}};
+    PointVectors force = at.force;
+    BlockVector  r_u   = tangent_operator.of().zero();
     r_u -= at.K_du;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
@@ -249,14 +234,9 @@ namespace lamella
           law.change[r] = -at.force[r];
         else
           linearize(r, at, trial, law);
-        const Tensor<1, 3> force = at.force[r] + law.change[r];
-        add_force(rows[r],
-                  force[0] - problem.force[r],
-                  in_scene(rows[r],
-                           Tensor<1, 2>({force[1], force[2]}) -
-                             problem.shear[r]),
-                  r_u);
+        force[r] += law.change[r];
       }
+    add_contact_forces(rows, problem, force, r_u);
     matrix.factorize(law.terms);
     const BlockVector du = matrix.solve(std::move(r_u));
 

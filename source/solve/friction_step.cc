@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/solve/friction_step.h>
 
 #include <set>
@@ -126,6 +127,30 @@ namespace lamella
       }
     for (const auto &[r, along] : closed.sliding)
       state.friction.shear[r] = in_scene(rows[r], state.force[r] * along);
+  }
+
+
+
+  // The angle decides: near reversal, the direction of the solution stays.
+  void
+  turn_shear_forces(const GapConstraints &rows,
+                    const LoadFactor     &factor,
+                    State                &state)
+  {
+    constexpr double small_angle = arithmetic::same_value;
+    for (const unsigned int r : state.active)
+      if (!state.friction.empty() && !rows[r].slips.empty())
+        {
+          const Tensor<1, 2> v = slip_in_step(rows[r], r, state, factor),
+                             e = along_tangents(rows[r],
+                                                state.friction.direction[r]);
+          if (e.norm() == 0. ||
+              !((v + v.norm() * e).norm() < small_angle * v.norm()))
+            continue;
+          state.friction.direction[r] = in_scene(rows[r], -v / v.norm());
+          state.friction.shear[r] =
+            rows[r].friction * state.force[r] * state.friction.direction[r];
+        }
   }
 
 

@@ -3,9 +3,12 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/friction_newton.h>
 #include <lamella/solve/full_strategy.h>
+#include <lamella/solve/interior_point.h>
+#include <lamella/solve/sparse_interface_system.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 // Newton's method on displacements and forces of the whole scene with the
@@ -36,7 +39,9 @@ namespace lamella
   FullStrategy::FullStrategy(const TangentOperator &tangent_operator,
                              const GapConstraints  &rows)
     : ContactStrategy(tangent_operator, rows)
-    , matrix(tangent_operator, rows)
+    , matrix(tangent_operator,
+             rows,
+             rows.has_friction() ? Symmetry::none : Symmetry::definite)
   {}
 
 
@@ -107,11 +112,7 @@ namespace lamella
   FullStrategy::solve(const ContactProblem &problem, const Monitor &monitor)
   {
     if (!problem.slip.empty())
-      return FrictionNewton(tangent_operator,
-                            rows,
-                            numerical_compliance,
-                            matrix)
-        .solve(problem, monitor);
+      return solve_with_friction(problem, monitor);
     // Relative accuracy of one solution with K + K^p.
     constexpr double accurate = arithmetic::rounding_of_solutions;
 
@@ -136,6 +137,50 @@ namespace lamella
           at = energy_minimum(problem, before, at);
       }
     return {std::move(at.du), std::move(at.force), std::move(at.active)};
+  }
+
+
+
+  // Newton's method from the forces of the previous load step; without them, or
+  // if it does not converge soon, from the result of the interior point.
+  ContactSolution
+  FullStrategy::solve_with_friction(const ContactProblem &problem,
+                                    const Monitor        &monitor)
+  {
+    constexpr unsigned int near    = 12;
+    const bool             is_warm = !problem.first_forces.empty() &&
+                         largest_component(problem.first_forces) > 0.;
+    FrictionNewton newton(tangent_operator, rows, numerical_compliance, matrix);
+    if (const auto found = newton.solve(
+          problem, newton.begin(problem), monitor, is_warm ? near : 0))
+      return *found;
+
+    FrictionNewton::Iterate start;
+    {
+      // Its matrix is released before Newton's method needs another.
+      SparseInterfaceSystem system(tangent_operator,
+                                   rows,
+                                   numerical_compliance,
+                                   problem);
+      PointVectors          before(rows.size());
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        {
+          before[r][0] = problem.force[r];
+          before[r][1] = problem.shear[r][0];
+          before[r][2] = problem.shear[r][1];
+        }
+      start.force =
+        solve_by_interior_point(system, system.points(), before, monitor);
+      start.du     = std::move(system.du);
+      start.K_du   = std::move(system.K_du);
+      start.change = start.du.linfty_norm();
+    }
+    constexpr unsigned int until_monitor_ends =
+      std::numeric_limits<unsigned int>::max();
+    return *newton.solve(problem,
+                         std::move(start),
+                         monitor,
+                         until_monitor_ends);
   }
 
 

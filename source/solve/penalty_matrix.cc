@@ -17,10 +17,11 @@ namespace lamella
   using namespace dealii;
 
   PenaltyMatrix::PenaltyMatrix(const TangentOperator &tangent_operator,
-                               const GapConstraints  &rows)
+                               const GapConstraints  &rows,
+                               const Symmetry         symmetry)
     : structure(tangent_operator.of())
     , rows(rows)
-    , symmetry(rows.has_friction() ? Symmetry::none : Symmetry::definite)
+    , symmetry(symmetry)
   {
     assemble_stiffness(tangent_operator);
   }
@@ -376,6 +377,19 @@ namespace lamella
 
   // ---- what the arithmetic holds
 
+  double
+  PenaltyMatrix::local_compliance(const unsigned int number) const
+  {
+    double                 soft = 0.;
+    const LinearFunctional free =
+      global_row(structure, rows.constraint(number)).reduced(constraints);
+    for (const auto &[dof, weight] : free.entries())
+      soft += weight * weight / diagonal[dof];
+    return soft;
+  }
+
+
+
   void
   PenaltyMatrix::update_penalty_ratio(const std::vector<PenaltyTerm> &terms)
   {
@@ -383,11 +397,7 @@ namespace lamella
       {
         if (term.of != term.on)
           continue;
-        double                 soft = 0.;
-        const LinearFunctional free =
-          global_row(structure, rows.constraint(term.of)).reduced(constraints);
-        for (const auto &[dof, weight] : free.entries())
-          soft += weight * weight / diagonal[dof];
+        const double soft = local_compliance(term.of);
         if (soft * term.weight > largest_penalty_ratio)
           {
             largest_penalty_ratio    = soft * term.weight;

@@ -7,6 +7,8 @@
 #include <lamella/linear/dense_lu.h>
 #include <lamella/solve/complementarity.h>
 #include <lamella/solve/coulomb.h>
+#include <lamella/solve/dense_interface_system.h>
+#include <lamella/solve/interior_point.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -185,6 +187,38 @@ BOOST_AUTO_TEST_CASE(the_law_holds_in_a_thousand_random_problems)
             BOOST_TEST(law_violation(problem, found.force) < 1e-6);
           }
   BOOST_TEST(n == 1000u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(an_interior_point_finds_the_states_of_points)
+{
+  // Within 40 factorizations from nothing: forces to 1e-5, and all open points.
+  for (const unsigned int seed : {1u, 2u, 3u, 4u})
+    {
+      const auto      problem = random_problem(40, 3, 1e4, 0.3, seed);
+      const auto      exact   = solve_coulomb(problem, PointVectors(40));
+      InterfacePoints points{std::vector<unsigned int>(40, 2),
+                             problem.friction,
+                             std::vector<double>(40, 0.),
+                             {}};
+      for (unsigned int i = 0; i < 40; ++i)
+        points.local_compliance.push_back(problem.compliance(3 * i, 3 * i));
+      DenseInterfaceSystem system(problem.compliance,
+                                  problem.q,
+                                  PointVectors(40));
+      unsigned int         n     = 0;
+      const PointVectors   force = solve_by_interior_point(
+        system, points, PointVectors(40), [&n](const Round &) { ++n; });
+      BOOST_TEST(n < 40u);
+      for (unsigned int i = 0; i < 40; ++i)
+        {
+          BOOST_TEST((force[i] - exact.force[i]).norm() <
+                     1e-5 * largest_component(exact.force));
+          BOOST_TEST((force[i][0] == 0.) ==
+                     (exact.states[i] == PointState::open));
+        }
+    }
 }
 
 

@@ -253,6 +253,13 @@ namespace lamella
     double
     correct(State &state, const LoadFactor &factor);
 
+    /// Returns the solution with springs that have no force at the offsets
+    /// @p rest, from the solution @p state with other offsets.
+    State
+    with_springs_at(const SpringOffsets &rest,
+                    State                state,
+                    const LoadFactor    &factor);
+
     /// Calls correct() @p at_least times and until is_refined(); returns the
     /// relative norm of each correction.
     std::vector<double>

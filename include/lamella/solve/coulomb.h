@@ -68,28 +68,20 @@ namespace lamella
     unsigned int idle = 2;
     /// Proximal iterations end if the error of one of them exceeds this value.
     double failed = 1e-6;
-    /// Maximum number of Newton iterations from the initial forces.
-    unsigned int first_iterations = 3,
-                 iterations       = 40, ///< Maximum after Gauss-Seidel sweeps.
-      last_iterations             = 12; ///< Maximum after cone_minimum().
+    /// Maximum number of Newton iterations from the initial forces, and from
+    /// the result of the interior point.
+    unsigned int first_iterations = 3, iterations = 40;
     /// Maximum number of Newton iterations after the tolerance is met. They
     /// continue while each reduces the error tenfold.
     unsigned int extra_iterations = 3;
     double       digits           = 1e-15; ///< Error at which Newton ends.
-    unsigned int damped_from = 4;  ///< First Newton iteration with line search.
-    unsigned int sweeps      = 20; ///< Number of Gauss-Seidel sweeps.
-    unsigned int cone_rounds = 6;  ///< Maximum number of rounds of method 2.
-    /// Lower bound of the friction coefficient in method 2 (cone_minimum()).
-    double min_friction = 1e-4;
+    unsigned int damped_from = 4; ///< First Newton iteration with line search.
     /// Initial regularization of W in method 3, relative to its diagonal.
-    double first_compliance  = 0.1,
-           second_compliance = 1.;  ///< Its value in a second attempt.
-    double decrease_factor   = 0.1, ///< Factor of regularization per round.
-      slow_decrease_factor   = 0.3, ///< Its value in a second attempt.
-      increase_factor        = 5., ///< Its value if the error exceeds `solved`.
+    double first_compliance = 1.;
+    double decrease_factor  = 0.3, ///< Factor of regularization per round.
+      increase_factor       = 5.,  ///< Its value if the error exceeds `solved`.
       solved = 1e-9; ///< Error below which a round of method 3 succeeds.
-    unsigned int max_regularized_rounds = 60, ///< Maximum rounds of method 3.
-      regularized_sweeps = 200; ///< Gauss-Seidel sweeps per round of method 3.
+    unsigned int max_regularized_rounds = 60; ///< Maximum rounds of method 3.
   };
 
   /**
@@ -98,11 +90,8 @@ namespace lamella
    * gives the result:
    *   1 Newton's method on lambda = P(lambda - v), P the projection onto the
    *     friction cone (Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92
-   *     (1991) 353-375), from @p start, then after Gauss-Seidel sweeps;
-   *   2 Newton's method from the result of cone_minimum(), with gaps opened by
-   *     mu |v_t| of the previous round (de Saxce and Feng, Math. Comput. Model.
-   *     28 (1998) 225-245; Acary, Cadoux, Lemarechal and Malick, Z. Angew.
-   *     Math. Mech. 91 (2011) 155-175);
+   *     (1991) 353-375), from @p start;
+   *   2 Newton's method from the result of solve_by_interior_point();
    *   3 proximal points (Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898)
    *     with a decreasing regularization added to the diagonal of W.
    * If no method converges, the best solution is returned with its error.

@@ -6,6 +6,7 @@
 #include <lamella/solve/coulomb.h>
 #include <lamella/solve/penalty_matrix.h>
 
+#include <optional>
 #include <vector>
 
 namespace lamella
@@ -43,13 +44,7 @@ namespace lamella
       , matrix(matrix)
     {}
 
-    /// Solves a contact problem with friction (ContactStrategy::solve()).
-    /// Throws NumericsError for a negative determinant (unstable solution).
-    ContactSolution
-    solve(const ContactProblem &problem, const Monitor &monitor);
-
-  private:
-    /// An iterate of Newton's method, relative to the state of the problem.
+    /// Iterate of Newton's method, relative to the state of the problem.
     struct Iterate
     {
       /// Displacement increment du, and the forces K du computed from strains.
@@ -58,6 +53,20 @@ namespace lamella
       double       change; ///< Largest change of du in the last step.
     };
 
+    /// Returns the iterate with the forces `first_forces` of @p problem.
+    Iterate
+    begin(const ContactProblem &problem);
+
+    /// Solves a contact problem with friction from the iterate @p at; returns
+    /// nothing if that takes more than @p max_steps factorizations. Throws
+    /// NumericsError for a negative determinant (unstable solution).
+    std::optional<ContactSolution>
+    solve(const ContactProblem &problem,
+          Iterate               at,
+          const Monitor        &monitor,
+          const unsigned int    max_steps);
+
+  private:
     /// Gaps and slips v and trial forces z (FrictionNewton) of all constraints.
     struct Trial
     {
@@ -84,13 +93,8 @@ namespace lamella
       bool   same_rho = false;
     };
 
-    /// Returns the initial iterate: zero increment, forces of the state.
-    Iterate
-    begin(const ContactProblem &problem);
     Scales
     scales(const ContactProblem &problem, const Iterate &at) const;
-    PointVectors
-    lengths(const ContactProblem &problem, const Iterate &at) const;
     Trial
     trial(const ContactProblem &problem,
           const Iterate        &at,

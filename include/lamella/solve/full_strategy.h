@@ -70,6 +70,9 @@ namespace lamella
     }
 
   private:
+    /// Solves a contact problem with friction (FrictionNewton).
+    ContactSolution
+    solve_with_friction(const ContactProblem &problem, const Monitor &monitor);
     /// Iterate of Newton's method, relative to the state of the problem.
     struct Iterate
     {

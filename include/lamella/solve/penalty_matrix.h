@@ -52,7 +52,8 @@ namespace lamella
     /// Assembles the stiffness of @p tangent_operator, which needs no linear
     /// solvers, for the contact constraints @p rows.
     PenaltyMatrix(const TangentOperator &tangent_operator,
-                  const GapConstraints  &rows);
+                  const GapConstraints  &rows,
+                  const Symmetry         symmetry);
 
     /// Factorizes the matrix with the new penalty @p terms. Throws
     /// NumericsError if it is indefinite or, with friction, singular.
@@ -65,6 +66,12 @@ namespace lamella
     {
       return factor->sign_of_determinant();
     }
+
+    /// Returns sum(b_i^2 / K_ii), with the entries b_i of the gap or slip @p
+    /// number and the diagonal of K: an estimate of the local compliance of the
+    /// bodies [length / force].
+    double
+    local_compliance(const unsigned int number) const;
 
     /// Returns the solution for the load vector @p f in all DoFs, with the last
     /// factorization; it is zero in prescribed DoFs.

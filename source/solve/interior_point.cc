@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/solve/interior_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+// Primal-dual interior point method for contact with Coulomb friction (Nocedal
+// and Wright, Numerical Optimization, Springer 2006, Ch. 16 and 19). Each step:
+// 1. evaluate(): bounds b = mu lambda_n of the iterate, residuals;
+// 2. stiffness(): D of each point, one symmetric factorization;
+// 3. direction() with sigma = 0 (predictor), which gives sigma, and again with
+//    sigma and the second-order term (corrector);
+// 4. longest_step(): both keep s, lambda_n, gamma and b - |lambda_t| positive.
+//
+// Elimination of s and lambda_n from v_n = s, s lambda_n = sigma gives
+//   D_n = lambda_n / (s + d lambda_n),
+// and of gamma and lambda_t from the tangential equations, with w = b^2 -
+// |lambda_t|^2,
+//   D_t = ((gamma + d) 1 + (2 gamma / w) lambda_t lambda_t^T)^-1.
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    double
+    mean(const std::vector<double> &values)
+    {
+      return values.empty() ?
+               0. :
+               std::accumulate(values.begin(), values.end(), 0.) /
+                 values.size();
+    }
+
+
+
+    // A few points with a small bound have products far above the others.
+    double
+    median(std::vector<double> values)
+    {
+      if (values.empty())
+        return 0.;
+      const auto middle = values.begin() + values.size() / 2;
+      std::nth_element(values.begin(), middle, values.end());
+      return *middle;
+    }
+
+
+
+    Tensor<1, 2>
+    shear_of(const Tensor<1, 3> &force)
+    {
+      return Tensor<1, 2>({force[1], force[2]});
+    }
+
+
+
+    /// Newton direction of the unknowns of all points.
+    struct Direction
+    {
+      PointVectors        force;
+      std::vector<double> slack, gamma;
+    };
+
+
+
+    class InteriorPoint
+    {
+    public:
+      InteriorPoint(InterfaceSystem               &system,
+                    const InterfacePoints         &points,
+                    const InteriorPointParameters &parameters)
+        : system(system)
+        , points(points)
+        , parameters(parameters)
+        , n(points.friction.size())
+      {}
+
+      PointVectors
+      solve(const PointVectors &first, const Monitor &monitor);
+
+    private:
+      /// Sets the starting point: all points connected by soft springs.
+      void
+      begin(const PointVectors &first);
+      /// Updates the bounds, removes opening points from the tangential
+      /// problem, and evaluates the residuals.
+      void
+      evaluate(const bool is_first);
+      /// Limits the shear force of point @p i to @p most; it opposes the slip
+      /// in
+      /// @p v if the point did not rub before.
+      void
+      follow_bound(const unsigned int          i,
+                   const double                most,
+                   const bool                  rubbed,
+                   const dealii::Tensor<1, 3> &v);
+      PointStiffness
+      stiffness() const;
+      /// Returns the Newton direction to the products @p normal_target and
+      /// @p shear_target, less the second-order terms @p correction of the
+      /// normal products (empty: none).
+      Direction
+      direction(const PointStiffness      &D,
+                const double               normal_target,
+                const double               shear_target,
+                const std::vector<double> &correction);
+      /// Returns the largest step up to 1 that stays within the feasible set.
+      double
+      longest_step(const Direction &step) const;
+      /// Takes one step of Mehrotra's method.
+      void
+      step();
+      bool
+      is_closed(const unsigned int i) const
+      {
+        return force[i][0] * length_scale > slack[i] * force_scale;
+      }
+      Round
+      round() const;
+
+      InterfaceSystem              &system;
+      const InterfacePoints        &points;
+      const InteriorPointParameters parameters;
+      const unsigned int            n;
+      /// Length and force scale of the problem.
+      double length_scale = 0., force_scale = 0.;
+
+      // ---- the iterate
+      PointVectors force;
+      /// Slack s and multiplier gamma of each point.
+      std::vector<double> slack, gamma;
+
+      // ---- derived from it by evaluate()
+      /// True for points with a tangential problem.
+      std::vector<bool> rubs;
+      /// Bound b of the shear force, and w = b^2 - |lambda_t|^2.
+      std::vector<double> bound, room;
+      /// Residuals v_n - s and v_t + gamma lambda_t.
+      PointVectors residual;
+      /// Mean of the products s lambda_n, and median of gamma w / b.
+      double normal_product = 0., shear_product = 0.;
+    };
+
+
+
+    // Springs of stiffness k, a fraction of the local stiffness of the bodies,
+    // push penetrating points apart with k max(0, -v_n).
+    void
+    InteriorPoint::begin(const PointVectors &first)
+    {
+      PointVectors   pushed = first;
+      PointStiffness springs(n);
+      PointVectors   v = system.lengths();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          springs[i] = parameters.first_springs /
+                       (points.local_compliance[i] + points.compliance[i]) *
+                       unit_symmetric_tensor<3>();
+          pushed[i][0] += springs[i][0][0] * std::max(0., -v[i][0]);
+        }
+      system.factorize(springs);
+      const PointVectors moved = system.solve(pushed);
+      system.advance(1.);
+      v = system.lengths();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          length_scale = std::max(length_scale, std::abs(v[i][0]));
+          force_scale  = std::max(force_scale,
+                                 pushed[i][0] - springs[i][0][0] * moved[i][0]);
+        }
+      force.assign(n, {});
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double least = parameters.first_gap * length_scale;
+          slack.push_back(std::max(v[i][0], least));
+          force[i][0] = parameters.first_force * force_scale;
+          gamma.push_back(least / force[i][0]);
+        }
+    }
+
+
+
+    // gamma lambda_t = -v_t stays where the bound decreases below the shear
+    // force, as the slip does: this makes the last steps superlinear.
+    void
+    InteriorPoint::follow_bound(const unsigned int  i,
+                                const double        most,
+                                const bool          rubbed,
+                                const Tensor<1, 3> &v)
+    {
+      const double size = tangential_norm(force[i]), slip = tangential_norm(v);
+      if (!rubbed && slip > 0.)
+        {
+          force[i] -= tangential_part(force[i] + most / slip * v);
+          gamma[i] = slip / most;
+        }
+      else if (size > most)
+        {
+          force[i] += (most / size - 1.) * tangential_part(force[i]);
+          gamma[i] *= size / most;
+        }
+    }
+
+
+
+    // Points that open leave the tangential problem: their small bounds would
+    // shorten all steps.
+    void
+    InteriorPoint::evaluate(const bool is_first)
+    {
+      constexpr double   inside = 0.995, least = arithmetic::rounding;
+      const double       last = normal_product;
+      const PointVectors v    = system.lengths();
+      residual.assign(n, {});
+      rubs.resize(n, false);
+      bound.assign(n, 0.);
+      room.assign(n, 0.);
+      std::vector<double> normal, shear;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const bool rubbed = rubs[i];
+          rubs[i]           = points.n_slips[i] > 0 &&
+                    (is_first || force[i][0] * length_scale >
+                                   parameters.opening * slack[i] * force_scale);
+          bound[i] =
+            std::max(points.friction[i] * force[i][0], least * force_scale);
+          if (!rubs[i])
+            {
+              force[i] -= tangential_part(force[i]);
+              gamma[i] = last / bound[i];
+            }
+          else
+            follow_bound(i, inside * bound[i], rubbed || is_first, v[i]);
+          room[i] =
+            bound[i] * bound[i] - tangential_part(force[i]).norm_square();
+          const Tensor<1, 3> lengths = v[i] + points.compliance[i] * force[i];
+          residual[i][0]             = lengths[0] - slack[i];
+          normal.push_back(slack[i] * force[i][0]);
+          if (rubs[i])
+            {
+              residual[i] += tangential_part(lengths + gamma[i] * force[i]);
+              shear.push_back(gamma[i] * room[i] / bound[i]);
+            }
+        }
+      normal_product = mean(normal);
+      shear_product  = median(shear);
+    }
+
+
+
+    PointStiffness
+    InteriorPoint::stiffness() const
+    {
+      PointStiffness D(n);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double d = points.compliance[i], lambda = force[i][0];
+          D[i][0][0] = lambda / (slack[i] + d * lambda);
+          if (!rubs[i])
+            continue;
+          const Tensor<1, 2>          shear  = shear_of(force[i]);
+          const SymmetricTensor<2, 2> across = invert(
+            (gamma[i] + d) * unit_symmetric_tensor<2>() +
+            2. * gamma[i] / room[i] * symmetrize(outer_product(shear, shear)));
+          for (unsigned int a = 0; a < points.n_slips[i]; ++a)
+            for (unsigned int b = 0; b <= a; ++b)
+              D[i][1 + a][1 + b] = across[a][b];
+        }
+      return D;
+    }
+
+
+
+    // The forces follow from the change w of gap and slips by
+    //   dlambda_n = (sigma - s lambda_n - lambda_n (v_n - s)) / (s + d
+    //               lambda_n) - D_n w_n,
+    //   dlambda_t = -D_t (v_t + gamma lambda_t + q lambda_t + w_t),
+    //   q         = (sigma b - gamma w) / w.
+    Direction
+    InteriorPoint::direction(const PointStiffness      &D,
+                             const double               normal_target,
+                             const double               shear_target,
+                             const std::vector<double> &correction)
+    {
+      Direction           step;
+      std::vector<double> q(n, 0.);
+      step.force.resize(n);
+      PointVectors next = force;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double lambda = force[i][0], s = slack[i];
+          Tensor<1, 3> away;
+          if (rubs[i])
+            {
+              q[i] = shear_target * bound[i] / room[i] - gamma[i];
+              away = tangential_part(residual[i] + q[i] * force[i]);
+            }
+          step.force[i] = -(D[i] * away);
+          step.force[i][0] =
+            (normal_target - s * lambda - lambda * residual[i][0] -
+             (correction.empty() ? 0. : correction[i])) /
+            (s + points.compliance[i] * lambda);
+          next[i] += step.force[i];
+        }
+      const PointVectors w = system.solve(next);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          step.force[i] -= D[i] * w[i];
+          step.slack.push_back(
+            w[i][0] + points.compliance[i] * step.force[i][0] + residual[i][0]);
+          step.gamma.push_back(
+            rubs[i] ? q[i] + 2. * gamma[i] / room[i] *
+                               (shear_of(force[i]) * shear_of(step.force[i])) :
+                      0.);
+        }
+      return step;
+    }
+
+
+
+    // |lambda_t + t dlambda_t| < b is a quadratic inequality in t.
+    double
+    InteriorPoint::longest_step(const Direction &step) const
+    {
+      double     longest = 1. / parameters.to_boundary;
+      const auto limit   = [&](const double x, const double change) {
+        if (change < 0.)
+          longest = std::min(longest, -x / change);
+      };
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          limit(force[i][0], step.force[i][0]);
+          limit(slack[i], step.slack[i]);
+          limit(gamma[i], step.gamma[i]);
+          const Tensor<1, 2> change = shear_of(step.force[i]);
+          const double       a      = change.norm_square(),
+                       b            = shear_of(force[i]) * change;
+          if (a > 0. && rubs[i])
+            longest =
+              std::min(longest, (-b + std::sqrt(b * b + a * room[i])) / a);
+        }
+      return parameters.to_boundary * longest;
+    }
+
+
+
+    // Mehrotra's predictor and corrector with one factorization. The
+    // second-order term is used for normal products only.
+    void
+    InteriorPoint::step()
+    {
+      constexpr double     short_step = 0.1, least_sigma = 1e-4, blocked = 0.05;
+      const PointStiffness D = stiffness();
+      system.factorize(D);
+      const Direction     predictor = direction(D, 0., 0., {});
+      const double        reach     = longest_step(predictor);
+      std::vector<double> products, correction;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          products.push_back((slack[i] + reach * predictor.slack[i]) *
+                             (force[i][0] + reach * predictor.force[i][0]));
+          if (reach > short_step)
+            correction.push_back(reach * reach * predictor.slack[i] *
+                                 predictor.force[i][0]);
+        }
+      const double sigma =
+        reach > blocked ?
+          std::max(std::pow(mean(products) / normal_product, 3), least_sigma) :
+          0.5;
+      const Direction corrector =
+        direction(D, sigma * normal_product, sigma * shear_product, correction);
+      const double length = longest_step(corrector);
+      system.advance(length);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          force[i] += length * corrector.force[i];
+          slack[i] += length * corrector.slack[i];
+          gamma[i] += length * corrector.gamma[i];
+        }
+    }
+
+
+
+    Round
+    InteriorPoint::round() const
+    {
+      Round result;
+      for (unsigned int i = 0; i < n; ++i)
+        result.active += is_closed(i);
+      result.changed.push_back(0);
+      result.violation = (normal_product + shear_product) / force_scale;
+      return result;
+    }
+
+
+
+    PointVectors
+    InteriorPoint::solve(const PointVectors &first, const Monitor &monitor)
+    {
+      begin(first);
+      for (unsigned int k = 0; force_scale > 0.; ++k)
+        {
+          evaluate(k == 0);
+          if (normal_product <=
+                parameters.tolerance * length_scale * force_scale ||
+              k == parameters.max_iterations)
+            break;
+          step();
+          monitor(round());
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        if (!is_closed(i))
+          force[i] = {};
+      return force;
+    }
+  } // namespace
+
+
+
+  PointVectors
+  solve_by_interior_point(InterfaceSystem               &system,
+                          const InterfacePoints         &points,
+                          const PointVectors            &first,
+                          const Monitor                 &monitor,
+                          const InteriorPointParameters &parameters)
+  {
+    return InteriorPoint(system, points, parameters).solve(first, monitor);
+  }
+} // namespace lamella
