@@ -67,34 +67,21 @@ namespace lamella
       read_entity(const GmshLines &at, const int dimension);
 
       void
-      read_nodes();
+      add_node(const GmshLines &at, const std::int64_t number);
 
+      /// Adds the element of @p type in line @p at.
       void
-      add_node(const GmshLines   &at,
-               const std::int64_t number,
-               const std::size_t  first_word);
+      add_element(const GmshLines &at, const int type, const int group);
 
-      void
-      read_elements();
-
-      /// Adds the element of @p type in line @p at; nodes from @p first_word.
-      void
-      add_element(const GmshLines  &at,
-                  const int         type,
-                  const int         group,
-                  const std::size_t first_word);
-
-      /// Nodes of the element in line @p at: @p n words from @p first_word on.
+      /// Nodes of the element in line @p at: the @p n words after its number.
       std::array<unsigned int, 4>
-      nodes_of_element(const GmshLines  &at,
-                       const std::size_t first_word,
-                       const std::size_t n) const;
+      nodes_of_element(const GmshLines &at, const std::size_t n) const;
 
-      /// @p part as it is in version 4.1: its head announces blocks of
-      /// @p things, each of which @p add_block adds to @p found.
+      /// Reads the section `$NAME` with @p name: its first line announces
+      /// blocks of @p things, each of which @p add_block adds to @p found.
       template <typename Thing>
       void
-      read_blocks(GmshPart                 &part,
+      read_blocks(const std::string        &name,
                   const std::string        &things,
                   const std::vector<Thing> &found,
                   void (MeshReader::*add_block)(GmshPart &));
@@ -122,8 +109,14 @@ namespace lamella
       // Whatever their order in the file.
       read_names();
       read_entities();
-      read_nodes();
-      read_elements();
+      read_blocks("Nodes",
+                  "nodes",
+                  file.nodes,
+                  &MeshReader::add_block_of_nodes);
+      read_blocks("Elements",
+                  "elements",
+                  file.elements,
+                  &MeshReader::add_block_of_elements);
       return std::move(file);
     }
 
@@ -175,7 +168,7 @@ namespace lamella
     void
     MeshReader::read_entities()
     {
-      if (!parts.in_blocks() || !parts.has("Entities"))
+      if (!parts.has("Entities"))
         return;
       GmshPart &part = parts.part("Entities");
       part.next_line("four counts");
@@ -235,11 +228,13 @@ namespace lamella
 
     template <typename Thing>
     void
-    MeshReader::read_blocks(GmshPart                 &part,
+    MeshReader::read_blocks(const std::string        &name,
                             const std::string        &things,
                             const std::vector<Thing> &found,
                             void (MeshReader::*add_block)(GmshPart &))
     {
+      GmshPart &part = parts.part(name);
+      part.next_line("the count of " + things);
       const GmshLines head = part.lines;
       head.expect(4, "counts of blocks and " + things);
       const auto n_blocks = part.announced(0, "blocks"),
@@ -259,9 +254,7 @@ namespace lamella
 
 
     void
-    MeshReader::add_node(const GmshLines   &at,
-                         const std::int64_t number,
-                         const std::size_t  first_word)
+    MeshReader::add_node(const GmshLines &at, const std::int64_t number)
     {
       const auto [it, is_new] =
         cell_of_node.insert({number, file.nodes.size()});
@@ -271,35 +264,9 @@ namespace lamella
                  std::to_string(file.nodes[it->second].line));
       GmshFile::Node node;
       for (unsigned int d = 0; d < 3; ++d)
-        node.position[d] = at.number(first_word + d, "a coordinate");
+        node.position[d] = at.number(d, "a coordinate");
       node.line = at.line;
       file.nodes.push_back(node);
-    }
-
-
-
-    void
-    MeshReader::read_nodes()
-    {
-      GmshPart &part = parts.part("Nodes");
-      part.next_line("the count of nodes");
-      if (parts.in_blocks())
-        {
-          read_blocks(part,
-                      "nodes",
-                      file.nodes,
-                      &MeshReader::add_block_of_nodes);
-          return;
-        }
-      part.lines.expect(1, "the count of nodes");
-      const auto n = part.announced(0, "nodes");
-      for (std::int64_t i = 0; i < n; ++i)
-        {
-          part.next_line("node " + std::to_string(i + 1));
-          part.lines.expect(4, "a node's number, x, y, z");
-          add_node(part.lines, part.lines.integer(0, "a node's number", 1), 1);
-        }
-      part.expect_end();
     }
 
 
@@ -326,25 +293,22 @@ namespace lamella
         {
           part.next_line("a node");
           lines.expect(3 + parameters, "x, y, z, and parameters if announced");
-          add_node(lines, number, 0);
+          add_node(lines, number);
         }
     }
 
 
 
     std::array<unsigned int, 4>
-    MeshReader::nodes_of_element(const GmshLines  &at,
-                                 const std::size_t first_word,
-                                 const std::size_t n) const
+    MeshReader::nodes_of_element(const GmshLines &at, const std::size_t n) const
     {
       const std::string element =
         "element " + std::to_string(at.integer(0, "an element's number", 1));
       std::array<unsigned int, 4> nodes{};
       for (std::size_t i = 0; i < n; ++i)
         {
-          const std::int64_t node =
-            at.integer(first_word + i, "a node's number", 1);
-          const auto found = cell_of_node.find(node);
+          const std::int64_t node  = at.integer(1 + i, "a node's number", 1);
+          const auto         found = cell_of_node.find(node);
           if (found == cell_of_node.end())
             at.fault(element + " has node " + std::to_string(node) +
                      ", which is not in $Nodes");
@@ -359,10 +323,9 @@ namespace lamella
 
 
     void
-    MeshReader::add_element(const GmshLines  &at,
-                            const int         type,
-                            const int         group,
-                            const std::size_t first_word)
+    MeshReader::add_element(const GmshLines &at,
+                            const int        type,
+                            const int        group)
     {
       static const std::map<int, std::size_t> sizes{{GmshFile::line_type, 2},
                                                     {GmshFile::triangle, 3},
@@ -379,49 +342,13 @@ namespace lamella
       const auto size = sizes.find(type);
       if (size != sizes.end())
         {
-          at.expect(first_word + size->second,
+          at.expect(1 + size->second,
                     std::to_string(size->second) +
                       " of them nodes, as elements of type " +
                       std::to_string(type) + " have");
-          element.nodes = nodes_of_element(at, first_word, size->second);
+          element.nodes = nodes_of_element(at, size->second);
         }
       file.elements.push_back(element);
-    }
-
-
-
-    void
-    MeshReader::read_elements()
-    {
-      GmshPart  &part  = parts.part("Elements");
-      GmshLines &lines = part.lines;
-      part.next_line("the count of elements");
-      if (parts.in_blocks())
-        {
-          read_blocks(part,
-                      "elements",
-                      file.elements,
-                      &MeshReader::add_block_of_elements);
-          return;
-        }
-      lines.expect(1, "the count of elements");
-      const auto n = part.announced(0, "elements");
-      for (std::int64_t i = 0; i < n; ++i)
-        {
-          part.next_line("element " + std::to_string(i + 1));
-          const int  type = lines.integer(1, "a type of element", 1, tags_end);
-          const auto tags =
-            lines.integer(2, "a count of tags", 0, lines.words.size());
-          // The first tag is the physical one; the others are not ours.
-          const int group =
-            tags == 0 ?
-              0 :
-              std::abs(lines.integer(3, "a physical tag", -tags_end, tags_end));
-          for (std::int64_t k = 1; k < tags; ++k)
-            lines.integer(3 + k, "a tag", -tags_end, tags_end);
-          add_element(lines, type, group, 3 + tags);
-        }
-      part.expect_end();
     }
 
 
@@ -452,8 +379,7 @@ namespace lamella
           part.next_line("an element");
           add_element(lines,
                       type,
-                      group == group_of_entity.end() ? 0 : group->second,
-                      1);
+                      group == group_of_entity.end() ? 0 : group->second);
         }
     }
   } // namespace

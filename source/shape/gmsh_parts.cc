@@ -196,15 +196,15 @@ namespace lamella
         version = to_text(all.number(0, "a version of the format"));
         binary  = all.integer(1, "0 (text) or 1 (binary)", 0, 1);
       }
-    is_in_blocks = version == "4.1";
-    if (binary || !(is_in_blocks || version == "2.2"))
+    if (binary || version != "4.1")
       refuse_line(all.entry,
                   all.line,
                   "shape.mesh-version: the mesh file is " +
                     (binary ? "binary" : "of version " + version) +
-                    "; only text files of versions 4.1 and 2.2 can be read",
+                    "; only text files of version 4.1 can be read",
                   "Write the mesh again with 'gmsh " + all.entry.text() +
-                    " -save -format msh41 -o NEW.msh'.");
+                    " -save -format msh41 -o NEW.msh', or in Gmsh with the "
+                    "option Mesh.MshFileVersion = 4.1.");
     all.integer(2, "8, the bytes of a number", 1);
     if (!all.next())
       all.fault("the file is cut off: it ends before $EndMeshFormat");

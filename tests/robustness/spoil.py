@@ -925,55 +925,18 @@ def expression(draft):
 # ---- kinds: meshes
 
 def mesh_scene(name):
-    text = MESH_SCENE.replace("MESH", name.replace("_22", "")).replace(
-        "PARTS", MESHES[name.replace("_22", "")]).replace(
-            "PROBE", PROBES[name.replace("_22", "")])
+    text = MESH_SCENE.replace("MESH", name).replace("PARTS", MESHES[name]).replace(
+        "PROBE", PROBES[name])
     return text.splitlines()
 
 
 def mesh_text(name):
-    lines = (ROOT / "prm/sections" / f"{name.replace('_22', '')}.msh").read_text().splitlines()
-    return in_format_2(lines) if name.endswith("_22") else lines
+    return (ROOT / "prm/sections" / f"{name}.msh").read_text().splitlines()
 
 
 def block(lines, name):
     """The indices of the lines between $name and $Endname."""
     return lines.index(f"${name}") + 1, lines.index(f"$End{name}")
-
-
-def in_format_2(lines):
-    """The mesh, which is in format 4.1, as Gmsh writes it with -format msh22."""
-    first, last = block(lines, "Entities")
-    counts = [int(word) for word in lines[first].split()]
-    groups = {}
-    entity = first + 1 + counts[0]
-    for dimension in (1, 2):
-        for line in lines[entity:entity + counts[dimension]]:
-            words = line.split()
-            groups[dimension, words[0]] = words[8] if words[7] != "0" else None
-        entity += counts[dimension]
-    nodes, elements = [], []
-    index, last = block(lines, "Nodes")
-    index += 1
-    while index < last:
-        n = int(lines[index].split()[3])
-        nodes += [f"{tag} {x}" for tag, x in zip(lines[index + 1:index + 1 + n],
-                                                 lines[index + 1 + n:index + 1 + 2 * n])]
-        index += 1 + 2 * n
-    index, last = block(lines, "Elements")
-    index += 1
-    while index < last:
-        dimension, tag, element, n = lines[index].split()
-        group = groups.get((int(dimension), tag))
-        for line in lines[index + 1:index + 1 + int(n)]:
-            number, *corners = line.split()
-            if group:
-                elements.append(f"{number} {element} 2 {group} {tag} {' '.join(corners)}")
-        index += 1 + int(n)
-    first, last = block(lines, "PhysicalNames")
-    return ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", *lines[first - 1:last + 1],
-            "$Nodes", str(len(nodes)), *nodes, "$EndNodes",
-            "$Elements", str(len(elements)), *elements, "$EndElements"]
 
 
 def mesh_line(draft, sections=("Nodes", "Elements"), numbers=None, head=True):
@@ -1004,17 +967,12 @@ def spoil_mesh_number(draft, index, spoilt, what, due, which=None):
 
 
 def coordinates(draft):
-    return mesh_line(draft, ("Nodes",), (3,) if "4.1 0 8" in draft.mesh else (4,), head=False)
+    return mesh_line(draft, ("Nodes",), (3,), head=False)
 
 
 def cell(draft):
     """A line of a quadrilateral."""
-    format_2 = "2.2 0 8" in draft.mesh
-    first, last = block(draft.mesh, "Elements")
-    found = [i for i in range(first + 1, last)
-             if (len(draft.mesh[i].split()) == 9 if format_2
-                 else len(draft.mesh[i].split()) == 5)]
-    return draft.pick(found)
+    return mesh_line(draft, ("Elements",), (5,), head=False)
 
 
 @kind
@@ -1028,7 +986,7 @@ def mesh_node_of_cell(draft):
 @kind
 def mesh_count(draft):
     """Counts of nodes and elements, of a block or of all."""
-    index = mesh_line(draft, numbers=(4,) if "4.1 0 8" in draft.mesh else (1,))
+    index = mesh_line(draft, numbers=(4,))
     spoil_mesh_number(draft, index, draft.pick(
         ["4294967297", "-1", "0", "1000000000", "999", "1e9", "99999999999999999999", "nan"]),
         "a count", "either")
@@ -1130,15 +1088,14 @@ def mesh_cut_off(draft):
 
 @kind
 def mesh_type(draft):
-    """The type of elements in the head of their block, or of one."""
-    format_2 = "2.2 0 8" in draft.mesh
-    index = cell(draft) if format_2 else mesh_line(draft, ("Elements",), (4,), head=False)
-    of_type = draft.mesh[index].split()[1 if format_2 else 2]
+    """The type of elements in the head of their block."""
+    index = mesh_line(draft, ("Elements",), (4,), head=False)
+    of_type = draft.mesh[index].split()[2]
     new = draft.pick([t for t in ("1", "2", "3", "10", "16", "99", "0", "-3", "15", "5",
                                   "4294967299") if t != of_type])
     # Blocks of points hold nothing that a section needs.
     spoil_mesh_number(draft, index, new, "the type of elements", "either" if of_type == "15"
-                      else "refused", 1 if format_2 else 2)
+                      else "refused", 2)
 
 
 @kind
@@ -1230,8 +1187,7 @@ def make_case(number, seed, kinds):
     """Kinds take turns, so that each comes as often as the others."""
     rng = random.Random(f"{seed}/{number}")
     name = kinds[number % len(kinds)]
-    bases = ([m + version for m in (f"mesh {m}" for m in MESHES) for version in ("", "_22")]
-             if name.startswith("mesh_") else list(BASES))
+    bases = [f"mesh {m}" for m in MESHES] if name.startswith("mesh_") else list(BASES)
     for _ in range(200):
         draft = Draft(rng, rng.choice(bases))
         try:
@@ -1246,7 +1202,7 @@ def write_files(case, folder):
     folder.mkdir(parents=True)
     (folder / "scene.prm").write_bytes(case.scene)
     if case.mesh is not None:
-        name = case.base[5:].replace("_22", "")
+        name = case.base[5:]
         (folder / f"{name}.msh").write_bytes(case.mesh)
         return
     for path in (ROOT / "prm/sections").glob("*.msh"):

@@ -610,10 +610,10 @@ BOOST_AUTO_TEST_CASE(unstructured_mesh_by_gmsh)
 
 
 
-BOOST_AUTO_TEST_CASE(older_format_and_cells_clockwise)
+BOOST_AUTO_TEST_CASE(cells_clockwise)
 {
-  // Version 2.2, one of the two cells clockwise, no physical line: it is
-  // turned, and the boundary is `other`.
+  // One of the two cells clockwise, no physical line: it is turned, and the
+  // boundary is `other`.
   const auto mesh =
     make_section_mesh(SectionFile{folder + "/tests/unit/meshes/clockwise.msh",
                                   1.,

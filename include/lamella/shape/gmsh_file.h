@@ -65,11 +65,11 @@ namespace lamella
               const std::string &rule,
               const std::string &remedy = "");
 
-  /// Parses @p text, a mesh in Gmsh's text format 4.1 (written since 2019) or
-  /// 2.2. All numbers in the result are finite, numbers of nodes and elements
-  /// are unique, and elements refer to existing nodes. Sections of the file
-  /// that a plane mesh does not need (`$Comments`, `$Periodic`) are skipped.
-  /// Throws InputError for @p entry, with the line number, at the first error.
+  /// Parses @p text, a mesh in Gmsh's text format 4.1 (written since 2019). All
+  /// numbers in the result are finite, numbers of nodes and elements are
+  /// unique, and elements refer to existing nodes. Sections of the file that a
+  /// plane mesh does not need (`$Comments`, `$Periodic`) are skipped. Throws
+  /// InputError for @p entry, with the line number, at the first error.
   GmshFile
   read_gmsh_file(const std::string &text, const Entry &entry);
 } // namespace lamella

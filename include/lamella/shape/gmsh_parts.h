@@ -102,16 +102,8 @@ namespace lamella
   public:
     /// Splits @p text into sections. Both arguments must outlive this object.
     /// Throws InputError for @p entry unless the text has the ASCII format 4.1
-    /// or 2.2 and each section is complete and occurs only once.
+    /// and each section is complete and occurs only once.
     GmshParts(const std::string &text, const Entry &entry);
-
-    /// Returns true if nodes and elements are grouped by geometric entities
-    /// (format 4.1), false if they are listed one by one (format 2.2).
-    bool
-    in_blocks() const
-    {
-      return is_in_blocks;
-    }
 
     /// Returns true if the file has the section `$NAME` with @p name.
     bool
@@ -145,7 +137,6 @@ namespace lamella
     part_to_end(const std::string &name, const bool wanted);
 
     GmshLines                       all;
-    bool                            is_in_blocks = false;
     std::map<std::string, GmshPart> parts;
   };
 } // namespace lamella
