@@ -4,9 +4,9 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/facet_map.h>
-#include <lamella/conditions/adaptive_moments.h>
 #include <lamella/conditions/couple.h>
 #include <lamella/conditions/load.h>
+#include <lamella/conditions/load_moments.h>
 #include <lamella/conditions/traction.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -19,11 +19,9 @@ namespace lamella
 
   namespace
   {
-    // Of the integral of |t|, what the other rule, a grid of midpoints, may be
-    // off by: it knows edges within an element to its own spacing only.
-    constexpr double agreement = 0.02;
-    // More bisections: the element's polynomials cannot follow the load.
-    constexpr unsigned int followed = 1;
+    // The displacements of an element follow a load if its Gauss rule has an
+    // error below this multiple of the negligible error.
+    constexpr double followed = 10.;
 
 
 
@@ -65,21 +63,6 @@ namespace lamella
       const Traction    traction;
       const bool        is_constant;
     };
-
-
-
-    /// What integration says of itself, its place left to the caller.
-    template <int dim>
-    void
-    take(const Moments<dim> &moments, PointForces &result)
-    {
-      result.size              = moments.size;
-      result.error             = moments.error;
-      result.independent       = moments.independent;
-      result.independent_error = moments.independent_error;
-      result.bisections        = moments.bisections;
-      result.checked           = true;
-    }
 
 
 
@@ -149,30 +132,27 @@ namespace lamella
         return a + (breaks[piece] + s * (breaks[piece + 1] - breaks[piece])) *
                      (b - a);
       };
-      std::vector<Moments<1>::Cell> cells;
+      std::vector<LoadCell> cells;
       for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
         {
           const double length = (breaks[k + 1] - breaks[k]) * a.distance(b);
-          cells.push_back({[this, position, k, length](const Point<1> &s) {
+          cells.push_back({[this, position, k, length](const Point<2> &s) {
                              return length * force_at(position(k, s[0]));
                            },
-                           {{degree}},
-                           {{length}}});
+                           {{degree, 0}},
+                           {{length, 0.}}});
         }
-      const Moments<1> moments = adaptive_moments<1>(cells, is_constant);
-      if (!is_constant)
-        take(moments, result);
+      result.integral = load_moments(cells);
       const QGaussLobatto<1> nodes(degree + 1);
       std::vector<Point<3>>  points;
       for (unsigned int k = 0; k < cells.size(); ++k)
         for (unsigned int i = 0; i < nodes.size(); ++i)
           {
             points.push_back(position(k, nodes.point(i)[0]));
-            result.forces.push_back(moments.of_cells[k][i]);
+            result.forces.push_back(result.integral.of_cells[k][i]);
           }
       result.locations = locate_all(body, points, path);
-      if (!cells.empty())
-        result.place = position(moments.cell, moments.place[0]);
+      result.place     = position(result.integral.cell, 0.5);
     }
 
 
@@ -185,7 +165,7 @@ namespace lamella
       check_surface(body, region.surface, path + "/On");
       const std::vector<SurfaceFacet> all = body.surface_facets(region.surface);
       std::vector<const SurfaceFacet *> facets;
-      std::vector<Moments<2>::Cell>     cells;
+      std::vector<LoadCell>             cells;
       for (const SurfaceFacet &facet : all)
         {
           const FacetMap map(body, facet);
@@ -207,14 +187,13 @@ namespace lamella
                            {{facet.corners[0].distance(facet.corners[1]),
                              facet.corners[0].distance(facet.corners[2])}}});
         }
-      const Moments<2> moments = adaptive_moments<2>(cells, is_constant);
-      if (!is_constant)
-        take(moments, result);
+      result.integral = load_moments(cells);
       for (unsigned int k = 0; k < facets.size(); ++k)
-        add_moments(body, *facets[k], moments.of_cells[k], result);
+        add_moments(body, *facets[k], result.integral.of_cells[k], result);
       if (!facets.empty())
         result.place =
-          body.surface_point(*facets[moments.cell], moments.place).position;
+          body.surface_point(*facets[result.integral.cell], {0.5, 0.5})
+            .position;
     }
 
 
@@ -237,6 +216,8 @@ namespace lamella
           default:
             Assert(false, ExcMessage("A load has no such region."));
         }
+      if (is_constant)
+        result.integral = {};
       return result;
     }
 
@@ -248,30 +229,25 @@ namespace lamella
               const PointForces        &at,
               std::vector<std::string> &notes)
     {
-      if (at.error > arithmetic::quadrature_tolerance * at.size)
+      const LoadMoments &integral = at.integral;
+      const double       negligible =
+        arithmetic::quadrature_tolerance * integral.size;
+      if (integral.error > negligible)
         notes.push_back("conditions.integral-uncertain: load " + name +
                         ": its numerical integral has a relative error of " +
-                        to_text(at.error / at.size, 2) +
+                        to_text(integral.error / integral.size, 2) +
                         ". Put element boundaries where the load begins and "
                         "ends (Axis breaks), or write a smoother expression");
-      if (at.size > 0. && (at.force - at.independent).norm() >
-                            agreement * at.size + 2. * at.independent_error)
-        notes.push_back(
-          "conditions.integral-inconsistent: load " + name +
-          ": the resultant by a finer quadrature is " +
-          to_text(at.independent) + " instead of " + to_text(at.force) +
-          ". The expression varies faster than the quadrature resolves. Write "
-          "a smoother expression, or use more elements under the load");
-      if (at.checked && at.size == 0.)
+      if (!integral.of_cells.empty() && integral.size == 0.)
         notes.push_back(
           "conditions.load-zero: load " + name +
           " is zero at all sampled points of its region (On). If this is a "
           "mistake, correct position or width of the load in its expression");
-      if (at.bisections > followed)
+      if (integral.unresolved > followed * negligible)
         notes.push_back(
           "conditions.load-within-element: load " + name +
-          " varies within an axis element, near " + to_text(at.place) +
-          ", faster than the displacements of this element. Its resultant and "
+          " varies within the axis element at " + to_text(at.place) +
+          " faster than the displacements of this element. Its resultant and "
           "work are correct, but stresses near it are those of a load spread "
           "over the element. Use shorter elements there (Axis breaks)");
     }

@@ -5,6 +5,7 @@
 
 #include <lamella/conditions/expression.h>
 #include <lamella/conditions/load_factor.h>
+#include <lamella/conditions/load_moments.h>
 #include <lamella/conditions/region.h>
 
 #include <array>
@@ -58,20 +59,15 @@ namespace lamella
 
     dealii::Tensor<1, 3> force, ///< Resultant force [force].
       moment; ///< Moment of the forces about the scene's origin [force length].
-    /// True if the load varies; otherwise the members below are not set.
-    bool checked = false;
-    /// Integral of |load| [force]; 0 if it vanished at all integration points.
-    double               size = 0.;
-    dealii::Tensor<1, 3> independent; ///< Resultant by the midpoint rule.
-    double independent_error = 0.,    ///< Error of `independent` [force].
-      error = 0.; ///< Estimated error of the adaptive integration [force].
-    /// Largest number of bisections of a cell by the adaptive integration.
-    unsigned int     bisections = 0;
-    dealii::Point<3> place; ///< Point in the scene with most bisections.
+    /// Integral of the load on its cells; empty if the load is constant or acts
+    /// at points.
+    LoadMoments integral;
+    /// Center of the cell LoadMoments::cell of the integral, in the scene.
+    dealii::Point<3> place;
   };
 
   /// Returns the point forces of @p load at load factor 1 on @p region of @p
-  /// body, by adaptive integration on lines and surfaces (adaptive_moments()).
+  /// body, by composite Gauss rules on lines and surfaces (load_moments()).
   /// Throws InputError as add_load() does, and for a pressure on a point or
   /// line.
   PointForces
