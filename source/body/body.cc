@@ -344,6 +344,8 @@ namespace lamella
   void
   Body::rethrow_with_position(const NotPositiveDefinite &error) const
   {
+    if (error.dof == numbers::invalid_dof_index)
+      throw;
     throw NotPositiveDefinite(std::string(error.what()) +
                                 " It occurs first near " +
                                 to_text(dof_position(error.dof)) +

@@ -63,11 +63,13 @@ namespace lamella
 
 
   void
-  Body::for_each_cell_by_points(const PointsCallback &use) const
+  Body::for_each_cell_by_points(const PointsCallback &use,
+                                const bool            of_all_processes) const
   {
     const CellGrid        grid(output_degrees());
     const QAnisotropic<3> gauss = gauss_points(output_degrees());
-    const auto [begin, end]     = cells().own;
+    const auto [begin, end] =
+      of_all_processes ? std::make_pair(0u, cells().n) : cells().own;
     for (unsigned int cell = begin; cell < end; ++cell)
       {
         const std::vector<Point<3>> x = grid.positions(*this, cell);
@@ -122,9 +124,12 @@ namespace lamella
   Body::add_thermal_load_at(const Vector &u, Vector &f) const
   {
     add_thermal_load(f);
+    Vector share(f.size());
     for_each_thermal_block(u, [&](const StiffnessBlock &block) {
-      block.add_product(u, f);
+      block.add_product(u, share);
     });
+    sum_over_processes(share);
+    f += share;
   }
 
 
@@ -188,16 +193,19 @@ namespace lamella
 
   void
   Body::for_each_cell_by_weight(const Tensor<1, 3>   &acceleration,
-                                const ForcesCallback &use) const
+                                const ForcesCallback &use,
+                                const bool            of_all_processes) const
   {
     const std::vector<double> rho = densities();
-    for_each_cell_by_points([&](const std::vector<Location> &locations,
-                                const std::vector<double>   &weights) {
-      std::vector<Tensor<1, 3>> forces;
-      for (unsigned int q = 0; q < locations.size(); ++q)
-        forces.push_back(weights[q] * rho[locations[q].ply] * acceleration);
-      use(locations, forces);
-    });
+    for_each_cell_by_points(
+      [&](const std::vector<Location> &locations,
+          const std::vector<double>   &weights) {
+        std::vector<Tensor<1, 3>> forces;
+        for (unsigned int q = 0; q < locations.size(); ++q)
+          forces.push_back(weights[q] * rho[locations[q].ply] * acceleration);
+        use(locations, forces);
+      },
+      of_all_processes);
   }
 
 

@@ -149,22 +149,25 @@ namespace lamella
     // Stiffness against shear over that against stretch: penalty of Kirchhoff's
     // constraint Gamma_x = Gamma_z = 0 for EBBT. In a cantilever of height h it
     // leaves 3 E I / (10^4 E A L^2) = 2.5e-5 (h / L)^2 of the deflection.
-    constexpr double       normal = 1e4;
-    const SectionOperator *before = nullptr;
-    along_axis().for_each_element(
-      [&](const unsigned int, const SectionOperator &section_operator) {
-        if (&section_operator == before)
+    constexpr double          normal = 1e4;
+    std::vector<unsigned int> before;
+    for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
+      {
+        const std::vector<unsigned int> list =
+          along_axis().fields_of_element(cell);
+        if (list == before)
           {
             laws.push_back(laws.back());
-            return;
+            continue;
           }
-        const auto law = make_law(section_operator);
+        const auto law = make_law(
+          *make_section_operator(fields(), list, axis().has_assumed_shear()));
         for (const unsigned int shear : {0, 2})
           if (keeps_normal)
             law->D(shear, shear) += normal * law->D(1, 1);
         laws.push_back(law);
-        before = &section_operator;
-      });
+        before = list;
+      }
   }
 
 

@@ -12,6 +12,7 @@
 // Comput. Methods Appl. Mech. Eng. 58 (1986) 79-116).
 
 #include <lamella/base/lagrange.h>
+#include <lamella/base/processes.h>
 #include <lamella/body/geometrically_exact_beam.h>
 
 #include <algorithm>
@@ -89,12 +90,15 @@ namespace lamella
 
 
 
-  // Loop over elements and stations; forces on local unknowns go to the DoFs
-  // with the factors of the rigid fields.
+  // Loop over elements of this process and stations; forces on local unknowns
+  // go to the DoFs with the factors of the rigid fields. Their sum over the
+  // processes is the result.
   void
   GeometricallyExactBeam::add_internal_forces(const Vector &u, Vector &f) const
   {
-    for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
+    Vector share(f.size());
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
       {
         const Element               at      = element(cell, u);
         const std::vector<LocalDof> numbers = local_dofs(cell);
@@ -105,8 +109,10 @@ namespace lamella
                      stresses(*laws[cell],
                               strains(frame_at(station.point, at))),
                      local);
-        add_local(numbers, local, f);
+        add_local(numbers, local, share);
       }
+    sum_over_processes(share);
+    f += share;
   }
 
 
@@ -158,7 +164,9 @@ namespace lamella
   void
   GeometricallyExactBeam::add_thermal_load_at(const Vector &u, Vector &f) const
   {
-    for (unsigned int cell = 0; cell < axis().n_cells() && is_heated(); ++cell)
+    Vector share(f.size());
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end && is_heated(); ++cell)
       {
         const Element               at      = element(cell, u);
         const std::vector<LocalDof> numbers = local_dofs(cell);
@@ -166,8 +174,10 @@ namespace lamella
         std::vector<double>         local(numbers.size(), 0.);
         for (unsigned int k = 0; k < s.size(); ++k)
           add_forces(stations[cell][k], at, s[k], local);
-        add_local(numbers, local, f);
+        add_local(numbers, local, share);
       }
+    sum_over_processes(share);
+    f += share;
   }
 
 
@@ -179,7 +189,8 @@ namespace lamella
     const Vector                                      &u,
     const std::function<void(const StiffnessBlock &)> &use) const
   {
-    for (unsigned int cell = 0; cell < axis().n_cells() && is_heated(); ++cell)
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end && is_heated(); ++cell)
       {
         const Element               at      = element(cell, u);
         const std::vector<LocalDof> numbers = local_dofs(cell);
@@ -430,8 +441,9 @@ namespace lamella
   {
     Vector back = correction;
     back *= -1.;
-    const Vector came_from = with_values ? retract(u, back) : Vector();
-    for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
+    const Vector came_from  = with_values ? retract(u, back) : Vector();
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
       {
         const std::vector<LocalDof> numbers = local_dofs(cell);
         LAPACKFullMatrix<double>    K;

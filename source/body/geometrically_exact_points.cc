@@ -363,12 +363,15 @@ namespace lamella
     // Blocks by axis elements. The forces keep their directions in the scene; a
     // location on several elements has equal shares.
     std::map<unsigned int, LAPACKFullMatrix<double>> of_cells;
+    const auto [begin, end] = axis().own_cells();
     for (unsigned int k = 0; k < locations.size(); ++k)
       for (const Location::Place &place : locations[k].places)
         {
-          const PointFields  at     = fields_at(place);
-          const unsigned int cell   = at.on_axis.cell;
-          auto              &matrix = of_cells[cell];
+          const unsigned int cell = place.cell / section().n_cells();
+          if (cell < begin || cell >= end)
+            continue;
+          const PointFields at     = fields_at(place);
+          auto             &matrix = of_cells[cell];
           if (matrix.m() == 0)
             {
               const unsigned int n = local_dofs(cell).size();
@@ -510,7 +513,8 @@ namespace lamella
   GeometricallyExactBeam::deformation(const Vector &u) const
   {
     Deformation result;
-    for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
       {
         const Element             at = element(cell, u);
         const std::vector<Vector> thermal_factor =

@@ -109,6 +109,7 @@ namespace lamella
         result.max_element_rotation =
           std::max(result.max_element_rotation, rotation_along(cell, u));
       }
+    result = reduce_over_processes(result);
     // E . C epsilon_0 is quadratic in u, as the forces of heat are linear.
     if (is_heated())
       {
@@ -117,7 +118,7 @@ namespace lamella
         add_thermal_load_at(u, f);
         result.energy -= 0.5 * (f * u);
       }
-    return reduce_over_processes(result);
+    return result;
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
 #include <lamella/conditions/couple.h>
 #include <lamella/conditions/current_points.h>
 #include <lamella/conditions/follower_pressure.h>
@@ -203,7 +204,8 @@ namespace lamella
       std::vector<Tensor<1, 3>> forces = couple.change(x, points.changes(u, w));
       for (Tensor<1, 3> &force : forces)
         force *= factor;
-      points.add_forces(forces, u, f);
+      if (is_root_process())
+        points.add_forces(forces, u, f);
       points.add_rotated_forces(couple.forces(x), factor, u, w, f);
     }
 
@@ -218,7 +220,7 @@ namespace lamella
     {
       const RowTransformation to_dofs(points.rows(u));
       if (!with_values)
-        return use(to_dofs.pattern());
+        return is_root_process() ? use(to_dofs.pattern()) : void();
       const std::vector<Point<3>>  x        = moved(u);
       const Couple::CoupleRotation rotation = couple.rotation_of(x);
       StiffnessBlock               block    = to_dofs.pattern();
@@ -233,7 +235,8 @@ namespace lamella
               block.values[i * n + j] +=
                 0.5 * factor * (spin[i] * stretch[j] + stretch[i] * spin[j]);
         }
-      use(block);
+      if (is_root_process())
+        use(block);
       points.for_each_rotation_block(couple.forces(x), -factor, u, use);
     }
 
@@ -320,7 +323,8 @@ namespace lamella
           const std::vector<Tensor<1, 3>> &of_forces) {
         locations.insert(locations.end(), of_cell.begin(), of_cell.end());
         forces.insert(forces.end(), of_forces.begin(), of_forces.end());
-      });
+      },
+      true);
     return std::make_unique<DeadForces>(body, locations, forces);
   }
 } // namespace lamella

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/gauss_lobatto_basis.h>
+#include <lamella/base/processes.h>
 #include <lamella/conditions/follower_pressure.h>
 #include <lamella/conditions/row_transformation.h>
 
@@ -193,7 +194,8 @@ namespace lamella
         for (unsigned int i = 0; i < K.m(); ++i)
           for (unsigned int j = 0; j < K.n(); ++j)
             forces[i / 3][i % 3] -= K(i, j) * by[j / 3][j % 3];
-        facet.nodes.add_forces(forces, u, f);
+        if (is_root_process())
+          facet.nodes.add_forces(forces, u, f);
         facet.nodes.add_rotated_forces(
           forces_on(facet, now, factor), 1., u, w, f);
       }
@@ -213,13 +215,15 @@ namespace lamella
         const RowTransformation to_dofs(facet.nodes.rows(u));
         if (!with_values)
           {
-            use(to_dofs.pattern());
+            if (is_root_process())
+              use(to_dofs.pattern());
             continue;
           }
         const FacetMap     now = facet.moved(u);
         FullMatrix<double> K   = facet.stiffness(now, factor);
         K.symmetrize();
-        use(to_dofs(K));
+        if (is_root_process())
+          use(to_dofs(K));
         facet.nodes.for_each_rotation_block(forces_on(facet, now, factor),
                                             -1.,
                                             u,

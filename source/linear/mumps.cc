@@ -285,14 +285,15 @@ namespace lamella
           " is numerically singular. Check supports and loads.");
       if (error == singular || error == not_positive ||
           (factorized && error >= 0 && negative_pivots > 0))
-        throw NumericsError(
+        throw NotPositiveDefinite(
           "linear.not-positive-definite: The stiffness matrix of " + what +
-          " is not positive definite (" +
-          (error < 0 ? std::string("singular to rounding") :
-                       std::to_string(negative_pivots) +
-                         " negative pivots of " + std::to_string(mumps.n)) +
-          "). Either a rigid-body motion is free (add a Support), or the body "
-          "is too slender or too heterogeneous for double precision.");
+            " is not positive definite (" +
+            (error < 0 ? std::string("singular to rounding") :
+                         std::to_string(negative_pivots) +
+                           " negative pivots of " + std::to_string(mumps.n)) +
+            "). Either a rigid-body motion is free (add a Support), or the body "
+            "is too slender or too heterogeneous for double precision.",
+          numbers::invalid_dof_index);
       if (error < 0)
         throw NumericsError(
           "linear.mumps-failed: the solver MUMPS could not factorize " + what +

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/base/processes.h>
 #include <lamella/contact/cylinder_contact_lines.h>
 #include <lamella/scene/rotation_rules.h>
 
@@ -234,12 +233,6 @@ namespace lamella
   with_finite_rotations(Scene scene)
   {
     scene.solve.rotations = Rotations::large;
-    if (n_processes() > 1)
-      throw InputError(
-        "Rotations",
-        name_of(scene.solve.rotations),
-        "scene.rotations-in-parallel: large rotations work on one process only",
-        "Start lamella without mpirun, or write Rotations = linear.");
     if (scene.solve.strategy == Strategy::full)
       refuse("Contact strategy",
              name_of(scene.solve.strategy),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/base/processes.h>
 #include <lamella/linear/factorization.h>
 #include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/tangent_operator.h>
@@ -350,10 +351,13 @@ namespace lamella
     BlockVector f = structure.zero();
     structure.add_derivative_of_loads(factor, state, w, f);
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      structure.for_each_block_of_loads(
-        b, factor, state.block(b), true, [&](const StiffnessBlock &block) {
-          block.add_product(w.block(b), f.block(b));
-        });
+      {
+        structure.for_each_block_of_loads(
+          b, factor, state.block(b), true, [&](const StiffnessBlock &block) {
+            block.add_product(w.block(b), f.block(b));
+          });
+        sum_over_processes(f.block(b));
+      }
     f *= -1.;
     return f;
   }

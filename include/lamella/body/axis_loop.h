@@ -42,6 +42,10 @@ namespace lamella
       return axis.integration_points().size() / axis.n_cells();
     }
 
+    /// Returns the section functions of the nodes of axis element @p cell.
+    std::vector<unsigned int>
+    fields_of_element(const unsigned int cell) const;
+
     /// Function of the index of an axis element and its section operator.
     using ElementCallback =
       std::function<void(const unsigned int, const SectionOperator &)>;
@@ -80,9 +84,6 @@ namespace lamella
     energy(const unsigned int cell, const SectionForces &forces) const;
 
   private:
-    std::vector<unsigned int>
-    fields_of_element(const unsigned int cell) const;
-
     /// Adds to @p f the nodal forces of the section forces @p work of the
     /// section functions @p fields on the element @p cell.
     void

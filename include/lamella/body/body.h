@@ -405,11 +405,11 @@ namespace lamella
 
     /// Adds the thermal load for finite rotations at the displacement @p u, f
     /// += integral (dE/du)^T C epsilon_0 dV with Green's strain E and the
-    /// thermal strain epsilon_0.
+    /// thermal strain epsilon_0. Collective.
     virtual void
     add_thermal_load_at(const Vector &u, Vector &f) const;
-    /// Calls @p use with blocks that sum to the derivative by u of the forces
-    /// of add_thermal_load_at().
+    /// Calls @p use with this process's blocks of the derivative by u of the
+    /// forces of add_thermal_load_at().
     virtual void
     for_each_thermal_block(
       const Vector                                      &u,
@@ -425,11 +425,13 @@ namespace lamella
     using ForcesCallback =
       std::function<void(const std::vector<Location> &,
                          const std::vector<dealii::Tensor<1, 3>> &)>;
-    /// Calls @p use for each element of this process with its Gauss points and
-    /// their weights (forces, scene axes). Throws as add_weight() does.
+    /// Calls @p use for each element of this process, or @p of_all_processes,
+    /// with its Gauss points and their weights (forces, scene axes). Throws as
+    /// add_weight() does.
     void
     for_each_cell_by_weight(const dealii::Tensor<1, 3> &acceleration,
-                            const ForcesCallback       &use) const;
+                            const ForcesCallback       &use,
+                            const bool of_all_processes = false) const;
 
     /// Returns the plies (of one material and fiber angle) of the section.
     virtual const std::vector<Ply> &
@@ -469,9 +471,10 @@ namespace lamella
     virtual std::vector<std::vector<LinearFunctional>>
     rows_at(const std::vector<Location> &locations, const Vector &u) const;
 
-    /// Calls @p use with symmetric blocks that sum to the load stiffness of the
-    /// point @p forces F_k at @p locations, the derivative by u of the nodal
-    /// forces sum_k rows_at()^T F_k. No blocks by default.
+    /// Calls @p use with symmetric blocks of this process's elements that sum
+    /// to the load stiffness of the point @p forces F_k at @p locations, the
+    /// derivative by u of the nodal forces sum_k rows_at()^T F_k. No blocks by
+    /// default.
     virtual void
     for_each_block_of_forces(
       const std::vector<Location>                       &locations,
@@ -706,7 +709,8 @@ namespace lamella
     using PointsCallback = std::function<void(const std::vector<Location> &,
                                               const std::vector<double> &)>;
     void
-    for_each_cell_by_points(const PointsCallback &use) const;
+    for_each_cell_by_points(const PointsCallback &use,
+                            const bool of_all_processes = false) const;
 
     /// Returns true if the elements @p before and @p cell are axial neighbors.
     bool

@@ -39,7 +39,7 @@ namespace lamella
     changes(const Vector &u, const Vector &w) const;
 
     /// Adds @p factor times the derivative of add_forces() at @p u in the
-    /// direction @p w to f, for constant @p forces.
+    /// direction @p w to f, for constant @p forces: this process's share.
     void
     add_rotated_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
                        const double                             factor,

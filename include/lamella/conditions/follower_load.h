@@ -29,17 +29,17 @@ namespace lamella
     virtual void
     add_forces(const double factor, const Vector &u, Vector &f) const = 0;
 
-    /// Adds to @p f the derivative of the nodal forces at @p u in the direction
-    /// @p w, times @p factor.
+    /// Adds to @p f this process's share of the derivative of the nodal forces
+    /// at @p u in the direction @p w, times @p factor.
     virtual void
     add_derivative(const double  factor,
                    const Vector &u,
                    const Vector &w,
                    Vector       &f) const = 0;
 
-    /// Calls @p use with blocks that sum to -@p factor times the symmetric part
-    /// of the derivative of the nodal forces by @p u; if @p with_values is
-    /// false, blocks have only DoFs, no values.
+    /// Calls @p use with this process's blocks of -@p factor times the
+    /// symmetric part of the derivative of the nodal forces by @p u; if @p
+    /// with_values is false, blocks have only DoFs, no values.
     virtual void
     for_each_stiffness_block(
       const double                                       factor,

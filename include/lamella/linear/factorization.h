@@ -20,7 +20,8 @@ namespace lamella
       , dof(dof)
     {}
 
-    /// First DoF in elimination order whose pivot is not positive.
+    /// First DoF in elimination order whose pivot is not positive; invalid if
+    /// unknown (MUMPS).
     const DofIndex dof;
   };
 
@@ -113,8 +114,8 @@ namespace lamella
   /// treat every matrix as unsymmetric and solve for one right-hand side at a
   /// time. The entries are freed after the factorization. The ordering is
   /// minimum degree, or nested dissection if that has less fill-in
-  /// (doc/guides/running-in-parallel.md). Throws NumericsError if the matrix is
-  /// not positive definite, memory is insufficient or entries are not finite.
+  /// (doc/guides/running-in-parallel.md). Throws NotPositiveDefinite, and
+  /// NumericsError if memory is insufficient or entries are not finite.
   /// No condition estimate. LinearSolver::solved_rows() returns RowProducts.
   std::unique_ptr<LinearSolver>
   factorize_shared(const DofIndex       n,

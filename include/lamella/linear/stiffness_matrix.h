@@ -82,9 +82,9 @@ namespace lamella
     diagonal() const = 0;
 
     /// Returns a solver, which does not refer to this object. Throws
-    /// NumericsError, with @p what as name of the matrix, if the matrix is not
-    /// positive definite; with CHOLMOD, NotPositiveDefinite. @p monitor is
-    /// called with the size of the factor. Collective if distributed.
+    /// NotPositiveDefinite, with @p what as name of the matrix, if it is not
+    /// positive definite (multigrid: NumericsError). @p monitor is called with
+    /// the size of the factor. Collective if distributed.
     virtual std::unique_ptr<LinearSolver>
     factorize(const std::string   &what,
               const FactorMonitor &monitor = {}) const = 0;

@@ -14,8 +14,6 @@ namespace lamella
   ///   sections deform;
   /// - node-to-node contact, and the contact strategy `full`;
   /// - tolerances, error bars by finer models, and stresses by equilibrium.
-  ///
-  /// Also throws if there are several processes.
   Scene
   with_finite_rotations(Scene scene);
 

@@ -128,15 +128,16 @@ namespace lamella
     bool
     has_unsymmetric_loads() const;
 
-    /// Adds to @p f the change of the follower loads at load factor @p factor
-    /// due to the increment @p w of the displacements @p u.
+    /// Adds to @p f this process's share of the change of the follower loads at
+    /// load factor @p factor due to the increment @p w of the displacements @p
+    /// u.
     void
     add_derivative_of_loads(const LoadFactor  &factor,
                             const BlockVector &u,
                             const BlockVector &w,
                             BlockVector       &f) const;
 
-    /// Calls @p use with the tangent stiffness of each follower load
+    /// Calls @p use with this process's tangent stiffness of each follower load
     /// (FollowerLoad) on @p body at load factor @p factor and displacements @p
     /// u. If @p with_values is false, the blocks contain the DoFs only.
     void
