@@ -136,6 +136,24 @@ namespace lamella
 
 
 
+  std::vector<Point<3>>
+  TotalLagrangianBeam::inverted_points(const Vector &u) const
+  {
+    const auto [begin, end] = axis().own_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      if (const auto found = green.inverted_point(
+            along_axis().on_element(cell, dofs().fields(0), u)))
+        {
+          const auto &[k, x]    = *found;
+          const unsigned int of = cell * along_axis().n_stations() + k;
+          return {placement.to_scene(
+            {x[0], axis().integration_points()[of].y, x[1]})};
+        }
+    return {};
+  }
+
+
+
   Voigt
   TotalLagrangianBeam::strain_at(const SectionPoint &point,
                                  const AxisPoint    &on_axis,

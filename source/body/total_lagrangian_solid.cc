@@ -123,6 +123,20 @@ namespace lamella
 
 
 
+  std::vector<Point<3>>
+  TotalLagrangianSolid::inverted_points(const Vector &u) const
+  {
+    const auto [begin, end] = hexahedra().owned_cells();
+    for (unsigned int cell = begin; cell < end; ++cell)
+      for (const HexahedronPoint &point :
+           hexahedron().quadrature_points(nodes_of(cell)))
+        if (is_inverted(gradient_at(cell, point, u)))
+          return {placement.to_scene(point.position)};
+    return {};
+  }
+
+
+
   FieldSample
   TotalLagrangianSolid::sample_at_element_point(const Location::Place &place,
                                                 const Vector          &u) const

@@ -239,6 +239,22 @@ namespace lamella
 
 
 
+  std::optional<std::pair<unsigned int, Point<2>>>
+  FiniteStrainSectionOperator::inverted_point(const FieldParts &q) const
+  {
+    for (const Cell &cell : cells)
+      {
+        const auto H = gradients(cell, q);
+        for (unsigned int k = 0; k < H.size(); ++k)
+          for (unsigned int p = 0; p < cell.points.size(); ++p)
+            if (is_inverted(H[k][p]))
+              return std::make_pair(k, cell.points[p].position);
+      }
+    return std::nullopt;
+  }
+
+
+
   FiniteStrainSectionOperator::CellTangent
   FiniteStrainSectionOperator::tangent_of(
     const Cell                                            &cell,

@@ -324,6 +324,7 @@ namespace lamella
                        k == 0 ? to.with_thermal_factor_of(at.factor) : to,
                        state);
 
+        structure.check_orientation(state.u);
         contacts.move(state, to);
         const TangentOperator here(structure, state.u);
         r = unbalanced(state, to);

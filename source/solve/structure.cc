@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/linear/factorization.h>
 #include <lamella/solve/ill_conditioned.h>
@@ -316,6 +317,24 @@ namespace lamella
                              u.block(b),
                              w.block(b),
                              f.block(b));
+  }
+
+
+
+  void
+  Structure::check_orientation(const BlockVector &u) const
+  {
+    for (unsigned int b = 0; b < all_bodies.size(); ++b)
+      for (const auto &points : dealii::Utilities::MPI::all_gather(
+             communicator(), all_bodies[b]->inverted_points(u.block(b))))
+        if (!points.empty())
+          throw NumericsError(
+            "solve.inverted-element: An element of body '" +
+            all_bodies[b]->name() +
+            "' is inside out (det F is not positive) near " +
+            to_text(points[0]) +
+            ". Reduce the loads, distribute them over a larger area, or use "
+            "larger elements there.");
   }
 
 

@@ -557,6 +557,33 @@ BOOST_AUTO_TEST_CASE(it_comes_back_unloaded)
 
 
 
+BOOST_AUTO_TEST_CASE(a_mirror_image_is_no_result)
+{
+  // It has no strain, no stress and a positive definite tangent.
+  Tensor<2, 3> mirror(dealii::unit_symmetric_tensor<3>());
+  mirror[2][2] = -1.;
+  for (const bool is_solid : {false, true})
+    {
+      Bodies bodies;
+      if (is_solid)
+        bodies.push_back(solid<TotalLagrangianSolid>());
+      else
+        bodies.push_back(beam<TotalLagrangianBeam>(2));
+      const Structure structure(std::move(bodies), {clamp("bottom")}, {});
+      Newton          newton(structure);
+      Equilibrium     at = newton.unloaded();
+      BOOST_CHECK_NO_THROW(newton.advance(at, 1.));
+      at.state.u.block(0) = affine(*structure.bodies()[0], mirror);
+      BOOST_CHECK_EXCEPTION(
+        newton.advance(at, 1.), NumericsError, [](const NumericsError &error) {
+          return std::string(error.what()).find("solve.inverted-element") !=
+                 std::string::npos;
+        });
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(small_loads_are_the_linear_answer)
 {
   const Structure   large = sze("large", 8), linear = sze("linear", 8);

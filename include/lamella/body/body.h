@@ -663,6 +663,14 @@ namespace lamella
               const SolverKind      requested,
               const SolverMonitor  &monitor) const;
 
+    /// Returns the first Gauss point of this process (undeformed, scene axes)
+    /// with det F <= 0 at @p u; none if there is none, or by default.
+    virtual std::vector<dealii::Point<3>>
+    inverted_points(const Vector & /*u*/) const
+    {
+      return {};
+    }
+
   protected:
     /// Calls @p use with the blocks of this process that sum to the
     /// unconstrained stiffness K. If @p with_values is false, blocks have only

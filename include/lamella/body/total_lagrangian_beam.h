@@ -39,6 +39,8 @@ namespace lamella
     rigid_motions_at(const Vector &u) const override;
     Deformation
     deformation(const Vector &u) const override;
+    std::vector<dealii::Point<3>>
+    inverted_points(const Vector &u) const override;
     void
     for_each_thermal_block(
       const Vector                                      &u,

@@ -36,6 +36,8 @@ namespace lamella
     add_internal_forces(const Vector &u, Vector &f) const override;
     Deformation
     deformation(const Vector &u) const override;
+    std::vector<dealii::Point<3>>
+    inverted_points(const Vector &u) const override;
     void
     for_each_thermal_block(
       const Vector                                      &u,

@@ -33,6 +33,13 @@ namespace lamella
   Voigt
   green_strain(const Gradient &H);
 
+  /// Returns true if det F <= 0, with F = 1 + H^T of the gradient @p H.
+  inline bool
+  is_inverted(const Gradient &H)
+  {
+    return !(determinant(dealii::unit_symmetric_tensor<3>() + H) > 0.);
+  }
+
   /// Returns the first Piola-Kirchhoff stress S (1 + H) from the @p second
   /// Piola-Kirchhoff stress S and the displacement gradient @p H.
   dealii::Tensor<2, 3>

@@ -7,6 +7,7 @@
 #include <lamella/section/section_operator.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace lamella
@@ -47,6 +48,11 @@ namespace lamella
     /// points (stations) of an axis element with amplitudes @p q.
     Stretch
     largest(const FieldParts &q) const;
+
+    /// Returns the station and the first section point with det F <= 0 in an
+    /// axis element with amplitudes @p q, if there is one.
+    std::optional<std::pair<unsigned int, dealii::Point<2>>>
+    inverted_point(const FieldParts &q) const;
 
     /// Returns the indices of the section functions that are nonzero on each
     /// cell. Cells are in the order of for_each_cell().

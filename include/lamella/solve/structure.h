@@ -137,6 +137,11 @@ namespace lamella
                             const BlockVector &w,
                             BlockVector       &f) const;
 
+    /// Throws NumericsError if an element is inside out at @p u, that is, det F
+    /// <= 0 at one of its Gauss points. Collective.
+    void
+    check_orientation(const BlockVector &u) const;
+
     /// Calls @p use with this process's tangent stiffness of each follower load
     /// (FollowerLoad) on @p body at load factor @p factor and displacements @p
     /// u. If @p with_values is false, the blocks contain the DoFs only.
