@@ -31,4 +31,19 @@ namespace lamella
     stiffening *= factor;
     return true;
   }
+
+
+
+  std::vector<dealii::Tensor<1, 3>>
+  ContactProblem::forces() const
+  {
+    std::vector<dealii::Tensor<1, 3>> result(force.size());
+    for (unsigned int r = 0; r < force.size(); ++r)
+      {
+        result[r][0] = force[r];
+        for (unsigned int t = 0; t < 2 && !shear.empty(); ++t)
+          result[r][1 + t] = shear[r][t];
+      }
+    return result;
+  }
 } // namespace lamella

@@ -38,13 +38,14 @@ namespace lamella
                      const PointVectors   &force,
                      BlockVector          &f)
   {
+    const PointVectors before = problem.forces();
     for (unsigned int r = 0; r < rows.size(); ++r)
-      add_force(rows[r],
-                force[r][0] - problem.force[r],
-                in_scene(rows[r],
-                         Tensor<1, 2>({force[r][1], force[r][2]}) -
-                           problem.shear[r]),
-                f);
+      if (const Tensor<1, 3> change = force[r] - before[r];
+          change != Tensor<1, 3>())
+        add_force(rows[r],
+                  change[0],
+                  in_scene(rows[r], Tensor<1, 2>({change[1], change[2]})),
+                  f);
   }
 
 

@@ -43,6 +43,10 @@ namespace lamella
     std::vector<dealii::Tensor<1, 3>> first_forces = {};
     /// Tolerance [length]: gaps from -closed to 0 are rounding errors of zero.
     double closed = 0.;
+
+    /// Returns the contact force (n, t_1, t_2) of each constraint in the state.
+    std::vector<dealii::Tensor<1, 3>>
+    forces() const;
   };
 
   /// Solution of a ContactProblem.

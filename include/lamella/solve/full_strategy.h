@@ -19,10 +19,9 @@ namespace lamella
   /// with the tangent stiffness K, gradients B_A of active gaps, numerical
   /// compliance d, unbalanced forces r_u, and r_lambda = -(g(u) + a lambda).
   /// Each iteration factorizes the matrix of the whole scene (PenaltyMatrix).
-  /// Globalization: tensile constraints are deactivated. Those with the deepest
-  /// penetration are activated, at most eight or as many as are active. If an
-  /// active set occurs again, the step is shortened to the point of lowest
-  /// energy. FrictionNewton solves problems with friction.
+  /// ContactNewton is this method, with friction or without. It starts from
+  /// the forces of the previous load step, or from the result of
+  /// solve_by_interior_point().
   class FullStrategy : public ContactStrategy
   {
   public:
@@ -70,62 +69,6 @@ namespace lamella
     }
 
   private:
-    /// Solves a contact problem with friction (FrictionNewton).
-    ContactSolution
-    solve_with_friction(const ContactProblem &problem, const Monitor &monitor);
-    /// Iterate of Newton's method, relative to the state of the problem.
-    struct Iterate
-    {
-      /// Displacement increment du, and its internal forces K du.
-      BlockVector du, K_du;
-      /// Contact force of each constraint, positive in compression.
-      std::vector<double> force;
-      /// Indices of the active constraints, ascending.
-      std::vector<unsigned int> active;
-    };
-
-    /// Returns the first iterate: no displacement increment, estimated contact
-    /// forces and active constraints of @p problem.
-    Iterate
-    begin(const ContactProblem &problem) const;
-    /// Performs the Newton step with the active constraints of @p at. Others
-    /// get no force. Returns the largest change of a displacement [length].
-    double
-    step(const ContactProblem &problem, Iterate &at);
-    /// Returns d lambda - (g + a lambda) of each constraint [length]; it is to
-    /// be active if this is positive. For penalties, it is the penetration -g.
-    std::vector<double>
-    overlaps(const ContactProblem &problem, const Iterate &at) const;
-    /// Returns true if constraint @p row is active and not tensile in @p at.
-    static bool
-    stays_active(const Iterate &at, const unsigned int row);
-    /// Returns the tensile active constraints, and the inactive ones whose
-    /// overlaps() exceed @p closed [length].
-    static Round
-    violating_rows(const Iterate             &at,
-                   const std::vector<double> &overlap,
-                   const double               closed);
-    /// Returns the next active set: active constraints without tension, and up
-    /// to max(8, number of active) with the largest overlaps() > @p closed.
-    static std::vector<unsigned int>
-    next_active_set(const Iterate             &at,
-                    const std::vector<double> &overlap,
-                    const double               closed);
-    /// Returns the iterate at the fraction @p t from @p from to @p to.
-    Iterate
-    interpolate_iterate(const ContactProblem &problem,
-                        const Iterate        &from,
-                        const Iterate        &to,
-                        const double          t) const;
-    /// Returns the minimum of the convex energy along the step from @p from to
-    /// @p to. Bisection ends when the work of the unbalanced forces along the
-    /// step is at most 1 % of its value at @p from. Used to prevent cycles, if
-    /// the active set of @p to occurred before.
-    Iterate
-    energy_minimum(const ContactProblem &problem,
-                   const Iterate        &from,
-                   const Iterate        &to) const;
-
     PenaltyMatrix matrix;
   };
 } // namespace lamella

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/solve/friction_newton.h>
+#include <lamella/solve/contact_newton.h>
 #include <lamella/solve/sparse_interface_system.h>
 
 #include <algorithm>
@@ -26,10 +26,10 @@ namespace lamella
   // Undamped steps first. A negative determinant of the final tangent indicates
   // an unstable solution (see CoulombSolution::stability).
   std::optional<ContactSolution>
-  FrictionNewton::solve(const ContactProblem &problem,
-                        Iterate               at,
-                        const Monitor        &monitor,
-                        const unsigned int    max_steps)
+  ContactNewton::solve(const ContactProblem &problem,
+                       Iterate               at,
+                       const Monitor        &monitor,
+                       const unsigned int    max_steps)
   {
     // Full steps converge fastest; some cycle, hence shortened steps later.
     constexpr unsigned int full_steps = 8, shortened_each = 4;
@@ -64,24 +64,19 @@ namespace lamella
 
   // Start from the forces of the previous step. Their displacements without
   // contact reaction need one solution with K alone.
-  FrictionNewton::Iterate
-  FrictionNewton::begin(const ContactProblem &problem)
+  ContactNewton::Iterate
+  ContactNewton::begin(const ContactProblem &problem)
   {
     Iterate at{tangent_operator.of().zero(),
                tangent_operator.of().zero(),
                PointVectors(rows.size()),
                0.};
-    if (!problem.first_forces.empty())
+    if (!rows.has_friction())
+      for (const unsigned int r : problem.start)
+        at.force[r][0] = problem.estimate[r];
+    else if (!problem.first_forces.empty())
       at.force = problem.first_forces;
-    bool differ = false;
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        const double       normal = at.force[r][0] - problem.force[r];
-        const Tensor<1, 2> shear =
-          Tensor<1, 2>({at.force[r][1], at.force[r][2]}) - problem.shear[r];
-        differ = differ || normal != 0. || shear.norm() > 0.;
-      }
-    if (differ)
+    if (rows.has_friction() && at.force != problem.forces())
       {
         BlockVector f = tangent_operator.of().zero();
         add_contact_forces(rows, problem, at.force, f);
@@ -97,8 +92,8 @@ namespace lamella
 
   // Rounding levels for the comparisons of trial(), and rho = |lambda| / |du|,
   // which makes forces and lengths commensurable.
-  FrictionNewton::Scales
-  FrictionNewton::scales(const ContactProblem &problem, const Iterate &at) const
+  ContactNewton::Scales
+  ContactNewton::scales(const ContactProblem &problem, const Iterate &at) const
   {
     // Accuracy of displacements from one solution with K + K^p, and of forces.
     constexpr double rounding = arithmetic::rounding_of_solutions;
@@ -120,10 +115,10 @@ namespace lamella
 
   // Return mapping: z_n <= 0 open, |z_t| <= mu z_n stick, else slip. The
   // tangential rho = b / |v_t| prevents a stick state at a reversed slip.
-  FrictionNewton::Trial
-  FrictionNewton::trial(const ContactProblem &problem,
-                        const Iterate        &at,
-                        const Scales         &scale) const
+  ContactNewton::Trial
+  ContactNewton::trial(const ContactProblem &problem,
+                       const Iterate        &at,
+                       const Scales         &scale) const
   {
     Trial result;
     result.v = proximal_lengths(rows, compliance, problem, at.du);
@@ -163,10 +158,10 @@ namespace lamella
   //   w = k rho / (1 - k + k rho d),
   // so the row adds (mu / d) B_e^T B_n + w B_x^T B_x to the matrix, x across e.
   void
-  FrictionNewton::linearize_slip(const unsigned int r,
-                                 const Iterate     &at,
-                                 const Trial       &trial,
-                                 Law               &law) const
+  ContactNewton::linearize_slip(const unsigned int r,
+                                const Iterate     &at,
+                                const Trial       &trial,
+                                Law               &law) const
   {
     const double d = compliance(rows[r]), mu = rows[r].friction,
                  length      = tangential_norm(trial.z[r]),
@@ -197,10 +192,10 @@ namespace lamella
   // Closed rows have v = 0 with the compliance d: B_n^T B_n / d, and for
   // sticking rows B_t^T B_t / d.
   void
-  FrictionNewton::linearize(const unsigned int r,
-                            const Iterate     &at,
-                            const Trial       &trial,
-                            Law               &law) const
+  ContactNewton::linearize(const unsigned int r,
+                           const Iterate     &at,
+                           const Trial       &trial,
+                           Law               &law) const
   {
     const double d   = compliance(rows[r]);
     law.change[r][0] = -trial.v[r][0] / d;
@@ -219,10 +214,10 @@ namespace lamella
 
   // Newton system (K + K^p) du = B^T (lambda + change - lambda_state) - K du_k.
   // New forces follow from the linearized law, force -= weight B_on du.
-  FrictionNewton::Iterate
-  FrictionNewton::step(const ContactProblem &problem,
-                       const Iterate        &at,
-                       const Trial          &trial)
+  ContactNewton::Iterate
+  ContactNewton::step(const ContactProblem &problem,
+                      const Iterate        &at,
+                      const Trial          &trial)
   {
     Law          law{PointVectors(rows.size()), {}};
     PointVectors force = at.force;
@@ -263,9 +258,9 @@ namespace lamella
 
   // Residual of the natural map, lambda - P(z): the force itself if open.
   Tensor<1, 3>
-  FrictionNewton::missed(const unsigned int r,
-                         const Iterate     &at,
-                         const Trial       &trial)
+  ContactNewton::missed(const unsigned int r,
+                        const Iterate     &at,
+                        const Trial       &trial)
   {
     Tensor<1, 3> result = at.force[r];
     if (trial.states[r] == PointState::open)
@@ -281,10 +276,10 @@ namespace lamella
 
   // Line search: the least norm of the natural map with one rho for all rows,
   // among full, half, quarter and tenth of the step.
-  FrictionNewton::Iterate
-  FrictionNewton::shortened(const ContactProblem &problem,
-                            const Iterate        &from,
-                            Iterate               to) const
+  ContactNewton::Iterate
+  ContactNewton::shortened(const ContactProblem &problem,
+                           const Iterate        &from,
+                           Iterate               to) const
   {
     Scales scale   = scales(problem, to);
     scale.same_rho = true;
@@ -315,9 +310,9 @@ namespace lamella
 
   // Convergence test per row, in forces; for slip rho times its rounding.
   Round
-  FrictionNewton::violating_rows(const Iterate &at,
-                                 const Trial   &trial,
-                                 const Scales  &scale) const
+  ContactNewton::violating_rows(const Iterate &at,
+                                const Trial   &trial,
+                                const Scales  &scale) const
   {
     Round round;
     for (unsigned int r = 0; r < rows.size(); ++r)
@@ -343,15 +338,16 @@ namespace lamella
 
   // Collects forces and directions of slip.
   ContactSolution
-  FrictionNewton::solution(const ContactProblem &problem,
-                           Iterate               at,
-                           const Trial          &trial) const
+  ContactNewton::solution(const ContactProblem &problem,
+                          Iterate               at,
+                          const Trial          &trial) const
   {
     ContactSolution   result;
     std::vector<bool> moved(at.du.n_blocks(), false);
     result.force.assign(rows.size(), 0.);
     result.shear.assign(rows.size(), {});
     result.direction.assign(rows.size(), {});
+    const PointVectors before = problem.forces();
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
         if (trial.states[r] != PointState::open)
@@ -363,8 +359,9 @@ namespace lamella
         const double length = result.shear[r].norm();
         if (trial.states[r] == PointState::slip && length > 0.)
           result.direction[r] = result.shear[r] / length;
-        if (result.force[r] != problem.force[r] ||
-            (result.shear[r] - problem.shear[r]).norm() > 0.)
+        if (result.force[r] != before[r][0] ||
+            result.shear[r][0] != before[r][1] ||
+            result.shear[r][1] != before[r][2])
           for (const BodyFunctional &part : rows[r].parts)
             moved[part.body] = true;
       }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_solve_friction_newton_h
-#define lamella_solve_friction_newton_h
+#ifndef lamella_solve_contact_newton_h
+#define lamella_solve_contact_newton_h
 
 #include <lamella/solve/coulomb.h>
 #include <lamella/solve/penalty_matrix.h>
@@ -30,14 +30,14 @@ namespace lamella
   /// rows B_n of the gap, B_t of the slips, B_e along e and B_x across it.
   /// After the first eight steps, every fourth is shortened by a line search.
   /// The tangential rho is b / |v_t|. Keeps references to all arguments.
-  class FrictionNewton
+  class ContactNewton
   {
   public:
     /// Keeps references to all arguments, which must outlive this object.
-    FrictionNewton(const TangentOperator     &tangent_operator,
-                   const GapConstraints      &rows,
-                   const NumericalCompliance &compliance,
-                   PenaltyMatrix             &matrix)
+    ContactNewton(const TangentOperator     &tangent_operator,
+                  const GapConstraints      &rows,
+                  const NumericalCompliance &compliance,
+                  PenaltyMatrix             &matrix)
       : tangent_operator(tangent_operator)
       , rows(rows)
       , compliance(compliance)
@@ -67,7 +67,7 @@ namespace lamella
           const unsigned int    max_steps);
 
   private:
-    /// Gaps and slips v and trial forces z (FrictionNewton) of all constraints.
+    /// Gaps and slips v and trial forces z (ContactNewton) of all constraints.
     struct Trial
     {
       PointVectors v, z;
