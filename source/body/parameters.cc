@@ -25,8 +25,6 @@ namespace lamella
   {
     // Above it a body could no longer be called held by contact alone.
     constexpr double largest_stabilization = 1e-2;
-    // Of held bodies, where a contact is to hold them.
-    constexpr double stabilization_of_held = 1e-6;
   } // namespace
 
 
@@ -72,13 +70,13 @@ namespace lamella
       "Difference in Length of neighboring copies [length]; default 0.");
     prm.declare_entry(
       "Stabilization",
-      "0",
-      patterns::number(),
+      "auto",
+      patterns::WordOrPattern("auto", patterns::number()),
       "Stiffness of springs to the ground, as a fraction of E A / L, in "
       "rigid-body motions that supports do not prevent, for a body that only "
-      "contact constrains (a roller under a force). Write 1e-6, for example. "
-      "Iterations remove the effect of the springs from the result. 0: no "
-      "springs; a body that can move freely is an error.");
+      "contact constrains (a roller under a force). auto: 1e-6 for a body in "
+      "contact, else 0. Iterations remove the effect of the springs from the "
+      "result. 0: no springs; a body that can move freely is an error.");
     prm.declare_entry(
       "Isostatic support",
       "false",
@@ -86,7 +84,7 @@ namespace lamella
       "Whether rigid-body motions that no support prevents are removed, true "
       "or false. If no contact can prevent a motion, the middle of the body "
       "stays in place and the loads must be in equilibrium. If a contact can, "
-      "springs as of Stabilization = 1e-6 act.");
+      "springs as of Stabilization = auto act.");
     prm.enter_subsection("Kinematics");
     TheoryParameters::declare(prm);
     AxisParameters::declare(prm);
@@ -115,9 +113,11 @@ namespace lamella
 
 
 
-    double
+    std::optional<double>
     parse_stabilization(const Entry &entry)
     {
+      if (entry.text() == "auto")
+        return {};
       const double share = entry.number();
       if (!(share >= 0. && share <= largest_stabilization))
         entry.refuse(
@@ -166,8 +166,8 @@ namespace lamella
     body.placement      = parse_placement(in);
     body.stabilization  = parse_stabilization(in["Stabilization"]);
     body.is_held        = in["Isostatic support"].boolean();
-    if (body.is_held && body.stabilization == 0.)
-      body.stabilization = stabilization_of_held;
+    if (body.is_held && body.stabilization.value_or(0.) == 0.)
+      body.stabilization = stabilization_of_contact;
     prm.enter_subsection("Kinematics");
     parse_kinematics(Entries(prm, in.path() + "/Kinematics"),
                      length,

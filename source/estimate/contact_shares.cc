@@ -24,7 +24,9 @@ namespace lamella
     ContactSolver        solver(run.contact_solver().shared_tangent(),
                          view,
                          run.model().scene().solve.loop,
-                         run.model().scene().solve.strategy);
+                         choose_strategy(run.model().scene().solve.strategy,
+                                         run.model().structure(),
+                                         view));
     const auto          &last    = run.results().last();
     const LoadFactor    &factor  = last.load_factor;
     const State          without = solver.release_springs(

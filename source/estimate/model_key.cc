@@ -129,8 +129,9 @@ namespace lamella
       const auto &[theories, ends] = pieces;
       return name + " " + section + " " + describe(theory) +
              describe(theories) + describe(ends) + describe(axis) +
-             describe(stabilization) + (is_held ? "held " : "") +
-             (has_finite_rotations ? "turns " : "") + describe(refinement);
+             (stabilization ? describe(*stabilization) : "") +
+             (is_held ? "held " : "") + (has_finite_rotations ? "turns " : "") +
+             describe(refinement);
     }
 
 

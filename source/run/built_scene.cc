@@ -97,7 +97,12 @@ namespace lamella
                given.gravity);
     std::vector<Stabilization> stabilizations;
     for (const BodyDescription &body : given.bodies)
-      stabilizations.push_back({body.stabilization});
+      stabilizations.push_back({body.stabilization.value_or(0.)});
+    for (const ContactPair &contact : given.contacts)
+      for (const Region *side : {&contact.first, &contact.second})
+        if (!given.bodies[side->body].stabilization &&
+            (side == &contact.first || contact.obstacle == nullptr))
+          stabilizations[side->body].share = stabilization_of_contact;
     Bodies bodies = make_bodies_with_fields();
     set_isostatic_motions(bodies);
     whole = std::make_unique<Structure>(std::move(bodies),

@@ -284,7 +284,14 @@ namespace lamella
   {
     std::shared_ptr<const TangentOperator> about;
     std::optional<TimerOutput::Scope>      phase;
-    if (scene().solve.strategy == Strategy::condensed)
+    strategy = choose_strategy(scene().solve.strategy,
+                               built->structure(),
+                               built->rows());
+    if (strategy != Strategy::condensed &&
+        scene().solve.strategy == Strategy::automatic)
+      out << "Contact strategy: full, as many points with friction touch"
+          << std::endl;
+    if (strategy == Strategy::condensed)
       about = linearize(budget);
     else
       {
@@ -295,7 +302,7 @@ namespace lamella
     solver           = std::make_unique<ContactSolver>(std::move(about),
                                              built->rows(),
                                              scene().solve.loop,
-                                             scene().solve.strategy);
+                                             strategy);
     solver->progress = [this,
                         last = std::string()](const std::string &line) mutable {
       // Among lines of iterations that differ in their number alone, the first.
@@ -484,7 +491,7 @@ namespace lamella
     found.peak_memory = Utilities::MPI::max(peak_memory(), communicator());
     found.peak_memory_of_all =
       Utilities::MPI::sum(peak_memory(), communicator());
-    if (solver != nullptr && scene().solve.strategy == Strategy::condensed)
+    if (solver != nullptr && strategy == Strategy::condensed)
       for (unsigned int b = 0; b < found.bodies.size(); ++b)
         found.bodies[b].solver = solver->tangent().solver(b).statistics();
   }

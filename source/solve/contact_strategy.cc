@@ -3,9 +3,31 @@
 #include <lamella/solve/condensed_strategy.h>
 #include <lamella/solve/full_strategy.h>
 
+#include <cmath>
+
 namespace lamella
 {
   ContactStrategy::~ContactStrategy() = default;
+
+
+
+  Strategy
+  choose_strategy(const Strategy        which,
+                  const Structure      &structure,
+                  const GapConstraints &rows)
+  {
+    if (which != Strategy::automatic)
+      return which;
+    double of_contact = 0., of_bodies = 0.;
+    for (const GapConstraint &row : rows)
+      if (!row.slips.empty() && row.initial_gap <= 0.)
+        of_contact += 1. + row.slips.size();
+    for (const auto &body : structure.bodies())
+      of_bodies +=
+        std::pow(body->stiffness_entries(), 2) / double(body->n_dofs());
+    return std::pow(of_contact, 3) / 3. > of_bodies ? Strategy::full :
+                                                      Strategy::condensed;
+  }
 
 
 

@@ -87,11 +87,12 @@ namespace lamella
     declare_rotations(prm);
     prm.declare_entry(
       "Contact strategy",
-      "condensed",
+      "auto",
       selection<Strategy>(),
       "condensed: one factorization, then contact on the compliance matrix of "
       "its constraints; full: assembly and factorization of K plus the penalty "
-      "matrix in each iteration, as in the paper. Both give the same results.");
+      "matrix in each iteration, as in the paper. Both give the same results. "
+      "auto: full for many touching points with friction, else condensed.");
     declare_solver(prm);
     prm.declare_entry("Rotation limit",
                       "0.5",
@@ -157,6 +158,10 @@ namespace lamella
     const Entry solver      = in["Linear solver"];
     parameters.solver       = solver.choice<SolverKind>();
     parameters.memory_limit = to_bytes(in["Memory limit"]);
+    if (parameters.strategy == Strategy::automatic &&
+        parameters.solver != SolverKind::automatic &&
+        parameters.solver != SolverKind::mumps)
+      parameters.strategy = Strategy::condensed;
     if (parameters.strategy == Strategy::full &&
         (parameters.solver == SolverKind::cholmod ||
          parameters.solver == SolverKind::cg))

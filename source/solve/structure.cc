@@ -220,9 +220,9 @@ namespace lamella
             "",
             "solve.unconstrained-motion: the body can move freely: " +
               (free.size() == 6 ? "it has no support" : joined(free, "; ")),
-            "Add a support that prevents this motion or, if contact is to "
-            "prevent it, Stabilization (Body " +
-              all_bodies[b]->name() + "/Stabilization = 1e-6).");
+            "Add a support that prevents this motion, or a contact that "
+            "does (Body " +
+              all_bodies[b]->name() + "/Stabilization = auto).");
       }
   }
 

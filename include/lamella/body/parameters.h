@@ -31,8 +31,9 @@ namespace lamella
     /// Length and elements along the axis.
     AxisMesh axis;
     /// Stiffness of springs against unconstrained rigid motions, as a fraction
-    /// (0 to 0.01) of E A / L; 0: none.
-    double stabilization = 0.;
+    /// (0 to 0.01) of E A / L; 0: none; empty: none unless the body is in
+    /// contact (stabilization_of_contact).
+    std::optional<double> stabilization;
     /// True if an isostatic support removes free rigid motions of the body.
     bool is_held = false;
     /// True for finite rotations, false for small displacements and rotations.
@@ -41,6 +42,9 @@ namespace lamella
     SolidRefinement refinement;
   };
 
+  /// BodyDescription::stabilization of bodies that contact may constrain.
+  constexpr double stabilization_of_contact = 1e-6;
+
   /// Entries of `subsection Body NAME` and its subsection `Kinematics`. The
   /// former (defaults in parentheses, scene axes, units of the scene) are
   ///   Section          name of a section of the scene
@@ -48,7 +52,7 @@ namespace lamella
   ///   Axis             direction of the axis, y                  (y)
   ///   Up               direction whose part normal to Axis is z  (z)
   ///   Length           length of the axis
-  ///   Stabilization    fraction of E A / L, 0 to 0.01            (0)
+  ///   Stabilization    fraction of E A / L, 0 to 0.01            (auto)
   ///   Isostatic support  true or false                           (false)
   /// `Kinematics` has the entries of TheoryParameters, AxisParameters and
   /// SolidParameters; entries that the theory does not need are ignored.

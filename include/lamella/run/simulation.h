@@ -197,8 +197,10 @@ namespace lamella
     /// before prepare(), and `solver` also with finite rotations.
     std::unique_ptr<BuiltScene>    built;
     std::unique_ptr<ContactSolver> solver;
-    std::unique_ptr<StepRecorder>  recorder;
-    std::unique_ptr<LoadPath>      path;
+    /// Strategy of `solver`, the result of choose_strategy().
+    Strategy                      strategy = Strategy::undefined;
+    std::unique_ptr<StepRecorder> recorder;
+    std::unique_ptr<LoadPath>     path;
 
     Results found;
     /// True for each body whose axis mesh may be refined: axes with `auto`

@@ -18,6 +18,7 @@ namespace lamella
   enum class Strategy
   {
     undefined,
+    automatic, ///< the one with fewer operations, see choose_strategy()
     condensed, ///< Factorization of K per body: CondensedStrategy.
     full       ///< K + penalties of the whole scene: FullStrategy.
   };
@@ -27,7 +28,8 @@ namespace lamella
   struct Names<Strategy>
   {
     /// Value and name of each contact strategy.
-    static constexpr NameOf<Strategy> all[] = {{Strategy::condensed,
+    static constexpr NameOf<Strategy> all[] = {{Strategy::automatic, "auto"},
+                                               {Strategy::condensed,
                                                 "condensed"},
                                                {Strategy::full, "full"}};
   };
@@ -113,6 +115,15 @@ namespace lamella
     const GapConstraints   rows;                 ///< All contact constraints.
     NumericalCompliance    numerical_compliance; ///< Current penalty.
   };
+
+  /// Returns @p which, or for `automatic` the strategy with fewer operations:
+  /// `full` if n^3 / 3 for the n gaps and slips with friction that are closed
+  /// at the start, those of a factor of their compliance, exceed N b^2 summed
+  /// over all bodies with N DoFs and b stiffness entries per DoF.
+  Strategy
+  choose_strategy(const Strategy        which,
+                  const Structure      &structure,
+                  const GapConstraints &rows);
 
   /// Returns a strategy of the kind @p which for the constraints @p rows. The
   /// stiffness @p tangent_operator must have factorizations for `condensed`.

@@ -39,10 +39,10 @@ namespace lamella
             "true",
             "export.isostatic-support: isostatic supports are not exported",
             "Constrain the body by a Support, and remove Isostatic support.");
-        else if (body.stabilization != 0.)
+        else if (body.stabilization.value_or(0.) != 0.)
           throw InputError(
             "Body " + body.name + "/Stabilization",
-            to_text(body.stabilization),
+            to_text(*body.stabilization),
             "export.stabilization-not-exported: Stabilization is not exported",
             "Constrain the body by a Support and write Stabilization = 0.");
       const std::vector<PrescribedFunctional> rows =
