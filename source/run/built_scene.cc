@@ -84,6 +84,26 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Returns the stabilization of each body; `auto` depends on contacts.
+    std::vector<Stabilization>
+    stabilizations_of(const Scene &given)
+    {
+      std::vector<Stabilization> stabilizations;
+      for (const BodyDescription &body : given.bodies)
+        stabilizations.push_back({body.stabilization.value_or(0.)});
+      for (const ContactPair &contact : given.contacts)
+        for (const Region *side : {&contact.first, &contact.second})
+          if (!given.bodies[side->body].stabilization &&
+              (side == &contact.first || contact.obstacle == nullptr))
+            stabilizations[side->body].share = stabilization_of_contact;
+      return stabilizations;
+    }
+  } // namespace
+
+
+
   void
   BuiltScene::build_structure(std::ostream &out)
   {
@@ -95,20 +115,12 @@ namespace lamella
                given.loads,
                given.contacts,
                given.gravity);
-    std::vector<Stabilization> stabilizations;
-    for (const BodyDescription &body : given.bodies)
-      stabilizations.push_back({body.stabilization.value_or(0.)});
-    for (const ContactPair &contact : given.contacts)
-      for (const Region *side : {&contact.first, &contact.second})
-        if (!given.bodies[side->body].stabilization &&
-            (side == &contact.first || contact.obstacle == nullptr))
-          stabilizations[side->body].share = stabilization_of_contact;
     Bodies bodies = make_bodies_with_fields();
     set_isostatic_motions(bodies);
     whole = std::make_unique<Structure>(std::move(bodies),
                                         given.supports,
                                         given.loads,
-                                        stabilizations,
+                                        stabilizations_of(given),
                                         given.gravity);
     for (const LoadFactor &factor : given.solve.load_factors)
       check_isostatic_balance(given.supports,

@@ -3,17 +3,20 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/linear/dense_cholesky.h>
 #include <lamella/solve/complementarity.h>
+#include <lamella/solve/dense_interface_system.h>
+#include <lamella/solve/interior_point.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 // Linear complementarity problem: block principal pivoting (Kostreva, Linear
-// Algebra Appl. 21 (1978) 207-215), an interior-point method if that cycles
-// (Mehrotra, SIAM J. Optim. 2 (1992) 575-601), and single pivots of largest
-// index as a safeguard (Murty's rule; Judice and Pires, Comput. Oper. Res. 21
-// (1994) 587-596).
-// The problem is strictly convex, so the solution is unique.
+// Algebra Appl. 21 (1978) 207-215), the interior point method if that cycles,
+// and single pivots of largest index as a safeguard (Murty's rule; Judice and
+// Pires, Comput. Oper. Res. 21 (1994) 587-596).
+// The problem is strictly convex, so the solution is unique. Pivoting starts
+// from the set of the previous problem, and ends with exact signs of all
+// entries; the interior point only gives a better set.
 namespace lamella
 {
   namespace
@@ -23,9 +26,6 @@ namespace lamella
     // Rounds of pivoting before the interior-point method, and rounds without
     // fewer wrong constraints before single pivots.
     constexpr unsigned int first_rounds = 10, patience = 3;
-    // Tolerance of lambda^T s / lambda^T M lambda of the interior-point method.
-    constexpr double       interior_tolerance      = arithmetic::rounding;
-    constexpr unsigned int max_interior_iterations = 60;
 
 
 
@@ -202,130 +202,29 @@ namespace lamella
 
 
 
-    double
-    dot(const std::vector<double> &x, const std::vector<double> &y)
-    {
-      double sum = 0.;
-      for (unsigned int i = 0; i < x.size(); ++i)
-        sum += x[i] * y[i];
-      return sum;
-    }
-
-
-
-    /// The longest step, at most @p step, along @p dx that leaves the positive
-    /// @p x positive.
-    /// Ratio test of the interior-point method.
-    double
-    step_within(const std::vector<double> &x,
-                const std::vector<double> &dx,
-                double                     step)
-    {
-      for (unsigned int i = 0; i < x.size(); ++i)
-        if (dx[i] < 0.)
-          step = std::min(step, -x[i] / dx[i]);
-      return step;
-    }
-
-
-
-    /// Positive lambda and s of the interior-point method, or their change.
-    struct Pair
-    {
-      std::vector<double> lambda, s;
-    };
-
-
-
-    /// Newton direction at @p x of s = M lambda + q, with the value @p exact,
-    /// and lambda_i s_i = target_i, after elimination of ds. @p factor is that
-    /// of M + diag(s / lambda).
-    Pair
-    direction(const DenseCholesky       &factor,
-              const Pair                &x,
-              const std::vector<double> &exact,
-              const std::vector<double> &target)
-    {
-      Pair d{exact, x.s};
-      for (unsigned int i = 0; i < x.s.size(); ++i)
-        d.lambda[i] = target[i] / x.lambda[i] - exact[i];
-      factor.solve(d.lambda);
-      for (unsigned int i = 0; i < x.s.size(); ++i)
-        d.s[i] = (target[i] - x.s[i] * d.lambda[i]) / x.lambda[i] - x.s[i];
-      return d;
-    }
-
-
-
-    /// One step of Mehrotra's predictor-corrector method: the affine direction
-    /// gives the centering sigma = (mu_aff / mu)^3, and its product dlambda_i
-    /// ds_i is the second-order correction. Returns the length of the step.
-    double
-    mehrotra_step(std::vector<double>        matrix,
-                  const std::vector<double> &exact,
-                  Pair                      &x)
-    {
-      const unsigned int n = x.s.size();
-      for (unsigned int i = 0; i < n; ++i)
-        matrix[std::size_t(i) * n + i] += x.s[i] / x.lambda[i];
-      const DenseCholesky factor(std::move(matrix),
-                                 n,
-                                 "The compliance of the contact rows");
-      const auto          longest = [&x](const Pair &d, const double at_most) {
-        return step_within(x.s, d.s, step_within(x.lambda, d.lambda, at_most));
-      };
-
-      std::vector<double> target(n, 0.);
-      const Pair          newton = direction(factor, x, exact, target);
-      const double        reach = longest(newton, 1.), mu = dot(x.lambda, x.s);
-      double              left = 0.;
-      for (unsigned int i = 0; i < n; ++i)
-        left += (x.lambda[i] + reach * newton.lambda[i]) *
-                (x.s[i] + reach * newton.s[i]);
-      const double center = std::pow(left / mu, 3) * mu / n;
-      for (unsigned int i = 0; i < n; ++i)
-        target[i] = center - newton.lambda[i] * newton.s[i];
-      const Pair   d      = direction(factor, x, exact, target);
-      const double almost = std::max(0.9, 1. - mu / n);
-      const double length =
-        std::min(1., longest(d, std::numeric_limits<double>::max()) * almost);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          x.lambda[i] += length * d.lambda[i];
-          x.s[i] += length * d.s[i];
-        }
-      return length;
-    }
-
-
-
-    // Starts at lambda = 1 / |M|_1, s = 1, infeasible. The active set follows
-    // from lambda_i > s_i.
+    // Contact without friction: one row per point.
     void
     Search::find_interior()
     {
-      double largest = 0.;
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          double sum = 0.;
-          for (unsigned int i = 0; i < n; ++i)
-            sum += std::abs(M[std::size_t(j) * n + i]);
-          largest = std::max(largest, sum);
-        }
-      Pair x{std::vector<double>(n, 1. / largest), std::vector<double>(n, 1.)};
-      double length = 1., energy = 0.;
-      do
-        {
-          multiply(x.lambda, s);
-          energy = dot(x.lambda, s) - dot(x.lambda, q);
-          length = mehrotra_step(M, s, x);
-          ++counts.interior_iterations;
-        }
-      while (dot(x.lambda, x.s) > interior_tolerance * energy &&
-             length > 1e-6 &&
-             counts.interior_iterations < max_interior_iterations);
+      PointCompliance W;
+      PointVectors    gaps(n);
       for (unsigned int i = 0; i < n; ++i)
-        active[i] = x.lambda[i] > x.s[i];
+        {
+          W.first.push_back(i + 1);
+          gaps[i][0] = q[i];
+        }
+      W.matrix = M;
+      DenseInterfaceSystem  system(W, gaps, PointVectors(n));
+      const InterfacePoints points{std::vector<unsigned int>(n, 0),
+                                   std::vector<double>(n, 0.),
+                                   std::vector<double>(n, 0.),
+                                   std::vector<double>(n, 1.)};
+      const PointVectors    force = solve_by_interior_point(
+        system, points, PointVectors(n), [this](const Round &) {
+          ++counts.interior_iterations;
+        });
+      for (unsigned int i = 0; i < n; ++i)
+        active[i] = force[i][0] > 0.;
     }
 
 

@@ -18,15 +18,19 @@ namespace lamella
   {
     if (which != Strategy::automatic)
       return which;
-    double of_contact = 0., of_bodies = 0.;
+    double of_contact = 0., of_bodies = 0., n_dofs = 0.;
     for (const GapConstraint &row : rows)
       if (!row.slips.empty() && row.initial_gap <= 0.)
         of_contact += 1. + row.slips.size();
     for (const auto &body : structure.bodies())
-      of_bodies +=
-        std::pow(body->stiffness_entries(), 2) / double(body->n_dofs());
-    return std::pow(of_contact, 3) / 3. > of_bodies ? Strategy::full :
-                                                      Strategy::condensed;
+      {
+        of_bodies +=
+          std::pow(body->stiffness_entries(), 2) / double(body->n_dofs());
+        n_dofs += body->n_dofs();
+      }
+    return of_contact < n_dofs && std::pow(of_contact, 3) / 3. > of_bodies ?
+             Strategy::full :
+             Strategy::condensed;
   }
 
 

@@ -456,7 +456,7 @@ namespace lamella
       for (unsigned int i = 0; i < W.n_points(); ++i)
         {
           points.n_slips.push_back(W.size(i) - 1);
-          points.local_compliance.push_back(W(W.first[i], W.first[i]));
+          points.spring.push_back(1. / W(W.first[i], W.first[i]));
         }
       DenseInterfaceSystem system(W, q, about);
       unsigned int         n      = 0;

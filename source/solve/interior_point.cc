@@ -157,9 +157,7 @@ namespace lamella
       PointVectors   v = system.lengths();
       for (unsigned int i = 0; i < n; ++i)
         {
-          springs[i] = parameters.first_springs /
-                       (points.local_compliance[i] + points.compliance[i]) *
-                       unit_symmetric_tensor<3>();
+          springs[i] = points.spring[i] * unit_symmetric_tensor<3>();
           pushed[i][0] += springs[i][0][0] * std::max(0., -v[i][0]);
         }
       system.factorize(springs);
@@ -401,13 +399,20 @@ namespace lamella
     PointVectors
     InteriorPoint::solve(const PointVectors &first, const Monitor &monitor)
     {
+      // Rounding errors of the products end their decrease.
+      constexpr double slow = 0.9, small = arithmetic::rounding_of_solutions;
+      constexpr unsigned int patience = 5;
       begin(first);
-      for (unsigned int k = 0; force_scale > 0.; ++k)
+      unsigned int idle = 0;
+      for (unsigned int k = 0;
+           force_scale > 0. && k < parameters.max_iterations;
+           ++k)
         {
+          const double before = normal_product;
           evaluate(k == 0);
-          if (normal_product <=
-                parameters.tolerance * length_scale * force_scale ||
-              k == parameters.max_iterations)
+          const double left = normal_product / (length_scale * force_scale);
+          idle = left < small && normal_product > slow * before ? idle + 1 : 0;
+          if (left <= parameters.tolerance || idle == patience)
             break;
           step();
           monitor(round());

@@ -69,13 +69,17 @@ namespace lamella
   InterfacePoints
   SparseInterfaceSystem::points() const
   {
-    InterfacePoints points;
+    // Bodies are softer in bending than at a point, by the square of the
+    // slenderness.
+    constexpr double soft = 1e-4;
+    InterfacePoints  points;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
         points.n_slips.push_back(rows[r].slips.size());
         points.friction.push_back(rows[r].friction);
         points.compliance.push_back(compliance(rows[r]));
-        points.local_compliance.push_back(matrix.local_compliance(r));
+        points.spring.push_back(
+          soft / (matrix.local_compliance(r) + points.compliance.back()));
       }
     return points;
   }

@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(values_of_an_entry)
   BOOST_TEST(refused([] { Entry("e", "yes").boolean(); }).rule() ==
              "the value must be true or false");
   BOOST_TEST(refused([] { Entry("e", "fast").choice<Strategy>(); }).rule() ==
-             "the value must be one of the words condensed or full");
+             "the value must be one of the words auto, condensed or full");
   const InputError nearest = refused([] {
     Entry("e", "tpo").among({"left", "top"}, "side", "Sides");
   });
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(patterns_in_words)
          {{"whole", "0", "the value must be a whole number from 1 to 9"}},
          {{"whole", "1.5", "the value must be a whole number from 1 to 9"}},
          {{"truth", "no", "the value must be true or false"}},
-         {{"choice", "fast", "the value must be one of the words condensed"}}})
+         {{"choice", "fast", "the value must be one of the words auto"}}})
     {
       const InputError error = refused([&] { set(name, value); });
       BOOST_TEST(error.rule().find(rule) == 0,

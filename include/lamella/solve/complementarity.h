@@ -39,9 +39,9 @@ namespace lamella
   ///
   /// First, block principal pivoting is used: constraints with lambda_i < 0 are
   /// deactivated, those with s_i < 0 activated (Kostreva, 1978; the primal-dual
-  /// active set method). If ten rounds do not converge, an interior-point
-  /// method (Mehrotra, 1992) finds a better active set. If the number of wrong
-  /// constraints still does not fall for three rounds, only the wrong
+  /// active set method). If ten rounds do not converge, the interior point
+  /// method (solve_by_interior_point()) finds a better one. If the number of
+  /// wrong constraints still does not fall for three rounds, only the wrong
   /// constraint with the largest index changes (Murty's rule; Judice and Pires,
   /// 1994). After 10 n + 100 sets, the solution for the last one is returned.
   ///

@@ -53,8 +53,9 @@ namespace lamella
     std::vector<double>       friction; ///< Friction coefficient mu.
     /// Compliance d of the law: v + d lambda answers the contact force lambda.
     std::vector<double> compliance;
-    /// Compliance of the bodies at the point, an estimate for scales.
-    std::vector<double> local_compliance;
+    /// Stiffness of the springs at the point that give the starting point, in
+    /// the order of that of the bodies under forces on all points.
+    std::vector<double> spring;
   };
 } // namespace lamella
 

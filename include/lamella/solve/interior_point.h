@@ -17,9 +17,6 @@ namespace lamella
     /// below this fraction of the scales, or after `max_iterations`.
     double       tolerance      = 0.01 * arithmetic::rounding;
     unsigned int max_iterations = 60;
-    /// Stiffness of the springs of the starting point, as a fraction of the
-    /// local stiffness of the bodies.
-    double first_springs = 1e-4;
     /// Initial gap and initial normal force of each point.
     double first_gap = 0.1, first_force = 0.1;
     /// Fraction of the step to the boundary of the feasible set.
