@@ -3,6 +3,7 @@
 #include <lamella/solve/condensed_strategy.h>
 #include <lamella/solve/full_strategy.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lamella
@@ -18,17 +19,17 @@ namespace lamella
   {
     if (which != Strategy::automatic)
       return which;
-    double of_contact = 0., of_bodies = 0., n_dofs = 0.;
+    // Up to here a factor of the compliance takes less than a second.
+    constexpr double few_operations = 1e9;
+
+    double of_contact = 0., of_bodies = 0.;
     for (const GapConstraint &row : rows)
       if (!row.slips.empty() && row.initial_gap <= 0.)
         of_contact += 1. + row.slips.size();
     for (const auto &body : structure.bodies())
-      {
-        of_bodies +=
-          std::pow(body->stiffness_entries(), 2) / double(body->n_dofs());
-        n_dofs += body->n_dofs();
-      }
-    return of_contact < n_dofs && std::pow(of_contact, 3) / 3. > of_bodies ?
+      of_bodies +=
+        std::pow(body->stiffness_entries(), 2) / double(body->n_dofs());
+    return std::pow(of_contact, 3) / 3. > std::max(of_bodies, few_operations) ?
              Strategy::full :
              Strategy::condensed;
   }

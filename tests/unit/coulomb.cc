@@ -193,9 +193,10 @@ BOOST_AUTO_TEST_CASE(the_law_holds_in_a_thousand_random_problems)
 
 BOOST_AUTO_TEST_CASE(an_interior_point_finds_the_closed_points)
 {
+  // Without friction the solution is unique, the minimum of a convex energy.
   for (unsigned int seed = 0; seed < 20; ++seed)
     {
-      const auto      problem = random_problem(40, 3, 10., 0.3, seed);
+      const auto      problem = random_problem(40, 3, 1e3, 0., seed);
       const auto      exact   = solve_coulomb(problem, PointVectors(40));
       InterfacePoints points{std::vector<unsigned int>(40, 2),
                              problem.friction,

@@ -119,8 +119,7 @@ namespace lamella
   /// Returns @p which, or for `automatic` the strategy with fewer operations:
   /// `full` if n^3 / 3 for the n gaps and slips with friction that are closed
   /// at the start, those of a factor of their compliance, exceed N b^2 summed
-  /// over all bodies with N DoFs and b stiffness entries per DoF, and if there
-  /// are more DoFs than these gaps and slips, which else depend on each other.
+  /// over all bodies with N DoFs and b stiffness entries per DoF, and 1e9.
   Strategy
   choose_strategy(const Strategy        which,
                   const Structure      &structure,

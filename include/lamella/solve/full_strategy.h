@@ -11,9 +11,8 @@ namespace lamella
   /// Newton's method on the displacements u and contact forces lambda of the
   /// whole scene. A constraint with gap g and compliance a of its contact law
   /// is active if
-  ///   lambda - (g(u) + a lambda) / d > 0
-  /// (semi-smooth Newton or primal-dual active set method; for penalties, d =
-  /// a, and the condition is g < 0). The Newton step is
+  ///   lambda - rho (g(u) + a lambda) > 0,   rho = |lambda| / |du|
+  /// (semi-smooth Newton or primal-dual active set method). The Newton step is
   ///   (K + K^p) du = r_u + B_A^T r_lambda / d,   K^p = B_A^T diag(1/d) B_A,
   ///   dlambda      = (r_lambda - B_A du) / d
   /// with the tangent stiffness K, gradients B_A of active gaps, numerical
