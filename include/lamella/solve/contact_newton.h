@@ -47,8 +47,8 @@ namespace lamella
     /// Iterate of Newton's method, relative to the state of the problem.
     struct Iterate
     {
-      /// Displacement increment du, and the forces K du computed from strains.
-      BlockVector  du, K_du;
+      BlockVector  du;     ///< Displacement increment.
+      BlockVector  K_du;   ///< Forces K du, computed from strains.
       PointVectors force;  ///< Total force of each constraint as (n, t_1, t_2).
       double       change; ///< Largest change of du in the last step.
     };

@@ -68,9 +68,9 @@ namespace lamella
     unsigned int idle = 2;
     /// Proximal iterations end if the error of one of them exceeds this value.
     double failed = 1e-6;
-    /// Maximum number of Newton iterations from the initial forces, and from
-    /// the result of the interior point.
-    unsigned int first_iterations = 3, iterations = 40;
+    /// Maximum number of Newton iterations from the initial forces.
+    unsigned int first_iterations = 3;
+    unsigned int iterations       = 40; ///< Maximum after the interior point.
     /// Maximum number of Newton iterations after the tolerance is met. They
     /// continue while each reduces the error tenfold.
     unsigned int extra_iterations = 3;

@@ -16,9 +16,9 @@ namespace lamella
     /// The iteration ends if the mean product of gap and normal force falls
     /// below this fraction of the scales, or after `max_iterations`.
     double       tolerance      = 0.01 * arithmetic::rounding;
-    unsigned int max_iterations = 60;
-    /// Initial gap and initial normal force of each point.
-    double first_gap = 0.1, first_force = 0.1;
+    unsigned int max_iterations = 60;  ///< Maximum number of steps.
+    double       first_gap      = 0.1; ///< Initial gap of each point.
+    double       first_force    = 0.1; ///< Initial normal force of each point.
     /// Fraction of the step to the boundary of the feasible set.
     double to_boundary = 0.9995;
     /// A point whose force over gap falls below this ratio has no shear force.

@@ -32,6 +32,8 @@ namespace lamella
   class SparseInterfaceSystem : public InterfaceSystem
   {
   public:
+    /// Assembles the stiffness of @p tangent_operator for the increments of
+    /// @p problem.
     SparseInterfaceSystem(const TangentOperator     &tangent_operator,
                           const GapConstraints      &rows,
                           const NumericalCompliance &compliance,
@@ -50,9 +52,8 @@ namespace lamella
     PointVectors
     lengths() const override;
 
-    /// Displacement increment of the iterate, and the forces K du computed from
-    /// strains.
-    BlockVector du, K_du;
+    BlockVector du;   ///< Displacement increment of the iterate.
+    BlockVector K_du; ///< Forces K du, computed from strains.
 
   private:
     const TangentOperator     &tangent_operator;
