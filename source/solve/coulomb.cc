@@ -28,9 +28,8 @@
 // not symmetric, as the friction bound depends on the normal force; solutions
 // with a negative determinant lie on branches without a load path.
 //
-// Costs: 2/3 n^3 per Newton step for n rows of closed points, n^3 / 3 per step
-// of the interior point method, which takes about 25 of them for any number of
-// points.
+// Costs: 2/3 n^3 per Newton step for n rows of closed points; about 25 n^3 / 3
+// for the interior point method.
 namespace lamella
 {
   using namespace dealii;
@@ -558,7 +557,6 @@ namespace lamella
       };
       if (is_it("forces of before",
                 newton(start, rules.first_iterations, rules.iterations)) ||
-
           is_it("interior point", solve_by_interior_point()))
         return best;
       is_it("compliance", by_compliance(best.force));

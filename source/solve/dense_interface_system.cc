@@ -78,12 +78,10 @@ namespace lamella
   PointVectors
   DenseInterfaceSystem::solve(const PointVectors &force)
   {
-    const auto with_compliance = [&](PointVectors f) {
-      for (unsigned int i = 0; i < f.size(); ++i)
-        f[i] -= about[i];
-      return f;
-    };
-    PointVectors r = W.times(with_compliance(force)), y = r;
+    PointVectors change = force;
+    for (unsigned int i = 0; i < change.size(); ++i)
+      change[i] -= about[i];
+    PointVectors r = W.times(change), y = r;
     for (unsigned int i = 0; i < r.size(); ++i)
       {
         r[i] += q[i] - v[i];
@@ -94,11 +92,10 @@ namespace lamella
     y = W.by_points(x);
     for (unsigned int i = 0; i < r.size(); ++i)
       y[i] = L[i] * y[i];
-    const PointVectors back = W.times(y);
+    y = W.times(y);
     for (unsigned int i = 0; i < r.size(); ++i)
-      r[i] -= back[i];
-    step = r;
-    return step;
+      r[i] -= y[i];
+    return step = r;
   }
 
 

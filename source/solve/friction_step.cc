@@ -137,15 +137,12 @@ namespace lamella
                     const LoadFactor     &factor,
                     State                &state)
   {
-    constexpr double small_angle = arithmetic::same_value;
     for (const unsigned int r : state.active)
-      if (!state.friction.empty() && !rows[r].slips.empty())
+      if (!state.friction.empty() && state.friction.direction[r].norm() > 0.)
         {
-          const Tensor<1, 2> v = slip_in_step(rows[r], r, state, factor),
-                             e = along_tangents(rows[r],
-                                                state.friction.direction[r]);
-          if (e.norm() == 0. ||
-              !((v + v.norm() * e).norm() < small_angle * v.norm()))
+          const Tensor<1, 2> v = slip_in_step(rows[r], r, state, factor);
+          if (!(friction_error(rows[r], r, state, factor) <
+                arithmetic::same_value * v.norm()))
             continue;
           state.friction.direction[r] = in_scene(rows[r], -v / v.norm());
           state.friction.shear[r] =

@@ -9,11 +9,10 @@
 // penalty matrix K + K^p (Eqs. 22 and 23 of the paper): the semi-smooth Newton
 // or primal-dual active set method (Hintermueller, Ito and Kunisch, SIAM J.
 // Optim. 13 (2002) 865-888). The complementarity conditions are written as
-//   lambda = max(0, lambda - (g + a lambda) / d),
+//   lambda = max(0, lambda - rho (g + a lambda)),   rho > 0,
 // with a generalized derivative of 1 on the active set, 0 elsewhere.
 //
-// Two stages: ContactNewton from the forces of the previous load step; if there
-// are none, or if these are too far, the interior point method first.
+// Stages: ContactNewton; the interior point first, where forces are too far.
 namespace lamella
 {
   FullStrategy::FullStrategy(const TangentOperator &tangent_operator,

@@ -92,11 +92,11 @@ namespace lamella
       evaluate(const bool is_first);
       /// Limits the shear force of point @p i to @p most; it opposes the slip
       /// in
-      /// @p v if the point did not rub before.
+      /// @p v if the point had no shear force before.
       void
       follow_bound(const unsigned int          i,
                    const double                most,
-                   const bool                  rubbed,
+                   const bool                  had_shear,
                    const dealii::Tensor<1, 3> &v);
       PointStiffness
       stiffness() const;
@@ -136,7 +136,7 @@ namespace lamella
 
       // ---- derived from it by evaluate()
       /// True for points with a tangential problem.
-      std::vector<bool> rubs;
+      std::vector<bool> has_shear;
       /// Bound b of the shear force, and w = b^2 - |lambda_t|^2.
       std::vector<double> bound, room;
       /// Residuals v_n - s and v_t + gamma lambda_t.
@@ -187,11 +187,11 @@ namespace lamella
     void
     InteriorPoint::follow_bound(const unsigned int  i,
                                 const double        most,
-                                const bool          rubbed,
+                                const bool          had_shear,
                                 const Tensor<1, 3> &v)
     {
       const double size = tangential_norm(force[i]), slip = tangential_norm(v);
-      if (!rubbed && slip > 0.)
+      if (!had_shear && slip > 0.)
         {
           force[i] -= tangential_part(force[i] + most / slip * v);
           gamma[i] = slip / most;
@@ -214,31 +214,32 @@ namespace lamella
       const double       last = normal_product;
       const PointVectors v    = system.lengths();
       residual.assign(n, {});
-      rubs.resize(n, false);
+      has_shear.resize(n, false);
       bound.assign(n, 0.);
       room.assign(n, 0.);
       std::vector<double> normal, shear;
       for (unsigned int i = 0; i < n; ++i)
         {
-          const bool rubbed = rubs[i];
-          rubs[i]           = points.n_slips[i] > 0 &&
-                    (is_first || force[i][0] * length_scale >
-                                   parameters.opening * slack[i] * force_scale);
+          const bool had_shear = has_shear[i];
+          has_shear[i] =
+            points.n_slips[i] > 0 &&
+            (is_first || force[i][0] * length_scale >
+                           parameters.opening * slack[i] * force_scale);
           bound[i] =
             std::max(points.friction[i] * force[i][0], least * force_scale);
-          if (!rubs[i])
+          if (!has_shear[i])
             {
               force[i] -= tangential_part(force[i]);
               gamma[i] = last / bound[i];
             }
           else
-            follow_bound(i, inside * bound[i], rubbed || is_first, v[i]);
+            follow_bound(i, inside * bound[i], had_shear || is_first, v[i]);
           room[i] =
             bound[i] * bound[i] - tangential_part(force[i]).norm_square();
           const Tensor<1, 3> lengths = v[i] + points.compliance[i] * force[i];
           residual[i][0]             = lengths[0] - slack[i];
           normal.push_back(slack[i] * force[i][0]);
-          if (rubs[i])
+          if (has_shear[i])
             {
               residual[i] += tangential_part(lengths + gamma[i] * force[i]);
               shear.push_back(gamma[i] * room[i] / bound[i]);
@@ -258,7 +259,7 @@ namespace lamella
         {
           const double d = points.compliance[i], lambda = force[i][0];
           D[i][0][0] = lambda / (slack[i] + d * lambda);
-          if (!rubs[i])
+          if (!has_shear[i])
             continue;
           const Tensor<1, 2>          shear  = shear_of(force[i]);
           const SymmetricTensor<2, 2> across = invert(
@@ -292,7 +293,7 @@ namespace lamella
         {
           const double lambda = force[i][0], s = slack[i];
           Tensor<1, 3> away;
-          if (rubs[i])
+          if (has_shear[i])
             {
               q[i] = shear_target * bound[i] / room[i] - gamma[i];
               away = tangential_part(residual[i] + q[i] * force[i]);
@@ -311,9 +312,10 @@ namespace lamella
           step.slack.push_back(
             w[i][0] + points.compliance[i] * step.force[i][0] + residual[i][0]);
           step.gamma.push_back(
-            rubs[i] ? q[i] + 2. * gamma[i] / room[i] *
-                               (shear_of(force[i]) * shear_of(step.force[i])) :
-                      0.);
+            has_shear[i] ?
+              q[i] + 2. * gamma[i] / room[i] *
+                       (shear_of(force[i]) * shear_of(step.force[i])) :
+              0.);
         }
       return step;
     }
@@ -337,7 +339,7 @@ namespace lamella
           const Tensor<1, 2> change = shear_of(step.force[i]);
           const double       a      = change.norm_square(),
                        b            = shear_of(force[i]) * change;
-          if (a > 0. && rubs[i])
+          if (a > 0. && has_shear[i])
             longest =
               std::min(longest, (-b + std::sqrt(b * b + a * room[i])) / a);
         }

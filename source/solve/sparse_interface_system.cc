@@ -11,21 +11,38 @@ namespace lamella
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Returns the change of gap and slips of each constraint for @p du.
+    PointVectors
+    jumps(const GapConstraints &rows, const BlockVector &du)
+    {
+      PointVectors w(rows.size());
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        {
+          w[r][0] = rows[r].jump(du);
+          for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
+            w[r][1 + t] = rows[r].slips[t].jump(du);
+        }
+      return w;
+    }
+  } // namespace
+
+
+
   PointVectors
   proximal_lengths(const GapConstraints      &rows,
                    const NumericalCompliance &compliance,
                    const ContactProblem      &problem,
                    const BlockVector         &du)
   {
-    PointVectors v(rows.size());
+    PointVectors v = jumps(rows, du);
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
         const double proximal = compliance(rows[r]) - law_compliance(rows[r]);
-        v[r][0] =
-          problem.gap[r] + rows[r].jump(du) - proximal * problem.estimate[r];
+        v[r][0] += problem.gap[r] - proximal * problem.estimate[r];
         for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
-          v[r][1 + t] = problem.slip[r][t] + rows[r].slips[t].jump(du) -
-                        proximal * problem.shear[r][t];
+          v[r][1 + t] += problem.slip[r][t] - proximal * problem.shear[r][t];
       }
     return v;
   }
@@ -110,14 +127,7 @@ namespace lamella
     f -= K_du;
     add_contact_forces(rows, problem, force, f);
     step = matrix.solve(std::move(f));
-    PointVectors w(rows.size());
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        w[r][0] = rows[r].jump(step);
-        for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
-          w[r][1 + t] = rows[r].slips[t].jump(step);
-      }
-    return w;
+    return jumps(rows, step);
   }
 
 

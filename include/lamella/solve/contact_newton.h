@@ -53,13 +53,14 @@ namespace lamella
       double       change; ///< Largest change of du in the last step.
     };
 
-    /// Returns the iterate with the forces `first_forces` of @p problem.
+    /// Returns the iterate with the forces `first_forces` of @p problem;
+    /// without friction, with the estimates of its initial active set.
     Iterate
     begin(const ContactProblem &problem);
 
-    /// Solves a contact problem with friction from the iterate @p at; returns
-    /// nothing if that takes more than @p max_steps factorizations. Throws
-    /// NumericsError for a negative determinant (unstable solution).
+    /// Solves @p problem from the iterate @p at; returns nothing after @p
+    /// max_steps factorizations. Throws NumericsError for a negative
+    /// determinant (unstable solution).
     std::optional<ContactSolution>
     solve(const ContactProblem &problem,
           Iterate               at,
