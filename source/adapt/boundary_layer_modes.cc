@@ -5,6 +5,7 @@
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>
+#include <lamella/body/body_solver.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/conditions/stabilization.h>
 
@@ -136,7 +137,7 @@ namespace lamella
     {
       for (Vector &one : u)
         constraints.condense(one);
-      piece.make_solver(constraints, springs)->solve_all(u);
+      make_solver(piece, constraints, springs)->solve_all(u);
       for (Vector &one : u)
         constraints.distribute(one);
     }

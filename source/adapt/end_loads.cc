@@ -120,7 +120,7 @@ namespace lamella
   std::vector<Vector>
   free_motions(const Beam &piece, const std::vector<PrescribedFunctional> &rows)
   {
-    std::vector<Vector> rigid = piece.rigid_motions();
+    std::vector<Vector> rigid = piece.rigid_motions(undisplaced);
     for (Vector &motion : rigid)
       motion /= motion.linfty_norm();
     LAPACKFullMatrix<double> gram(n_all, n_all);

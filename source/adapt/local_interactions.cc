@@ -120,7 +120,7 @@ namespace lamella
       if (!beam.is_heated())
         return;
       Vector load(beam.n_dofs());
-      beam.add_thermal_load(load);
+      beam.add_thermal_load(undisplaced, load);
       add_interactions("heat",
                        beam.section().n_fields(),
                        loads_of_vector(beam,

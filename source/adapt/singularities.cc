@@ -5,6 +5,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/surface_names.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/section/corners.h>
 
 #include <algorithm>
@@ -91,7 +92,7 @@ namespace lamella
     {
       std::vector<Tensor<1, 3>> normals;
       const auto                locations = body.locate({position});
-      for (const SurfaceFacet &facet : body.surface_facets(surface))
+      for (const SurfaceFacet &facet : surface_facets(body, surface))
         for (const Location &location : locations[0])
           for (const Location::Place &place : location.places)
             if (const auto st = on_facet(place, facet))
@@ -150,7 +151,7 @@ namespace lamella
         {
           const std::string end = surface_names::end_name(at_start);
           const HeldAxes held   = constrained_directions(end, number, supports);
-          const auto     facets = body.surface_facets(end);
+          const auto     facets = surface_facets(body, end);
           const double   at     = body.place().to_body(facets[0].corners[0])[1];
           if (std::abs(y - at) > arithmetic::decimal_tolerance * body.size() ||
               !held.include(body.place().axes[1], true))

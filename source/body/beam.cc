@@ -162,33 +162,15 @@ namespace lamella
 
 
 
-  unsigned int
-  Beam::dof_level(const DofIndex dof) const
+  DofInfo
+  Beam::dof(const DofIndex dof) const
   {
-    return space->level(dof_map.field_of(dof));
-  }
-
-
-
-  std::vector<double>
-  Beam::dof_scales() const
-  {
-    const std::vector<double> of_field = space->sizes();
-    std::vector<double>       sizes;
-    for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
-      for (const unsigned int alpha : dof_map.fields(node))
-        sizes.push_back(of_field[alpha]);
-    return sizes;
-  }
-
-
-
-  Point<3>
-  Beam::dof_position(const DofIndex dof) const
-  {
-    const double   y = beam_axis->nodes()[dof_map.node_of(dof)];
-    const Point<2> c = beam_section->element().center();
-    return placement.to_scene({c[0], y, c[1]});
+    const double       y     = beam_axis->nodes()[dof_map.node_of(dof)];
+    const Point<2>     c     = beam_section->element().center();
+    const unsigned int field = dof_map.field_of(dof);
+    return {placement.to_scene({c[0], y, c[1]}),
+            space->sizes()[field],
+            space->level(field)};
   }
 
 
@@ -225,7 +207,7 @@ namespace lamella
 
 
   std::vector<Vector>
-  Beam::rigid_motions() const
+  Beam::rigid_motions(const Vector &) const
   {
     const double        h      = beam_section->element().reference_length();
     const double        middle = 0.5 * beam_axis->length();

@@ -330,9 +330,6 @@ namespace lamella
   std::vector<OutputCell>
   Beam::cut(const double position, const unsigned int n, const Vector &u) const
   {
-    // What turns is no product.
-    if (has_finite_rotations())
-      return Body::cut(position, n, u);
     const auto places =
       beam_axis->locate(position,
                         arithmetic::same_position_along * beam_axis->length());
@@ -362,20 +359,8 @@ namespace lamella
 
 
 
-  GridIntervals
-  Beam::output_degrees() const
-  {
-    const CrossSectionElement &element = beam_section->element();
-    // Shapes are cubic at most.
-    const unsigned int across =
-      std::min(element.trace_degree(), std::max(element.degree(), 3u));
-    return {{across, beam_axis->degree(), across}};
-  }
-
-
-
   void
-  Beam::for_each_rotated_cell(const GridIntervals      &n,
+  Beam::for_each_sampled_cell(const GridIntervals      &n,
                               const Vector             &u,
                               const OutputCellCallback &use) const
   {
@@ -423,8 +408,6 @@ namespace lamella
                              const Vector             &u,
                              const OutputCellCallback &use) const
   {
-    if (has_finite_rotations())
-      return for_each_rotated_cell(n, u, use);
     std::vector<double> etas;
     for (unsigned int j = 0; j <= n[1]; ++j)
       etas.push_back(double(j) / n[1]);

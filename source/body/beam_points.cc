@@ -101,35 +101,30 @@ namespace lamella
   Cells
   Beam::cells() const
   {
-    const unsigned int n    = beam_section->n_cells(),
-                       p    = beam_section->element().degree();
-    const auto [begin, end] = beam_axis->own_cells();
-    return {beam_axis->n_cells() * n,
-            {begin * n, end * n},
-            {{p, beam_axis->degree(), p}}};
-  }
-
-
-
-  std::array<unsigned int, 3>
-  Beam::recovery_degrees() const
-  {
+    const CrossSectionElement &element = beam_section->element();
+    const Theory              &theory  = beam_section->theory();
+    // Shapes are cubic at most.
+    const unsigned int n = beam_section->n_cells(), p = element.degree(),
+                       along = beam_axis->degree(),
+                       across =
+                         std::min(element.trace_degree(), std::max(p, 3u)),
+                       smooth = theory.is_layerwise() ? p : 0;
+    const auto [begin, end]   = beam_axis->own_cells();
     // Kirchhoff's rotation -w' and bending strains are one degree below w.
-    const Theory      &theory  = beam_section->theory();
-    const unsigned int along   = beam_axis->degree(),
-                       section = theory.is_layerwise() ?
-                                   beam_section->element().degree() :
-                                   0;
     return {
-      {section, theory.keeps_sections_normal() ? along - 1 : along, section}};
+      beam_axis->n_cells() * n,
+      {begin * n, end * n},
+      {{p, along, p}},
+      {{across, along, across}},
+      {{smooth, theory.keeps_sections_normal() ? along - 1 : along, smooth}}};
   }
 
 
 
-  std::array<unsigned int, 3>
+  GridIntervals
   Beam::recovery_degrees_of(const unsigned int cell) const
   {
-    std::array<unsigned int, 3> degrees = recovery_degrees();
+    GridIntervals degrees = cells().recovery_degrees;
     for (const unsigned int node :
          beam_axis->nodes_of_cell(cell / beam_section->n_cells()))
       if (const unsigned int q = degree_at(node);
@@ -255,8 +250,9 @@ namespace lamella
 
   std::vector<std::vector<LinearFunctional>>
   Beam::rows(const std::vector<Location> &locations,
-             const Quantity               quantity,
-             const Frame                  frame) const
+             const Vector &,
+             const Quantity quantity,
+             const Frame    frame) const
   {
     const unsigned int n = quantity == Quantity::displacement ? 3 : 6;
     std::vector<std::vector<LinearFunctional>> result;

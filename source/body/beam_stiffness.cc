@@ -4,6 +4,7 @@
 
 #include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
+#include <lamella/body/body_solver.h>
 #include <lamella/linear/block_factorization.h>
 #include <lamella/linear/factorization.h>
 
@@ -151,8 +152,8 @@ namespace lamella
     blocks.first.push_back(dof_map.n_dofs());
     for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
       blocks.cliques.push_back(beam_axis->nodes_of_cell(cell));
-    // Loads that turn along couple all nodes that they act on.
-    if (has_finite_rotations())
+    // Follower loads couple all nodes that they act on.
+    if (terms.has_loads)
       terms.for_each_block(false, [&](const StiffnessBlock &block) {
         std::set<unsigned int> nodes;
         for (const DofIndex dof : block.columns)
@@ -166,16 +167,17 @@ namespace lamella
       }
     catch (const NotPositiveDefinite &error)
       {
-        rethrow_with_position(error);
+        rethrow_with_position(*this, error);
       }
   }
 
 
 
   void
-  Beam::for_each_stiffness_block(
-    const bool                                         with_values,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  Beam::for_each_stiffness_block(const Vector &,
+                                 const Vector &,
+                                 const bool           with_values,
+                                 const BlockCallback &use) const
   {
     const std::vector<FactorRow> on_section =
       section_rows(*space, *beam_axis, dof_map);

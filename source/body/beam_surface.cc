@@ -282,7 +282,7 @@ namespace lamella
 
 
   std::vector<SurfaceFacet>
-  Beam::surface_facets(const std::string &surface) const
+  Beam::facets_of(const std::string &surface) const
   {
     const CrossSectionElement &element = beam_section->element();
     const SurfaceParts        parts = parts_of(surface, element.section_mesh());
@@ -446,7 +446,7 @@ namespace lamella
     const SectionNodes         grid(mesh, element.degree()),
       trace(mesh, element.trace_degree());
     SurfaceTopology topology;
-    for (const SurfaceFacet &facet : surface_facets(surface))
+    for (const SurfaceFacet &facet : facets_of(surface))
       topology.add(
         facet,
         facet_nodes(facet, grid, beam_section->n_cells(), *beam_axis),

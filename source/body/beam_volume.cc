@@ -5,6 +5,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
+#include <lamella/body/body_solver.h>
 
 namespace lamella
 {
@@ -134,7 +135,7 @@ namespace lamella
 
 
   double
-  Beam::add_thermal_load(Vector &f) const
+  Beam::add_thermal_load(const Vector &u, Vector &f) const
   {
     if (!is_heated())
       return 0.;
@@ -147,6 +148,9 @@ namespace lamella
         return on_list(*space, section_operator.fields(), forces[cell - begin]);
       },
       f);
+    if (u.size() > 0)
+      add_product_of_blocks(
+        [&](const auto &use) { for_each_thermal_block(u, use); }, u, f);
     return Utilities::MPI::sum(energy, communicator());
   }
 
@@ -174,7 +178,7 @@ namespace lamella
   Vector
   Beam::section_weight(const Tensor<1, 3> &acceleration) const
   {
-    const std::vector<double> rho = densities();
+    const std::vector<double> rho = densities(*this);
     const Tensor<1, 3>        g   = placement.vector_to_body(acceleration);
     Vector                    load(beam_section->n_fields());
     beam_section->for_each_point(

@@ -73,7 +73,111 @@ namespace lamella
           std::max(found.unit[0], found.unit[1]) < 1. - at_least)
         crossings.push_back(found.unit[2]);
     }
+
+
+
+    /// Returns the fields of the element @p cell at @p etas in [0, 1] along the
+    /// axis, with @p n intervals in the section.
+    OutputCell
+    sample_grid(const Body                &body,
+                const unsigned int         cell,
+                const GridIntervals       &n,
+                const std::vector<double> &etas,
+                const Vector              &u)
+    {
+      const PlyAndAxes middle = body.ply_at({cell, Point<3>(0.5, 0.5, 0.5)});
+      OutputCell       result;
+      result.ply        = middle.ply;
+      result.fiber      = body.place().vector_to_scene(middle.axes[0]);
+      result.ply_normal = body.place().vector_to_scene(middle.axes[2]);
+      for (unsigned int k = 0; k <= n[2]; ++k)
+        for (const double eta : etas)
+          for (unsigned int i = 0; i <= n[0]; ++i)
+            {
+              const Location::Place place{
+                cell, Point<3>(double(i) / n[0], eta, double(k) / n[2])};
+              result.positions.push_back(body.position(place));
+              result.samples.push_back(
+                body.sample({result.positions.back(), result.ply, {place}}, u));
+            }
+      return result;
+    }
+
+
+
+    /// Returns true if the elements @p before and @p cell are axial neighbors.
+    bool
+    is_adjacent(const Body        &body,
+                const unsigned int before,
+                const unsigned int cell)
+    {
+      const auto middle_is_on = [&body](const unsigned int of,
+                                        const double       eta,
+                                        const unsigned int other) {
+        const auto found =
+          body.locate({body.position({of, Point<3>(0.5, eta, 0.5)})})[0];
+        return std::any_of(found.begin(), found.end(), [&](const Location &at) {
+          return std::any_of(at.places.begin(),
+                             at.places.end(),
+                             [&](const Location::Place &place) {
+                               return place.cell == other;
+                             });
+        });
+      };
+      return middle_is_on(before, 1., cell) || middle_is_on(cell, 0., before);
+    }
+
+
+
+    /// Replaces the fields of @p grid on the face of the element @p cell
+    /// nearest to the start by means with those of the adjacent element.
+    void
+    average_with_previous_layer(const Body        &body,
+                                const unsigned int cell,
+                                const Vector      &u,
+                                OutputCell        &grid)
+    {
+      // The cells before share section points with this one's own: the middle
+      // of one of the two sides that meet lies on the other.
+      std::map<unsigned int, bool> known;
+      const auto                   counts = [&](const Location::Place &place) {
+        if (place.cell == cell)
+          return true;
+        if (place.unit[1] < 1. - arithmetic::same_in_element)
+          return false;
+        const auto [found, is_new] = known.emplace(place.cell, false);
+        if (is_new)
+          found->second = is_adjacent(body, place.cell, cell);
+        return found->second;
+      };
+      auto locations = body.locate(grid.positions);
+      for (unsigned int k = 0; k < grid.samples.size(); ++k)
+        for (Location &where : locations[k])
+          if (where.ply == grid.ply)
+            {
+              auto &places = where.places;
+              places.erase(std::remove_if(places.begin(),
+                                          places.end(),
+                                          [&](const Location::Place &place) {
+                                            return !counts(place);
+                                          }),
+                           places.end());
+              grid.samples[k] = body.sample(where, u);
+            }
+    }
   } // namespace
+
+
+
+  BoundingBox<3>
+  Body::bounding_box() const
+  {
+    std::vector<Point<3>> corners;
+    for (unsigned int cell = 0; cell < cells().n; ++cell)
+      for (const Point<3> &corner : corners_of(*this, cell))
+        corners.push_back(corner);
+    return BoundingBox<3>(corners);
+  }
 
 
 
@@ -108,88 +212,6 @@ namespace lamella
       if (std::abs(d[c]) > arithmetic::same_position_along * d.norm())
         sum += degrees[c];
     return sum;
-  }
-
-
-
-  OutputCell
-  Body::sample_grid(const unsigned int         cell,
-                    const GridIntervals       &n,
-                    const std::vector<double> &etas,
-                    const Vector              &u) const
-  {
-    const PlyAndAxes middle = ply_at({cell, Point<3>(0.5, 0.5, 0.5)});
-    OutputCell       result;
-    result.ply        = middle.ply;
-    result.fiber      = placement.vector_to_scene(middle.axes[0]);
-    result.ply_normal = placement.vector_to_scene(middle.axes[2]);
-    for (unsigned int k = 0; k <= n[2]; ++k)
-      for (const double eta : etas)
-        for (unsigned int i = 0; i <= n[0]; ++i)
-          {
-            const Location::Place place{
-              cell, Point<3>(double(i) / n[0], eta, double(k) / n[2])};
-            result.positions.push_back(position(place));
-            result.samples.push_back(
-              sample({result.positions.back(), result.ply, {place}}, u));
-          }
-    return result;
-  }
-
-
-
-  bool
-  Body::is_adjacent(const unsigned int before, const unsigned int cell) const
-  {
-    const auto middle_is_on = [this](const unsigned int of,
-                                     const double       eta,
-                                     const unsigned int other) {
-      const auto found = locate({position({of, Point<3>(0.5, eta, 0.5)})})[0];
-      return std::any_of(found.begin(), found.end(), [&](const Location &at) {
-        return std::any_of(at.places.begin(),
-                           at.places.end(),
-                           [&](const Location::Place &place) {
-                             return place.cell == other;
-                           });
-      });
-    };
-    return middle_is_on(before, 1., cell) || middle_is_on(cell, 0., before);
-  }
-
-
-
-  void
-  Body::average_with_previous_layer(const unsigned int cell,
-                                    const Vector      &u,
-                                    OutputCell        &grid) const
-  {
-    // The cells before share section points with this one's own: the middle of
-    // one of the two sides that meet lies on the other.
-    std::map<unsigned int, bool> known;
-    const auto                   counts = [&](const Location::Place &place) {
-      if (place.cell == cell)
-        return true;
-      if (place.unit[1] < 1. - arithmetic::same_in_element)
-        return false;
-      const auto [found, is_new] = known.emplace(place.cell, false);
-      if (is_new)
-        found->second = is_adjacent(place.cell, cell);
-      return found->second;
-    };
-    auto locations = locate(grid.positions);
-    for (unsigned int k = 0; k < grid.samples.size(); ++k)
-      for (Location &where : locations[k])
-        if (where.ply == grid.ply)
-          {
-            auto &places = where.places;
-            places.erase(std::remove_if(places.begin(),
-                                        places.end(),
-                                        [&](const Location::Place &place) {
-                                          return !counts(place);
-                                        }),
-                         places.end());
-            grid.samples[k] = sample(where, u);
-          }
   }
 
 
@@ -293,18 +315,19 @@ namespace lamella
         if (!between && !behind && !last)
           continue;
         found.push_back(sample_grid(
-          cell, {{n, 0, n}}, {(position - begin) / (end - begin)}, u));
+          *this, cell, {{n, 0, n}}, {(position - begin) / (end - begin)}, u));
         if (!behind || begin <= tolerance)
           continue;
         if (const auto before = layers.before(cell))
           {
-            const OutputCell other = sample_grid(*before, {{n, 0, n}}, {1.}, u);
+            const OutputCell other =
+              sample_grid(*this, *before, {{n, 0, n}}, {1.}, u);
             for (unsigned int k = 0; k < other.samples.size(); ++k)
               found.back().samples[k] =
                 mean_sample({other.samples[k], found.back().samples[k]});
           }
         else
-          average_with_previous_layer(cell, u, found.back());
+          average_with_previous_layer(*this, cell, u, found.back());
       }
     return found;
   }
@@ -321,6 +344,23 @@ namespace lamella
       etas.push_back(double(j) / n[1]);
     const auto [begin, end] = cells().own;
     for (unsigned int cell = begin; cell < end; ++cell)
-      use(cell - begin, sample_grid(cell, n, etas, u));
+      use(cell - begin, sample_grid(*this, cell, n, etas, u));
+  }
+
+
+
+  std::vector<OutputCell>
+  output_cells(const Body &body, const unsigned int n, const Vector &u)
+  {
+    std::vector<OutputCell> cells;
+    body.for_each_output_cell({{n, n, n}},
+                              u,
+                              [&cells](const unsigned int number,
+                                       const OutputCell  &cell) {
+                                if (number >= cells.size())
+                                  cells.resize(number + 1);
+                                cells[number] = cell;
+                              });
+    return cells;
   }
 } // namespace lamella

@@ -18,17 +18,6 @@ namespace lamella
 {
   using namespace dealii;
 
-  std::vector<SurfaceFacet>
-  Body::surface_facets(const std::string &surface) const
-  {
-    std::vector<SurfaceFacet> facets;
-    for (const SurfaceTopology::Facet &facet : surface_topology(surface).facets)
-      facets.push_back(facet.side);
-    return facets;
-  }
-
-
-
   namespace
   {
     /// Adds the integrals of the nodal functions over @p facet.

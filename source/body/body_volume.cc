@@ -3,7 +3,6 @@
 // Functions of a body's rows and element maps: volume integrals, samples.
 
 #include <lamella/base/processes.h>
-#include <lamella/body/body.h>
 #include <lamella/body/cell_grid.h>
 #include <lamella/body/fields.h>
 #include <lamella/shape/section_mesh.h>
@@ -37,6 +36,44 @@ namespace lamella
       for (unsigned int c = 0; c < rows.size(); ++c)
         values[c] = rows[c](u);
     }
+
+
+
+    /// A callback with the Gauss points of an element and their weights JxW.
+    using PointsCallback = std::function<void(const std::vector<Location> &,
+                                              const std::vector<double> &)>;
+
+
+
+    /// Calls @p use with the Gauss points of each element and weights JxW.
+    void
+    for_each_cell_by_points(const Body           &body,
+                            const PointsCallback &use,
+                            const bool            of_all_processes = false)
+    {
+      const CellGrid        grid(body.cells().output_degrees);
+      const QAnisotropic<3> gauss = gauss_points(body.cells().output_degrees);
+      const auto [begin, end]     = of_all_processes ?
+                                      std::make_pair(0u, body.cells().n) :
+                                      body.cells().own;
+      for (unsigned int cell = begin; cell < end; ++cell)
+        {
+          const std::vector<Point<3>> x = grid.positions(body, cell);
+          std::vector<Location>       locations;
+          std::vector<double>         weights;
+          for (unsigned int q = 0; q < gauss.size(); ++q)
+            {
+              const Location::Place place{cell, gauss.point(q)};
+              locations.push_back(
+                {body.position(place), body.ply_at(place).ply, {place}});
+              weights.push_back(
+                gauss.weight(q) *
+                std::abs(
+                  determinant(unit_gradient(x, grid.evaluate(place.unit)))));
+            }
+          use(locations, weights);
+        }
+    }
   } // namespace
 
 
@@ -50,10 +87,10 @@ namespace lamella
         const std::vector<Location> one{
           {location.position, location.ply, {place}}};
         FieldSample &at = samples.emplace_back();
-        set_values(rows(one, Quantity::displacement)[0], u, at.displacement);
-        set_values(rows(one, Quantity::strain)[0], u, at.strain);
-        set_values(rows(one, Quantity::stress)[0], u, at.stress);
-        set_values(rows(one, Quantity::stress, Frame::ply)[0],
+        set_values(rows(one, undisplaced)[0], u, at.displacement);
+        set_values(rows(one, undisplaced, Quantity::strain)[0], u, at.strain);
+        set_values(rows(one, undisplaced, Quantity::stress)[0], u, at.stress);
+        set_values(rows(one, undisplaced, Quantity::stress, Frame::ply)[0],
                    u,
                    at.ply_stress);
       }
@@ -62,83 +99,37 @@ namespace lamella
 
 
 
-  void
-  Body::for_each_cell_by_points(const PointsCallback &use,
-                                const bool            of_all_processes) const
-  {
-    const CellGrid        grid(output_degrees());
-    const QAnisotropic<3> gauss = gauss_points(output_degrees());
-    const auto [begin, end] =
-      of_all_processes ? std::make_pair(0u, cells().n) : cells().own;
-    for (unsigned int cell = begin; cell < end; ++cell)
-      {
-        const std::vector<Point<3>> x = grid.positions(*this, cell);
-        std::vector<Location>       locations;
-        std::vector<double>         weights;
-        for (unsigned int q = 0; q < gauss.size(); ++q)
-          {
-            const Location::Place place{cell, gauss.point(q)};
-            locations.push_back({position(place), ply_at(place).ply, {place}});
-            weights.push_back(gauss.weight(q) *
-                              std::abs(determinant(
-                                unit_gradient(x, grid.evaluate(place.unit)))));
-          }
-        use(locations, weights);
-      }
-  }
-
-
-
   double
-  Body::add_thermal_load(Vector &f) const
+  Body::add_thermal_load(const Vector &, Vector &f) const
   {
     if (!is_heated())
       return 0.;
     Vector share(n_dofs());
     double energy = 0.;
-    for_each_cell_by_points([&](const std::vector<Location> &locations,
-                                const std::vector<double>   &weights) {
-      const auto strain   = rows(locations, Quantity::strain),
-                 held     = rows(locations, Quantity::stress),
-                 held_ply = rows(locations, Quantity::stress, Frame::ply);
-      for (unsigned int q = 0; q < locations.size(); ++q)
-        {
-          // At no strain the stress is -C epsilon_0.
-          for (unsigned int c = 0; c < strain[q].size(); ++c)
-            strain[q][c].add_to(share, -weights[q] * held[q][c].constant());
-          const double T     = temperature(locations[q].position);
-          const auto  &alpha = *plies()[locations[q].ply].properties.expansion;
-          for (unsigned int k = 0; k < 3; ++k)
-            energy -=
-              0.5 * weights[q] * held_ply[q][k].constant() * T * alpha[k];
-        }
-    });
+    for_each_cell_by_points(
+      *this,
+      [&](const std::vector<Location> &locations,
+          const std::vector<double>   &weights) {
+        const auto strain = rows(locations, undisplaced, Quantity::strain),
+                   held   = rows(locations, undisplaced, Quantity::stress),
+                   held_ply =
+                     rows(locations, undisplaced, Quantity::stress, Frame::ply);
+        for (unsigned int q = 0; q < locations.size(); ++q)
+          {
+            // At no strain the stress is -C epsilon_0.
+            for (unsigned int c = 0; c < strain[q].size(); ++c)
+              strain[q][c].add_to(share, -weights[q] * held[q][c].constant());
+            const double T    = temperature(locations[q].position);
+            const auto &alpha = *plies()[locations[q].ply].properties.expansion;
+            for (unsigned int k = 0; k < 3; ++k)
+              energy -=
+                0.5 * weights[q] * held_ply[q][k].constant() * T * alpha[k];
+          }
+      });
     sum_over_processes(share);
     f += share;
     return Utilities::MPI::sum(energy, communicator());
   }
-
-
-
-  void
-  Body::add_thermal_load_at(const Vector &u, Vector &f) const
-  {
-    add_thermal_load(f);
-    Vector share(f.size());
-    for_each_thermal_block(u, [&](const StiffnessBlock &block) {
-      block.add_product(u, share);
-    });
-    sum_over_processes(share);
-    f += share;
-  }
-
-
-
-  void
-  Body::for_each_thermal_block(
-    const Vector &,
-    const std::function<void(const StiffnessBlock &)> &) const
-  {}
 
 
 
@@ -165,39 +156,22 @@ namespace lamella
                       const Vector                &u) const
   {
     std::vector<Tensor<1, 3>> result;
-    for (const std::vector<LinearFunctional> &of :
-         rows(locations, Quantity::displacement))
+    for (const std::vector<LinearFunctional> &of : rows(locations, u))
       set_values(of, u, result.emplace_back());
     return result;
   }
 
 
 
-  std::vector<std::vector<LinearFunctional>>
-  Body::rows_at(const std::vector<Location> &locations, const Vector &) const
-  {
-    return rows(locations, Quantity::displacement);
-  }
-
-
-
   void
-  Body::for_each_block_of_forces(
-    const std::vector<Location> &,
-    const std::vector<Tensor<1, 3>> &,
-    const Vector &,
-    const std::function<void(const StiffnessBlock &)> &) const
-  {}
-
-
-
-  void
-  Body::for_each_cell_by_weight(const Tensor<1, 3>   &acceleration,
-                                const ForcesCallback &use,
-                                const bool            of_all_processes) const
+  for_each_cell_by_weight(const Body           &body,
+                          const Tensor<1, 3>   &acceleration,
+                          const ForcesCallback &use,
+                          const bool            of_all_processes)
   {
-    const std::vector<double> rho = densities();
+    const std::vector<double> rho = densities(body);
     for_each_cell_by_points(
+      body,
       [&](const std::vector<Location> &locations,
           const std::vector<double>   &weights) {
         std::vector<Tensor<1, 3>> forces;
@@ -214,11 +188,11 @@ namespace lamella
   Body::add_weight(const Tensor<1, 3> &acceleration, Vector &f) const
   {
     Vector share(n_dofs());
-    for_each_cell_by_weight(acceleration,
+    for_each_cell_by_weight(*this,
+                            acceleration,
                             [&](const std::vector<Location>     &locations,
                                 const std::vector<Tensor<1, 3>> &forces) {
-                              const auto u =
-                                rows(locations, Quantity::displacement);
+                              const auto u = rows(locations, undisplaced);
                               for (unsigned int q = 0; q < locations.size();
                                    ++q)
                                 for (unsigned int c = 0; c < 3; ++c)
@@ -247,10 +221,7 @@ namespace lamella
           nodes.push_back(
             {body.position(place), body.ply_at(place).ply, {place}});
         }
-      const auto                rows = body.rows(nodes, Quantity::displacement);
-      std::vector<Tensor<1, 3>> v(nodes.size());
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        set_values(rows[k], u, v[k]);
+      std::vector<Tensor<1, 3>> v = body.displacements(nodes, u);
       for (unsigned int k = nodes.size(); k-- > 0;)
         v[k] -= v[0];
       return v;
@@ -267,8 +238,8 @@ namespace lamella
     add_internal_forces(u, f);
     result.energy = 0.5 * (u * f);
 
-    const CellGrid        grid(output_degrees());
-    const QAnisotropic<3> gauss = gauss_points(output_degrees());
+    const CellGrid        grid(cells().output_degrees);
+    const QAnisotropic<3> gauss = gauss_points(cells().output_degrees);
     const auto [begin, end]     = cells().own;
     for (unsigned int cell = begin; cell < end; ++cell)
       {

@@ -98,12 +98,12 @@ namespace lamella
     const std::vector<std::vector<unsigned int>> &fields_of_node,
     const std::string                            &theory,
     const bool                                    keeps_normal)
-    : Beam(name,
-           std::move(space),
-           std::move(axis),
-           placement,
-           fields_of_node,
-           theory)
+    : FiniteRotationBeam(name,
+                         std::move(space),
+                         std::move(axis),
+                         placement,
+                         fields_of_node,
+                         theory)
     , h(section().element().reference_length())
     , deformable_section(with_warping(fields().shared_section()))
   {
@@ -352,12 +352,19 @@ namespace lamella
 
 
 
-  double
-  GeometricallyExactBeam::largest_spin(const Vector &change) const
+  DofMagnitude
+  GeometricallyExactBeam::magnitude(const Vector &u) const
   {
-    double largest = 0.;
+    DofMagnitude largest;
     for (unsigned int node = 0; node < dofs().n_nodes(); ++node)
-      largest = std::max(largest, rotation(node, change).norm());
+      {
+        largest.rotation = std::max(largest.rotation, rotation(node, u).norm());
+        const std::vector<unsigned int> &list = dofs().fields(node);
+        for (unsigned int k = 0; k < list.size(); ++k)
+          largest.displacement = std::max(largest.displacement,
+                                          std::abs(u[dofs().first(node) + k]) *
+                                            fields().sizes()[list[k]]);
+      }
     return largest;
   }
 
@@ -365,9 +372,11 @@ namespace lamella
 
   // Rotations about the center at current positions: v x (X + r).
   std::vector<Vector>
-  GeometricallyExactBeam::rigid_motions_at(const Vector &u) const
+  GeometricallyExactBeam::rigid_motions(const Vector &u) const
   {
-    std::vector<Vector> motions = rigid_motions();
+    std::vector<Vector> motions = Beam::rigid_motions(u);
+    if (u.size() == 0)
+      return motions;
     for (unsigned int m = 0; m < 3; ++m)
       {
         Tensor<1, 3> axis;

@@ -161,9 +161,12 @@ namespace lamella
 
 
   // f = (de/du)^T D e_0, whose direction follows the sections.
-  void
-  GeometricallyExactBeam::add_thermal_load_at(const Vector &u, Vector &f) const
+  double
+  GeometricallyExactBeam::add_thermal_load(const Vector &u, Vector &f) const
   {
+    // The undeformed sections have the load and the energy of linear theory.
+    if (u.size() == 0)
+      return Beam::add_thermal_load(u, f);
     Vector share(f.size());
     const auto [begin, end] = axis().own_cells();
     for (unsigned int cell = begin; cell < end && is_heated(); ++cell)
@@ -178,6 +181,7 @@ namespace lamella
       }
     sum_over_processes(share);
     f += share;
+    return 0.;
   }
 
 
@@ -185,9 +189,8 @@ namespace lamella
   // Geometric stiffness of constant stresses D e_0, second derivatives of e
   // only.
   void
-  GeometricallyExactBeam::for_each_thermal_block(
-    const Vector                                      &u,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  GeometricallyExactBeam::for_each_thermal_block(const Vector        &u,
+                                                 const BlockCallback &use) const
   {
     const auto [begin, end] = axis().own_cells();
     for (unsigned int cell = begin; cell < end && is_heated(); ++cell)
@@ -433,12 +436,15 @@ namespace lamella
   // The state before the correction, retract(u, -du), is the point of the
   // linearization whose stresses are predicted.
   void
-  GeometricallyExactBeam::for_each_tangent_block(
-    const Vector                                      &u,
-    const Vector                                      &correction,
-    const bool                                         with_values,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  GeometricallyExactBeam::for_each_stiffness_block(
+    const Vector        &u,
+    const Vector        &correction,
+    const bool           with_values,
+    const BlockCallback &use) const
   {
+    // The linear stiffness, as e.g. for the size of forces and for rounding.
+    if (u.size() == 0)
+      return Beam::for_each_stiffness_block(u, correction, with_values, use);
     Vector back = correction;
     back *= -1.;
     const Vector came_from  = with_values ? retract(u, back) : Vector();

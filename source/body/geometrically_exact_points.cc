@@ -261,9 +261,13 @@ namespace lamella
 
 
   std::vector<std::vector<LinearFunctional>>
-  GeometricallyExactBeam::rows_at(const std::vector<Location> &locations,
-                                  const Vector                &u) const
+  GeometricallyExactBeam::rows(const std::vector<Location> &locations,
+                               const Vector                &u,
+                               const Quantity               quantity,
+                               const lamella::Frame         frame) const
   {
+    if (u.size() == 0 || quantity != Quantity::displacement)
+      return Beam::rows(locations, u, quantity, frame);
     std::vector<std::vector<LinearFunctional>> result;
     for (const Location &where : locations)
       {
@@ -355,10 +359,10 @@ namespace lamella
 
   void
   GeometricallyExactBeam::for_each_block_of_forces(
-    const std::vector<Location>                       &locations,
-    const std::vector<Tensor<1, 3>>                   &forces,
-    const Vector                                      &u,
-    const std::function<void(const StiffnessBlock &)> &use) const
+    const std::vector<Location>     &locations,
+    const std::vector<Tensor<1, 3>> &forces,
+    const Vector                    &u,
+    const BlockCallback             &use) const
   {
     // Blocks by axis elements. The forces keep their directions in the scene; a
     // location on several elements has equal shares.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/body/body.h>
 #include <lamella/body/line_crossings.h>
+
+#include <deal.II/base/quadrature_lib.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -90,5 +93,21 @@ namespace lamella
         inside.push_back(t);
     inside.back() = 1.;
     return inside;
+  }
+
+
+
+  std::vector<Point<3>>
+  line_points(const Body &body, const Point<3> &from, const Point<3> &to)
+  {
+    const QGaussLobatto<1>    nodes(body.line_degree(from, to) + 1);
+    const std::vector<double> breaks = body.line_breaks(from, to);
+    std::vector<Point<3>>     points;
+    for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+      for (unsigned int q = k == 0 ? 0 : 1; q < nodes.size(); ++q)
+        points.push_back(
+          from + (breaks[k] + nodes.point(q)[0] * (breaks[k + 1] - breaks[k])) *
+                   (to - from));
+    return points;
   }
 } // namespace lamella

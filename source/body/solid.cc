@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/processes.h>
+#include <lamella/body/body_solver.h>
 #include <lamella/body/solid.h>
 #include <lamella/shape/section_geometry.h>
 
@@ -195,7 +196,7 @@ namespace lamella
 
 
   std::vector<Vector>
-  Solid::rigid_motions() const
+  Solid::rigid_motions(const Vector &) const
   {
     std::vector<Vector> motions(6, Vector(n_dofs()));
     const Point<3>      middle = box.center();
@@ -218,9 +219,10 @@ namespace lamella
 
 
   void
-  Solid::for_each_stiffness_block(
-    const bool                                         with_values,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  Solid::for_each_stiffness_block(const Vector &,
+                                  const Vector &,
+                                  const bool           with_values,
+                                  const BlockCallback &use) const
   {
     for (const Kind &kind : kinds)
       {
@@ -355,7 +357,7 @@ namespace lamella
 
 
   double
-  Solid::add_thermal_load(Vector &f) const
+  Solid::add_thermal_load(const Vector &u, Vector &f) const
   {
     if (!is_heated())
       return 0.;
@@ -379,6 +381,9 @@ namespace lamella
           }
     sum_over_processes(share);
     f += share;
+    if (u.size() > 0)
+      add_product_of_blocks(
+        [&](const auto &use) { for_each_thermal_block(u, use); }, u, f);
     return Utilities::MPI::sum(energy, communicator());
   }
 
@@ -387,7 +392,7 @@ namespace lamella
   void
   Solid::add_weight(const Tensor<1, 3> &acceleration, Vector &f) const
   {
-    const std::vector<double> rho = densities();
+    const std::vector<double> rho = densities(*this);
     const Tensor<1, 3>        g   = placement.vector_to_body(acceleration);
     Vector                    share(n_dofs());
     for (const Kind &kind : kinds)

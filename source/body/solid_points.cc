@@ -202,8 +202,9 @@ namespace lamella
 
   std::vector<std::vector<LinearFunctional>>
   Solid::rows(const std::vector<Location> &locations,
-              const Quantity               quantity,
-              const Frame                  frame) const
+              const Vector &,
+              const Quantity quantity,
+              const Frame    frame) const
   {
     const unsigned int n = quantity == Quantity::displacement ? 3 : 6;
     std::vector<std::vector<LinearFunctional>> result;

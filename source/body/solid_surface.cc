@@ -247,7 +247,7 @@ namespace lamella
 
 
   std::vector<SurfaceFacet>
-  Solid::surface_facets(const std::string &surface) const
+  Solid::facets_of(const std::string &surface) const
   {
     std::vector<SurfaceFacet> facets;
     for (const auto &[cell, face] : faces_of(surface))
@@ -283,7 +283,7 @@ namespace lamella
     const std::vector<unsigned int> order =
       FETools::lexicographic_to_hierarchic_numbering<3>(degree());
     SurfaceTopology topology;
-    for (const SurfaceFacet &facet : surface_facets(surface))
+    for (const SurfaceFacet &facet : facets_of(surface))
       {
         std::vector<std::uint64_t> nodes;
         for (const unsigned int k : nodes_of_facet(facet, degree()))

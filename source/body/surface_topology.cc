@@ -77,4 +77,16 @@ namespace lamella
     if (at != none && a != none && b != none)
       hanging.push_back({at->second, {{a->second, b->second}}});
   }
+
+
+
+  std::vector<SurfaceFacet>
+  surface_facets(const Body &body, const std::string &surface)
+  {
+    std::vector<SurfaceFacet> facets;
+    for (const SurfaceTopology::Facet &facet :
+         body.surface_topology(surface).facets)
+      facets.push_back(facet.side);
+    return facets;
+  }
 } // namespace lamella

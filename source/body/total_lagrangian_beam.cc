@@ -35,7 +35,10 @@ namespace lamella
     const std::shared_ptr<const Section> &section,
     const std::shared_ptr<const Axis>    &axis,
     const Placement                      &placement)
-    : Beam(name, finite_strain_section(section, *axis), axis, placement)
+    : FiniteRotationBeam(name,
+                         finite_strain_section(section, *axis),
+                         axis,
+                         placement)
     , green(fields(), along_axis().n_stations())
   {}
 
@@ -53,9 +56,11 @@ namespace lamella
   // ---- where it is, and what it shows
 
   std::vector<Vector>
-  TotalLagrangianBeam::rigid_motions_at(const Vector &u) const
+  TotalLagrangianBeam::rigid_motions(const Vector &u) const
   {
-    std::vector<Vector> motions = rigid_motions();
+    std::vector<Vector> motions = Beam::rigid_motions(u);
+    if (u.size() == 0)
+      return motions;
     std::vector<double> moved(section().n_fields());
     for (unsigned int c = 0; c < 3; ++c)
       {
@@ -127,8 +132,8 @@ namespace lamella
     if (is_heated())
       {
         Vector f(n_dofs());
-        add_thermal_load(f);
-        add_thermal_load_at(u, f);
+        add_thermal_load(undisplaced, f);
+        add_thermal_load(u, f);
         result.energy -= 0.5 * (f * u);
       }
     return result;
@@ -249,9 +254,8 @@ namespace lamella
 
 
   void
-  TotalLagrangianBeam::for_each_thermal_block(
-    const Vector &,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  TotalLagrangianBeam::for_each_thermal_block(const Vector &,
+                                              const BlockCallback &use) const
   {
     const auto [begin, end] = axis().own_cells();
     for (unsigned int cell = begin; cell < end && is_heated(); ++cell)
@@ -373,12 +377,13 @@ namespace lamella
 
 
   void
-  TotalLagrangianBeam::for_each_tangent_block(
-    const Vector                                      &u,
-    const Vector                                      &correction,
-    const bool                                         with_values,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  TotalLagrangianBeam::for_each_stiffness_block(const Vector &u,
+                                                const Vector &correction,
+                                                const bool    with_values,
+                                                const BlockCallback &use) const
   {
+    if (u.size() == 0)
+      return Beam::for_each_stiffness_block(u, correction, with_values, use);
     const auto [begin, end] = axis().own_cells();
     for (unsigned int cell = begin; cell < end; ++cell)
       {

@@ -32,9 +32,11 @@ namespace lamella
   // ---- where it is, and what it shows
 
   std::vector<Vector>
-  TotalLagrangianSolid::rigid_motions_at(const Vector &u) const
+  TotalLagrangianSolid::rigid_motions(const Vector &u) const
   {
-    std::vector<Vector> motions = rigid_motions();
+    std::vector<Vector> motions = Solid::rigid_motions(u);
+    if (u.size() == 0)
+      return motions;
     for (unsigned int m = 3; m < 6; ++m)
       {
         Tensor<1, 3> axis;
@@ -114,8 +116,8 @@ namespace lamella
     if (is_heated())
       {
         Vector f(n_dofs());
-        add_thermal_load(f);
-        add_thermal_load_at(u, f);
+        add_thermal_load(undisplaced, f);
+        add_thermal_load(u, f);
         result.energy -= 0.5 * (f * u);
       }
     return result;
@@ -222,12 +224,13 @@ namespace lamella
 
 
   void
-  TotalLagrangianSolid::for_each_tangent_block(
-    const Vector                                      &u,
-    const Vector                                      &correction,
-    const bool                                         with_values,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  TotalLagrangianSolid::for_each_stiffness_block(const Vector &u,
+                                                 const Vector &correction,
+                                                 const bool    with_values,
+                                                 const BlockCallback &use) const
   {
+    if (u.size() == 0)
+      return Solid::for_each_stiffness_block(u, correction, with_values, use);
     const auto [begin, end] = hexahedra().owned_cells();
     for (unsigned int cell = begin; cell < end; ++cell)
       {
@@ -249,9 +252,8 @@ namespace lamella
 
 
   void
-  TotalLagrangianSolid::for_each_thermal_block(
-    const Vector &,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  TotalLagrangianSolid::for_each_thermal_block(const Vector &,
+                                               const BlockCallback &use) const
   {
     const auto [begin, end] = hexahedra().owned_cells();
     for (unsigned int cell = begin; cell < end && is_heated(); ++cell)

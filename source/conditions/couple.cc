@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/body/surface_topology.h>
 #include <lamella/conditions/couple.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -12,7 +13,7 @@ namespace lamella
     : moment(*load.couple)
   {
     check_surface(body, region.surface, "Load " + load.name + "/On");
-    for (const SurfaceFacet &facet : body.surface_facets(region.surface))
+    for (const SurfaceFacet &facet : surface_facets(body, region.surface))
       {
         const QGauss<1> s(facet.trace_degree_s + 2),
           t(facet.trace_degree_t + 2);

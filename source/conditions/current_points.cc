@@ -12,7 +12,7 @@ namespace lamella
     , locations(std::move(locations))
   {
     if (!body.constraints_rotate())
-      fixed = body.rows(this->locations, Quantity::displacement);
+      fixed = body.rows(this->locations, undisplaced);
   }
 
 
@@ -20,7 +20,7 @@ namespace lamella
   std::vector<std::vector<LinearFunctional>>
   CurrentPoints::rows(const Vector &u) const
   {
-    return body.constraints_rotate() ? body.rows_at(locations, u) : fixed;
+    return fixed.empty() ? body.rows(locations, u) : fixed;
   }
 
 
@@ -28,8 +28,7 @@ namespace lamella
   std::vector<Tensor<1, 3>>
   CurrentPoints::displacements(const Vector &u) const
   {
-    return body.constraints_rotate() ? body.displacements(locations, u) :
-                                       changes(u, u);
+    return fixed.empty() ? body.displacements(locations, u) : changes(u, u);
   }
 
 
@@ -79,10 +78,10 @@ namespace lamella
 
   void
   CurrentPoints::for_each_rotation_block(
-    const std::vector<Tensor<1, 3>>                   &forces,
-    const double                                       factor,
-    const Vector                                      &u,
-    const std::function<void(const StiffnessBlock &)> &use) const
+    const std::vector<Tensor<1, 3>> &forces,
+    const double                     factor,
+    const Vector                    &u,
+    const BlockCallback             &use) const
   {
     body.for_each_block_of_forces(locations,
                                   forces,

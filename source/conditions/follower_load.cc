@@ -3,6 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
+#include <lamella/body/fields.h>
 #include <lamella/conditions/couple.h>
 #include <lamella/conditions/current_points.h>
 #include <lamella/conditions/follower_pressure.h>
@@ -50,11 +51,10 @@ namespace lamella
       }
 
       void
-      for_each_stiffness_block(
-        const double                                       factor,
-        const Vector                                      &u,
-        const bool                                         with_values,
-        const std::function<void(const StiffnessBlock &)> &use) const override
+      for_each_stiffness_block(const double         factor,
+                               const Vector        &u,
+                               const bool           with_values,
+                               const BlockCallback &use) const override
       {
         // Within elements, whose tangent has the pattern.
         if (with_values)
@@ -85,7 +85,7 @@ namespace lamella
       add_forces(const double factor, const Vector &u, Vector &f) const override
       {
         Vector full(f.size());
-        body.add_thermal_load_at(u, full);
+        body.add_thermal_load(u, full);
         f.add(factor, full);
       }
 
@@ -103,11 +103,10 @@ namespace lamella
       }
 
       void
-      for_each_stiffness_block(
-        const double                                       factor,
-        const Vector                                      &u,
-        const bool                                         with_values,
-        const std::function<void(const StiffnessBlock &)> &use) const override
+      for_each_stiffness_block(const double         factor,
+                               const Vector        &u,
+                               const bool           with_values,
+                               const BlockCallback &use) const override
       {
         // Within elements, whose tangent has the pattern.
         if (with_values)
@@ -152,11 +151,10 @@ namespace lamella
                      const Vector &w,
                      Vector       &f) const override;
       void
-      for_each_stiffness_block(
-        const double                                       factor,
-        const Vector                                      &u,
-        const bool                                         with_values,
-        const std::function<void(const StiffnessBlock &)> &use) const override;
+      for_each_stiffness_block(const double         factor,
+                               const Vector        &u,
+                               const bool           with_values,
+                               const BlockCallback &use) const override;
 
     private:
       /// Where @p u moves the points to.
@@ -212,11 +210,10 @@ namespace lamella
 
 
     void
-    FollowerCouple::for_each_stiffness_block(
-      const double                                       factor,
-      const Vector                                      &u,
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const
+    FollowerCouple::for_each_stiffness_block(const double         factor,
+                                             const Vector        &u,
+                                             const bool           with_values,
+                                             const BlockCallback &use) const
     {
       const RowTransformation to_dofs(points.rows(u));
       if (!with_values)
@@ -307,7 +304,9 @@ namespace lamella
   std::unique_ptr<FollowerLoad>
   turning_heat(const Body &body)
   {
-    return std::make_unique<Heat>(body);
+    return body.has_finite_rotations() && body.is_heated() ?
+             std::make_unique<Heat>(body) :
+             nullptr;
   }
 
 
@@ -315,9 +314,12 @@ namespace lamella
   std::unique_ptr<FollowerLoad>
   follower_weight(const Tensor<1, 3> &acceleration, const Body &body)
   {
+    if (!body.constraints_rotate())
+      return nullptr;
     std::vector<Location>     locations;
     std::vector<Tensor<1, 3>> forces;
-    body.for_each_cell_by_weight(
+    for_each_cell_by_weight(
+      body,
       acceleration,
       [&](const std::vector<Location>     &of_cell,
           const std::vector<Tensor<1, 3>> &of_forces) {

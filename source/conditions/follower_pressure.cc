@@ -2,6 +2,7 @@
 
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/base/processes.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/conditions/follower_pressure.h>
 #include <lamella/conditions/row_transformation.h>
 
@@ -36,7 +37,7 @@ namespace lamella
   {
     check_surface(body, region.surface, "Load " + load.name + "/On");
     const Traction traction(load);
-    for (const SurfaceFacet &facet : body.surface_facets(region.surface))
+    for (const SurfaceFacet &facet : surface_facets(body, region.surface))
       facets.push_back(facet_of(body, facet, traction));
   }
 
@@ -204,11 +205,10 @@ namespace lamella
 
 
   void
-  FollowerPressure::for_each_stiffness_block(
-    const double                                       factor,
-    const Vector                                      &u,
-    const bool                                         with_values,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  FollowerPressure::for_each_stiffness_block(const double         factor,
+                                             const Vector        &u,
+                                             const bool           with_values,
+                                             const BlockCallback &use) const
   {
     for (const Facet &facet : facets)
       {

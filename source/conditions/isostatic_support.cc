@@ -76,8 +76,7 @@ namespace lamella
     const auto  sides = body.locate({place.position});
     if (sides.front().empty())
       return {};
-    const auto u =
-      body.rows({sides.front().front()}, Quantity::displacement).front();
+    const auto     u = body.rows({sides.front().front()}, undisplaced).front();
     BodyFunctional row;
     row.body = place.body;
     for (unsigned int c = 0; c < 3; ++c)
@@ -120,7 +119,7 @@ namespace lamella
     const std::vector<Point<3>> points = farthest_section_points(body);
     const std::vector<Location> locations =
       locate_all(body, points, "Body " + body.name() + "/Isostatic support");
-    const auto   u     = body.rows(locations, Quantity::displacement);
+    const auto   u     = body.rows(locations, undisplaced);
     const double share = 1. / points.size();
     Point<3>     middle;
     for (const Point<3> &x : points)
@@ -160,7 +159,7 @@ namespace lamella
           continue;
         const Body               &body  = *bodies[support.isostatic->body];
         const Vector             &f     = load.block(support.isostatic->body);
-        const std::vector<Vector> rigid = body.rigid_motions();
+        const std::vector<Vector> rigid = body.rigid_motions(undisplaced);
         for (const FreeMotion &motion : support.isostatic->motions)
           {
             Vector q(f.size());

@@ -4,6 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/facet_map.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/conditions/couple.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/load_moments.h>
@@ -163,7 +164,8 @@ namespace lamella
                            PointForces  &result) const
     {
       check_surface(body, region.surface, path + "/On");
-      const std::vector<SurfaceFacet> all = body.surface_facets(region.surface);
+      const std::vector<SurfaceFacet> all =
+        surface_facets(body, region.surface);
       std::vector<const SurfaceFacet *> facets;
       std::vector<LoadCell>             cells;
       for (const SurfaceFacet &facet : all)
@@ -304,7 +306,7 @@ namespace lamella
   void
   add_point_forces(const Body &body, const PointForces &at, Vector &f)
   {
-    const auto rows = body.rows(at.locations, Quantity::displacement);
+    const auto rows = body.rows(at.locations, undisplaced);
     for (unsigned int i = 0; i < rows.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         rows[i][c].add_to(f, at.forces[i][c]);

@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/body/line_crossings.h>
 #include <lamella/body/surface_names.h>
 #include <lamella/conditions/region.h>
 
@@ -167,7 +168,7 @@ namespace lamella
           // The ends first: a segment that leaves the body has no crossings.
           locate_all(body, region.at, path);
           return locate_all(body,
-                            body.line_points(region.at[0], region.at[1]),
+                            line_points(body, region.at[0], region.at[1]),
                             path);
         case Region::Kind::body:
           return body.body_points();

@@ -39,7 +39,6 @@ namespace lamella
     : body(body)
     , prescribed(rows)
     , functionals(rows.size())
-    , sizes(body.dof_scales())
   {
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (rows[r].row.body == index)
@@ -136,7 +135,7 @@ namespace lamella
       std::set<std::pair<unsigned int, DofIndex>> ordered;
       for (const auto &equation : equations)
         for (const auto &[dof, weight] : equation.entries)
-          ordered.emplace(body.dof_level(dof), dof);
+          ordered.emplace(body.dof(dof).level, dof);
       std::vector<DofIndex> columns;
       for (const auto &[level, dof] : ordered)
         columns.push_back(dof);
@@ -271,7 +270,7 @@ namespace lamella
         equations.push_back({r, {}, value});
         FunctionalEquation &equation = equations.back();
         for (const auto &[dof, weight] : held.functionals[r].entries())
-          equation.entries.emplace(dof, weight / held.sizes[dof]);
+          equation.entries.emplace(dof, weight / held.body.dof(dof).scale);
         equation.find_largest();
         equation.at_start = equation.largest;
         largest_value     = std::max(largest_value, std::abs(value));
@@ -280,9 +279,10 @@ namespace lamella
     for (FunctionalEquation &equation : equations)
       if (equation.has_pivot())
         {
+          const double of_pivot = held.body.dof(equation.pivot).scale;
           for (auto &[dof, weight] : equation.entries)
-            weight *= held.sizes[dof] / held.sizes[equation.pivot];
-          equation.value /= held.sizes[equation.pivot];
+            weight *= held.body.dof(dof).scale / of_pivot;
+          equation.value /= of_pivot;
         }
     factorize(held.functionals);
   }
@@ -309,13 +309,16 @@ namespace lamella
         for (const auto &[dof, weight] : here)
           largest = std::max(largest, std::abs(weight));
         for (unsigned int i = 0; i < here.size(); ++i)
-          if (here[i].first + shift != there[i].first ||
-              std::abs(here[i].second - there[i].second) >
-                arithmetic::rounding_of_results * largest ||
-              held.sizes[here[i].first] != held.sizes[there[i].first] ||
-              held.body.dof_level(here[i].first) !=
-                held.body.dof_level(there[i].first))
-            return {};
+          {
+            if (here[i].first + shift != there[i].first ||
+                std::abs(here[i].second - there[i].second) >
+                  arithmetic::rounding_of_results * largest)
+              return {};
+            const DofInfo one   = held.body.dof(here[i].first),
+                          other = held.body.dof(there[i].first);
+            if (one.scale != other.scale || one.level != other.level)
+              return {};
+          }
       }
     return shift;
   }

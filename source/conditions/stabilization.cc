@@ -154,7 +154,7 @@ namespace lamella
       orthonormal(motions_of(free, points, body));
 
     const double        stiffness = stabilization.share * axial_stiffness(body);
-    const auto          u = body.rows(locations, Quantity::displacement);
+    const auto          u         = body.rows(locations, undisplaced);
     std::vector<Spring> springs;
     for (unsigned int k = 0; k < free.size(); ++k)
       {

@@ -81,7 +81,7 @@ namespace lamella
           places.push_back(point.location);
           normals.push_back(point.normal);
         }
-      const auto all = body.rows(places, Quantity::displacement);
+      const auto all = body.rows(places, undisplaced);
       for (unsigned int i = 0; i < places.size(); ++i)
         rows.push_back({{region.body, along(all[i], normals[i])},
                         *support.normal,
@@ -121,7 +121,7 @@ namespace lamella
     {
       const std::vector<Location> places =
         constrained_points(body, region, support);
-      auto all = body.rows(places, Quantity::displacement);
+      auto all = body.rows(places, undisplaced);
       // The location of a given point has rounding errors: without small
       // weights at other nodes, the rows of a node involve only its own DoFs.
       for (std::vector<LinearFunctional> &components : all)
@@ -217,7 +217,7 @@ namespace lamella
     const std::vector<Location> at{*prescribed.location};
     if (prescribed.rotation)
       prescribed.direction = body.rotation_at(at[0], u) * prescribed.direction;
-    prescribed.row.row = along(body.rows_at(at, u)[0], prescribed.direction);
+    prescribed.row.row = along(body.rows(at, u)[0], prescribed.direction);
     return {prescribed, prescribed.direction * body.displacements(at, u)[0]};
   }
 
@@ -364,7 +364,7 @@ namespace lamella
                      const unsigned int                       index,
                      const std::vector<PrescribedFunctional> &rows)
   {
-    const std::vector<Vector> motions = body.rigid_motions();
+    const std::vector<Vector> motions = body.rigid_motions(undisplaced);
     std::vector<RigidMotion>  values  = body.omitted_rigid_motions();
     for (const PrescribedFunctional &prescribed : rows)
       if (prescribed.row.body == index)

@@ -58,7 +58,7 @@ namespace lamella
         Vector      own(body.n_dofs());
         body.add_weight(acceleration, own);
         f.block(b) += own;
-        const std::vector<Vector> rigid = body.rigid_motions();
+        const std::vector<Vector> rigid = body.rigid_motions(undisplaced);
         Tensor<1, 3>              force, moment;
         for (unsigned int c = 0; c < 3; ++c)
           {

@@ -164,8 +164,7 @@ namespace lamella
                   const Vector                &u,
                   const std::string           &path)
     {
-      const auto rows =
-        body.rows(locate_all(body, points, path), Quantity::displacement);
+      const auto rows = body.rows(locate_all(body, points, path), undisplaced);
       std::vector<Tensor<1, 3>> result(points.size());
       for (unsigned int k = 0; k < points.size(); ++k)
         for (unsigned int c = 0; c < 3; ++c)

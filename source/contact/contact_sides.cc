@@ -143,9 +143,8 @@ namespace lamella
     if (undeformed != nullptr && !turned)
       return undeformed->trace_rows(second);
     if (rows[second].empty())
-      rows[second] =
-        turned ? body.rows_at(trace_locations(second), u->block(number)) :
-                 body.rows(trace_locations(second), Quantity::displacement);
+      rows[second] = body.rows(trace_locations(second),
+                               turned ? u->block(number) : undisplaced);
     return rows[second];
   }
 
@@ -163,7 +162,7 @@ namespace lamella
         std::vector<Location> at;
         for (const unsigned int node : numbers)
           at.push_back(trace_locations(second)[node]);
-        return body.rows_at(at, u->block(number));
+        return body.rows(at, u->block(number));
       }
     std::vector<std::vector<LinearFunctional>> result;
     for (const unsigned int node : numbers)

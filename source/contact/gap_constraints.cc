@@ -50,7 +50,7 @@ namespace lamella
     {
       return body_rows(index,
                        body.n_dofs(),
-                       body.rows(side.places, Quantity::displacement),
+                       body.rows(side.places, undisplaced),
                        side);
     }
 

@@ -136,7 +136,11 @@ namespace lamella
       if (goal.ply == 0 || points.front().second.ply + 1 == goal.ply)
         {
           for (const auto &[weight, location] : points)
-            body.rows({location}, component->quantity, component->frame)
+            body
+              .rows({location},
+                    undisplaced,
+                    component->quantity,
+                    component->frame)
               .front()[component->component]
               .add_to(result.u.block(probe.body), weight);
           return result;

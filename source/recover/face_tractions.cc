@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/body/surface_topology.h>
 #include <lamella/recover/face_tractions.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ namespace lamella
         return false;
       if (region.kind != Region::Kind::surface)
         return region.kind == Region::Kind::body;
-      const auto facets = body.surface_facets(region.surface);
+      const auto facets = surface_facets(body, region.surface);
       return std::any_of(
         facets.begin(), facets.end(), [&](const SurfaceFacet &facet) {
           const auto middle = body.surface_point(facet, Point<2>(0.5, 0.5));

@@ -115,7 +115,7 @@ namespace lamella
     const unsigned int        n      = breaks.size() - 1;
     const double              at     = through[d] / box.size[d];
     auto [first, last]               = elements_at(breaks, at);
-    const unsigned int p             = body.recovery_degrees()[d];
+    const unsigned int p             = body.cells().recovery_degrees[d];
     const bool         is_smooth     = p == 0;
     unsigned int       degree        = body.line_degree(a, b);
     if (!is_smooth)

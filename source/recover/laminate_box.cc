@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/recover/interlaminar.h>
 
 #include <algorithm>
@@ -60,7 +61,7 @@ namespace lamella
                  const std::string &path)
     {
       Tensor<1, 3> normal;
-      for (const SurfaceFacet &facet : body.surface_facets(surface))
+      for (const SurfaceFacet &facet : surface_facets(body, surface))
         for (const double s : {0., 0.5, 1.})
           {
             const Tensor<1, 3> n =
@@ -138,7 +139,7 @@ namespace lamella
                const std::string &path)
     {
       std::vector<BoundingBox<2>> cells;
-      for (const SurfaceFacet &facet : body.surface_facets("start"))
+      for (const SurfaceFacet &facet : surface_facets(body, "start"))
         {
           const FacetInFrame   in_frame{body, frame, facet};
           const BoundingBox<2> cell(in_frame.corners());
@@ -160,7 +161,7 @@ namespace lamella
                         const std::string                 &path)
     {
       const double y =
-        frame.to_body(body.surface_facets("start")[0].corners[0])[1];
+        frame.to_body(surface_facets(body, "start")[0].corners[0])[1];
       std::vector<Point<3>> middles;
       for (const BoundingBox<2> &cell : cells)
         middles.push_back(
@@ -207,9 +208,9 @@ namespace lamella
       refuse(body, path, "has a section with gaps or reentrant corners");
     const auto [low, high] = all.get_boundary_points();
     const double y0 =
-      box.frame.to_body(body.surface_facets("start")[0].corners[0])[1];
+      box.frame.to_body(surface_facets(body, "start")[0].corners[0])[1];
     const double y1 =
-      box.frame.to_body(body.surface_facets("end")[0].corners[0])[1];
+      box.frame.to_body(surface_facets(body, "end")[0].corners[0])[1];
     box.frame.origin = box.frame.to_scene({low[0], y0, low[1]});
     box.size         = Point<3>(high[0] - low[0], y1 - y0, high[1] - low[1]);
     return box;

@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/recover/plausibility.h>
 
 #include <boost/geometry/index/rtree.hpp>
@@ -58,7 +59,7 @@ namespace lamella
   Plausibility::face_points(const unsigned int b) const
   {
     // Interior points of facets, three each way, since sides may be flush.
-    const std::vector<SurfaceFacet> facets = bodies[b]->surface_facets("all");
+    const std::vector<SurfaceFacet> facets = surface_facets(*bodies[b], "all");
     const std::size_t               stride = 9 * facets.size() / enough + 1;
     std::vector<SurfacePoint>       points;
     for (std::size_t k = 0; k < 9 * facets.size(); k += stride)

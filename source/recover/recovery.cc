@@ -39,7 +39,7 @@ namespace lamella
     : body(body)
     , u(u)
     , kind(values)
-    , degrees(body.recovery_degrees())
+    , degrees(body.cells().recovery_degrees)
   {
     Assert(kind != StressValues::undefined && kind != StressValues::equilibrium,
            ExcInternalError());

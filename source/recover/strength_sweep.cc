@@ -3,6 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
+#include <lamella/body/fields.h>
 #include <lamella/recover/interlaminar.h>
 #include <lamella/recover/strength_sweep.h>
 
@@ -61,11 +62,11 @@ namespace lamella
     {
       if (body.is_nodal())
         return;
-      start        = body.dof_position(0);
+      start        = body.dof(0).position;
       Point<3> end = start;
       for (DofIndex dof = 0; dof < body.n_dofs(); ++dof)
-        if (body.dof_position(dof).distance(start) > end.distance(start))
-          end = body.dof_position(dof);
+        if (body.dof(dof).position.distance(start) > end.distance(start))
+          end = body.dof(dof).position;
       const double length = end.distance(start);
       direction           = (end - start) / length;
       same                = arithmetic::same_position * length;
@@ -200,10 +201,10 @@ namespace lamella
                                  Along               &along) const
   {
     const Body             &body         = *bodies[swept.body];
-    const auto              cells        = body.output_cells(intervals, at.u);
+    const auto              cells        = output_cells(body, intervals, at.u);
     const auto              thermal_part = at.thermal_part == nullptr ?
                                              std::vector<OutputCell>() :
-                                             body.output_cells(intervals, *at.thermal_part);
+                                             output_cells(body, intervals, *at.thermal_part);
     const auto             &tasks        = swept.tasks;
     std::vector<Candidates> candidates(tasks.size());
     for (unsigned int c = 0; c < cells.size(); ++c)

@@ -5,6 +5,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/body/fields.h>
 #include <lamella/recover/interlaminar.h>
 #include <lamella/recover/strength_sweep.h>
 
@@ -91,7 +92,7 @@ namespace lamella
     std::vector<std::array<bool, 4>>
     touched_faces(const Body &body, const unsigned int intervals)
     {
-      const auto cells = body.output_cells(intervals, Vector(body.n_dofs()));
+      const auto cells = output_cells(body, intervals, Vector(body.n_dofs()));
       std::vector<Point<3>> points;
       for (const OutputCell &cell : cells)
         for (const unsigned int k : middles)

@@ -22,7 +22,7 @@ namespace lamella
       std::vector<Node> nodes;
       for (DofIndex dof = 0; dof < body.n_dofs(); ++dof)
         {
-          const dealii::Point<3> position = body.dof_position(dof);
+          const dealii::Point<3> position = body.dof(dof).position;
           if (nodes.empty() || position != nodes.back().position)
             nodes.push_back({position, 0});
           ++nodes.back().fields;

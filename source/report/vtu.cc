@@ -117,7 +117,7 @@ namespace lamella
       add(const Body &body, const unsigned int number, const Vector &u)
       {
         // Cells of a degree that readers draw; expansions may be higher.
-        GridIntervals n = body.output_degrees();
+        GridIntervals n = body.cells().output_degrees;
         for (unsigned int &degree : n)
           degree = std::min(degree, 4u);
         const Lattice     lattice     = lattice_of(n);

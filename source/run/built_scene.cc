@@ -127,7 +127,7 @@ namespace lamella
                               whole->bodies(),
                               whole->load(factor));
     for (const auto &body : whole->bodies())
-      if (const SolverKind kind = body->solver_kind(given.solve.solver);
+      if (const SolverKind kind = solver_kind(*body, given.solve.solver);
           body->has_finite_rotations() && kind == SolverKind::cg)
         throw InputError(
           "Linear solver",

@@ -10,7 +10,7 @@ namespace lamella
 
   BodyForces::BodyForces(const Body &of, const Vector &u)
     : body(of)
-    , rigid(of.rigid_motions_at(u))
+    , rigid(of.rigid_motions(u))
     , size(of.size())
   {}
 

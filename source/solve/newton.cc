@@ -59,11 +59,7 @@ namespace lamella
     , contacts(contacts)
     , requested(requested)
     , parameters(parameters)
-  {
-    for (const auto &body : structure.bodies())
-      sizes.push_back(body->constraints_rotate() ? body->dof_scales() :
-                                                   std::vector<double>());
-  }
+  {}
 
 
 
@@ -221,13 +217,10 @@ namespace lamella
   Newton::length_of(const BlockVector &u) const
   {
     double largest = 0.;
-    for (unsigned int b = 0; b < sizes.size(); ++b)
-      if (sizes[b].empty())
-        largest = std::max(largest, u.block(b).linfty_norm());
-      else
-        for (DofIndex dof = 0; dof < sizes[b].size(); ++dof)
-          largest =
-            std::max(largest, std::abs(u.block(b)[dof]) * sizes[b][dof]);
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      largest =
+        std::max(largest,
+                 structure.bodies()[b]->magnitude(u.block(b)).displacement);
     return largest;
   }
 
@@ -240,7 +233,7 @@ namespace lamella
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       if (const double spin =
-            structure.bodies()[b]->largest_spin(change.block(b));
+            structure.bodies()[b]->magnitude(change.block(b)).rotation;
           spin > parameters.spin)
         change.block(b) *= parameters.spin / spin;
   }

@@ -128,13 +128,12 @@ namespace lamella
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
         initial_energies.push_back(
-          all_bodies[b]->add_thermal_load(initial_load.block(b)));
-        if (!all_bodies[b]->has_finite_rotations() ||
-            !all_bodies[b]->is_heated())
-          continue;
-        initial_load.block(b) = 0.;
-        follower_loads[b].emplace_back(turning_heat(*all_bodies[b]),
-                                       LoadFactor::heat);
+          all_bodies[b]->add_thermal_load(undisplaced, initial_load.block(b)));
+        if (auto load = turning_heat(*all_bodies[b]))
+          {
+            initial_load.block(b) = 0.;
+            follower_loads[b].emplace_back(std::move(load), LoadFactor::heat);
+          }
       }
   }
 
@@ -148,11 +147,9 @@ namespace lamella
     BlockVector  before    = dead_load;
     resultants.push_back(add_weight(gravity, all_bodies, dead_load));
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
-      if (all_bodies[b]->constraints_rotate())
+      if (auto load = follower_weight(gravity, *all_bodies[b]))
         {
-          follower_loads[b].emplace_back(follower_weight(gravity,
-                                                         *all_bodies[b]),
-                                         0);
+          follower_loads[b].emplace_back(std::move(load), 0);
           dead_load.block(b) = before.block(b);
         }
   }
@@ -340,12 +337,11 @@ namespace lamella
 
 
   void
-  Structure::for_each_block_of_loads(
-    const unsigned int                                 body,
-    const LoadFactor                                  &factor,
-    const Vector                                      &u,
-    const bool                                         with_values,
-    const std::function<void(const StiffnessBlock &)> &use) const
+  Structure::for_each_block_of_loads(const unsigned int   body,
+                                     const LoadFactor    &factor,
+                                     const Vector        &u,
+                                     const bool           with_values,
+                                     const BlockCallback &use) const
   {
     for (const auto &[load, history] : follower_loads[body])
       load->for_each_stiffness_block(factor.of(history), u, with_values, use);

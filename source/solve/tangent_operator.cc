@@ -28,7 +28,6 @@ namespace lamella
 {
   using dealii::Tensor;
 
-  // Rows of supports are formed at the state if any body has rotating rows.
   TangentOperator::TangentOperator(const Structure   &structure,
                                    const BlockVector &u,
                                    const LoadFactor  &factor)
@@ -36,11 +35,7 @@ namespace lamella
     , state(u)
     , factor(factor)
   {
-    const Bodies &bodies = structure.bodies();
-    if (std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
-          return body->constraints_rotate();
-        }))
-      move_supports();
+    move_supports();
   }
 
 
@@ -50,15 +45,18 @@ namespace lamella
   void
   TangentOperator::move_supports()
   {
-    const Bodies &bodies = structure.bodies();
-    moved_rows           = structure.prescribed();
-    measured.assign(moved_rows.size(), 0.);
-    const std::vector<std::string> names(moved_rows.size());
+    const Bodies                  &bodies = structure.bodies();
+    const std::vector<std::string> names(structure.prescribed().size());
+    moved_reductions.resize(bodies.size());
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        moved_reductions.push_back(nullptr);
         if (!bodies[b]->constraints_rotate())
           continue;
+        if (moved_rows.empty())
+          {
+            moved_rows = structure.prescribed();
+            measured.assign(moved_rows.size(), 0.);
+          }
         // Rows that depend on others in the undeformed body stay omitted: their
         // small second-order remainder would constrain warpings.
         std::vector<PrescribedFunctional> held = moved_rows;
@@ -74,7 +72,7 @@ namespace lamella
             held[k].value = 0.;
           }
         // Elimination of rows at the state; values of 0 have no contradictions.
-        moved_reductions.back() =
+        moved_reductions[b] =
           std::make_unique<RowReduction>(*bodies[b], b, held, names);
       }
   }
@@ -105,7 +103,7 @@ namespace lamella
     const std::vector<PrescribedFunctional> &rows = prescribed();
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
-        const bool moves = !moved_reductions.empty() && moved_reductions[b];
+        const bool moves = moved_reductions[b] != nullptr;
         if (moves || structure.has_prescribed_rotation(b))
           u.block(b) = reduction(b).influence([&](const unsigned int k) {
             const double s  = from.of(rows[k].history),
@@ -127,7 +125,7 @@ namespace lamella
     warpings_in(const Body &body, const Vector &u)
     {
       Vector warpings = u;
-      for (const Vector &motion : body.rigid_motions_at(u))
+      for (const Vector &motion : body.rigid_motions(u))
         for (DofIndex dof = 0; dof < u.size(); ++dof)
           if (motion[dof] != 0.)
             warpings[dof] = 0.;
@@ -145,7 +143,7 @@ namespace lamella
                           const Vector   &warpings)
     {
       Tensor<1, 3>                        turned;
-      const std::vector<LinearFunctional> rows = body.rows_at({location}, u)[0];
+      const std::vector<LinearFunctional> rows = body.rows({location}, u)[0];
       for (unsigned int c = 0; c < 3; ++c)
         turned[c] = rows[c](warpings);
       return (turned - transpose(body.rotation_at(location, u)) * turned)
@@ -290,15 +288,15 @@ namespace lamella
     const Body        &one         = *structure.bodies()[body];
     const Vector      &u           = state.block(body);
     const Constraints &constraints = reduction(body).constraints();
-    if (!structure.has_follower_loads(body))
-      return one.make_tangent_solver(
-        u, correction, constraints, springs, requested, monitor);
-    StiffnessTerms terms       = one.tangent_terms(u, correction, springs);
-    const auto     of_stresses = terms.for_each_block;
-    terms.for_each_block       = [&](const bool with_values, const auto &use) {
-      of_stresses(with_values, use);
-      structure.for_each_block_of_loads(body, factor, u, with_values, use);
-    };
+    StiffnessTerms     terms = stiffness_terms(one, u, correction, springs);
+    terms.has_loads          = structure.has_follower_loads(body);
+    if (terms.has_loads)
+      terms.for_each_block =
+        [&, of_stresses = terms.for_each_block](const bool  with_values,
+                                                const auto &use) {
+          of_stresses(with_values, use);
+          structure.for_each_block_of_loads(body, factor, u, with_values, use);
+        };
     return one.solver_of(terms, constraints, requested, monitor);
   }
 
@@ -308,8 +306,10 @@ namespace lamella
   StiffnessTerms
   TangentOperator::terms(const unsigned int body) const
   {
-    return structure.bodies()[body]->tangent_terms(
-      state.block(body), Vector(), structure.spring_terms(body));
+    return stiffness_terms(*structure.bodies()[body],
+                           state.block(body),
+                           undisplaced,
+                           structure.spring_terms(body));
   }
 
 
@@ -424,9 +424,9 @@ namespace lamella
       return solvers[body]->largest_diagonal();
     stiffest.resize(structure.bodies().size(), 0.);
     if (stiffest[body] == 0.)
-      stiffest[body] = structure.bodies()[body]
-                         ->assembled_stiffness(reduction(body).constraints(),
-                                               structure.spring_terms(body))
+      stiffest[body] = assembled_stiffness(*structure.bodies()[body],
+                                           reduction(body).constraints(),
+                                           structure.spring_terms(body))
                          ->diagonal()
                          .linfty_norm();
     return stiffest[body];

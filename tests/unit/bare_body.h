@@ -33,25 +33,15 @@ namespace lamella
     {
       return given.n_dofs();
     }
-    dealii::Point<3>
-    dof_position(const DofIndex dof) const override
+    DofInfo
+    dof(const DofIndex dof) const override
     {
-      return given.dof_position(dof);
+      return {given.dof(dof).position};
     }
     std::vector<Vector>
-    rigid_motions() const override
+    rigid_motions(const Vector &u) const override
     {
-      return given.rigid_motions();
-    }
-    dealii::BoundingBox<3>
-    bounding_box() const override
-    {
-      return given.bounding_box();
-    }
-    void
-    add_internal_forces(const Vector &u, Vector &f) const override
-    {
-      given.add_internal_forces(u, f);
+      return given.rigid_motions(u);
     }
     std::unique_ptr<SecondOrder>
     second_order(const Vector &u) const override
@@ -70,10 +60,11 @@ namespace lamella
     }
     std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
-         const Quantity               quantity,
-         const Frame                  frame = Frame::scene) const override
+         const Vector                &u,
+         const Quantity               quantity = Quantity::displacement,
+         const Frame                  frame    = Frame::scene) const override
     {
-      return given.rows(locations, quantity, frame);
+      return given.rows(locations, u, quantity, frame);
     }
     dealii::Point<3>
     position(const Location::Place &place) const override
@@ -104,16 +95,17 @@ namespace lamella
     Cells
     cells() const override
     {
-      return given.cells();
+      const Cells all = given.cells();
+      return {all.n, all.own, all.degrees};
     }
-
-  protected:
     void
     for_each_stiffness_block(
+      const Vector                                      &u,
+      const Vector                                      &correction,
       const bool                                         with_values,
       const std::function<void(const StiffnessBlock &)> &use) const override
     {
-      given.stiffness_terms().for_each_block(with_values, use);
+      given.for_each_stiffness_block(u, correction, with_values, use);
     }
 
   private:

@@ -338,7 +338,7 @@ BOOST_AUTO_TEST_CASE(gap_of_a_row)
       const auto gaps = [&](const unsigned int  body,
                             const Tensor<1, 3> &translation) {
         BlockVector u       = zero(bodies);
-        const auto  motions = bodies[body]->rigid_motions();
+        const auto  motions = bodies[body]->rigid_motions(undisplaced);
         for (unsigned int c = 0; c < 3; ++c)
           u.block(body).add(translation[c], motions[c]);
         std::vector<double> result;
@@ -364,7 +364,7 @@ BOOST_AUTO_TEST_CASE(gap_of_a_row)
       // Tilting the second about its own x through its center lifts y by
       // (y - 1) per rad. The points lie where the report says.
       BlockVector u       = zero(bodies);
-      const auto  motions = bodies[1]->rigid_motions();
+      const auto  motions = bodies[1]->rigid_motions(undisplaced);
       for (unsigned int c = 0; c < 3; ++c)
         u.block(1).add(0.02 * placement.axes[0][c], motions[3 + c]);
       for (unsigned int k = 0; k < interface.rows.size(); ++k)
@@ -400,7 +400,7 @@ BOOST_AUTO_TEST_CASE(force_of_a_row)
             body == 1 ? interface.points[k].second : interface.points[k].first;
           const Tensor<1, 3> moment =
             cross_product_3d(x - bodies[body]->center(), due);
-          const auto motions = bodies[body]->rigid_motions();
+          const auto motions = bodies[body]->rigid_motions(undisplaced);
           for (unsigned int c = 0; c < 3; ++c)
             {
               BOOST_TEST(std::abs(f.block(body) * motions[c] - due[c]) < 1e-13);

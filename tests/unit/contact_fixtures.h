@@ -73,7 +73,7 @@ namespace lamella
   inline dealii::Tensor<1, 3>
   displacement(const Body &body, const Location &location, const Vector &u)
   {
-    const auto rows = body.rows({location}, Quantity::displacement)[0];
+    const auto           rows = body.rows({location}, undisplaced)[0];
     dealii::Tensor<1, 3> result;
     for (unsigned int c = 0; c < 3; ++c)
       result[c] = rows[c](u);

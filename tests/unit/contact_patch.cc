@@ -11,6 +11,7 @@
 #include "contact_fixtures.h"
 
 #include <lamella/base/exceptions.h>
+#include <lamella/body/fields.h>
 #include <lamella/contact/assumptions.h>
 #include <lamella/solve/checks.h>
 
@@ -196,7 +197,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_without_penetration)
               const double fixed =
                 b == 0 ? lower_height + gap + upper_height : 0.;
               for (const OutputCell &cell :
-                   body.output_cells(2, touching.state.u.block(b)))
+                   output_cells(body, 2, touching.state.u.block(b)))
                 for (unsigned int k = 0; k < cell.samples.size(); ++k)
                   {
                     const FieldSample &sample = cell.samples[k];
@@ -635,8 +636,8 @@ BOOST_AUTO_TEST_CASE(what_slides_is_told)
     make_interface(pair_of("bottom", "top", Discretization::node_to_surface),
                    bodies);
   BlockVector u = zero(bodies);
-  u.block(0).add(0.2, bodies[0]->rigid_motions()[0]);
-  u.block(1).add(0.7, bodies[1]->rigid_motions()[2]);
+  u.block(0).add(0.2, bodies[0]->rigid_motions(undisplaced)[0]);
+  u.block(1).add(0.7, bodies[1]->rigid_motions(undisplaced)[2]);
   std::vector<unsigned int> active{3, 4};
   const Sliding sliding = largest_sliding(interface, bodies, u, 1., active);
   BOOST_TEST(std::abs(sliding.distance - 0.2) < 1e-13);

@@ -24,8 +24,7 @@ namespace lamella
   {
     const Location where = bodies[body]->locate({point}).at(0).at(0);
     GapConstraint  row;
-    row.parts = {
-      {body, bodies[body]->rows({where}, Quantity::displacement)[0][2]}};
+    row.parts       = {{body, bodies[body]->rows({where}, undisplaced)[0][2]}};
     row.initial_gap = gap;
     row.enforcement = enforcement;
     row.penalty     = penalty;

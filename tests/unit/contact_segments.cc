@@ -6,6 +6,7 @@
 
 #include "contact_fixtures.h"
 
+#include <lamella/body/surface_topology.h>
 #include <lamella/contact/segments.h>
 #include <lamella/contact/weighted_gaps.h>
 
@@ -221,7 +222,7 @@ BOOST_AUTO_TEST_CASE(overlaps_of_crossed_strips)
             std::array<std::array<double, 6>, 2> on_body;
             for (unsigned int b = 0; b < 2; ++b)
               {
-                const auto   motions = bodies[b]->rigid_motions();
+                const auto   motions = bodies[b]->rigid_motions(undisplaced);
                 Tensor<1, 3> resultant, moment;
                 for (unsigned int c = 0; c < 3; ++c)
                   {
@@ -261,7 +262,7 @@ namespace
   {
     const dealii::QGauss<2> rule(6);
     double                  sum = 0.;
-    for (const SurfaceFacet &facet : body.surface_facets(surface))
+    for (const SurfaceFacet &facet : surface_facets(body, surface))
       {
         const GaussLobattoBasis s(facet.degree_s), t(facet.degree_t);
         for (unsigned int i = 0; i + 1 < s.size(); ++i)
@@ -388,7 +389,7 @@ BOOST_AUTO_TEST_CASE(weighted_gaps_of_curved_bodies)
       BlockVector u = zero(bodies);
       for (unsigned int b = 0; b < 2; ++b)
         {
-          const auto         motions = bodies[b]->rigid_motions();
+          const auto         motions = bodies[b]->rigid_motions(undisplaced);
           const Tensor<1, 3> w       = Point<3>(0.3, -0.2, 0.5);
           const Tensor<1, 3> v       = Tensor<1, 3>(Point<3>(0.1, 0.7, -0.4)) +
                                  cross_product_3d(w, bodies[b]->center());

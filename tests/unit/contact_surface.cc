@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(an_obstacle_that_moves)
     against_a_plane(*structure, "top", [](const auto &) { return true; });
   // A motion by 0.01 along x, and one force, of row 3.
   BlockVector u     = structure->zero();
-  const auto  rigid = structure->bodies()[0]->rigid_motions();
+  const auto  rigid = structure->bodies()[0]->rigid_motions(undisplaced);
   u.block(0).add(0.01, rigid[0]);
   std::vector<ContactRow> rows;
   for (unsigned int k = 0; k < contact.rows.size(); ++k)

@@ -6,6 +6,7 @@
 
 #include "contact_fixtures.h"
 
+#include <lamella/body/surface_topology.h>
 #include <lamella/contact/mesh_surface.h>
 
 #include <boost/test/unit_test.hpp>
@@ -55,7 +56,7 @@ BOOST_AUTO_TEST_CASE(facets_make_up_the_surface)
             {
               const dealii::QGauss<2> rule(4);
               double                  sum = 0.;
-              for (const SurfaceFacet &facet : body->surface_facets(surface))
+              for (const SurfaceFacet &facet : surface_facets(*body, surface))
                 {
                   for (unsigned int q = 0; q < rule.size(); ++q)
                     sum += rule.weight(q) *

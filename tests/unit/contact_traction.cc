@@ -66,7 +66,7 @@ namespace
     BlockVector f = zero(bodies);
     for (unsigned int k = 0; k < forces.size(); ++k)
       contact.rows[k].add_to(f, forces[k]);
-    const auto                 rigid = bodies[body]->rigid_motions();
+    const auto                 rigid = bodies[body]->rigid_motions(undisplaced);
     ContactTraction::Resultant sum;
     for (unsigned int c = 0; c < 3; ++c)
       {

@@ -8,6 +8,7 @@
 #include "contact_fixtures.h"
 
 #include <lamella/adapt/node_fields.h>
+#include <lamella/body/body_solver.h>
 #include <lamella/body/second_order.h>
 #include <lamella/solve/structure.h>
 
@@ -88,7 +89,7 @@ namespace
   times_stiffness(const Body &body, const Vector &d)
   {
     Vector result(d.size());
-    body.stiffness_terms().for_each_block(
+    stiffness_terms(body).for_each_block(
       true, [&](const StiffnessBlock &block) {
         for (std::size_t i = 0; i < block.rows.size(); ++i)
           for (std::size_t j = 0; j < block.columns.size(); ++j)
@@ -145,7 +146,7 @@ namespace
       for (unsigned int axis = 0; axis < 3; ++axis)
         {
           u             = 0.;
-          u.block(body) = bodies[body]->rigid_motions()[axis];
+          u.block(body) = bodies[body]->rigid_motions(undisplaced)[axis];
           for (unsigned int k = 0; k < made.rows.size(); ++k)
             {
               const double along = made.points[k].normal[axis];
@@ -217,7 +218,7 @@ BOOST_AUTO_TEST_CASE(of_samples)
       const Vector u = any_displacement(body, 1), d = any_displacement(body, 2);
       const Location at   = body.locate({{0.3, 2.2, 0.7}})[0].at(0);
       const auto     rows = [&](const Quantity quantity) {
-        return body.rows({at}, quantity)[0];
+        return body.rows({at}, undisplaced, quantity)[0];
       };
       const auto check = [&](const Quantity quantity, const auto &entry) {
         const auto all     = rows(quantity);
@@ -301,7 +302,7 @@ BOOST_AUTO_TEST_CASE(of_loads)
               tangent) < rounding);
         // The work of the load on a displacement is f . d: on rigid motions
         // that of its resultant.
-        const Vector shift = body.rigid_motions()[2];
+        const Vector shift = body.rigid_motions(undisplaced)[2];
         double       work  = 0.;
         for (const LoadResultant &resultant : structure.load_resultants())
           work += resultant.force[2];

@@ -4,6 +4,7 @@
 #define lamella_tests_unit_fixtures_h
 
 #include <lamella/body/beam.h>
+#include <lamella/body/body_solver.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/section/lagrange_element.h>
 #include <lamella/shape/laminate.h>
@@ -109,7 +110,7 @@ namespace lamella
           std::vector<Location> locations;
           for (const SurfacePoint &p : body.surface_points(surface))
             locations.push_back(p.location);
-          const auto all = body.rows(locations, Quantity::displacement);
+          const auto all = body.rows(locations, undisplaced);
           for (unsigned int i = 0; i < all.size(); ++i)
             for (unsigned int c = 0; c < 3; ++c)
               rows.push_back({{0, all[i][c]},
@@ -153,7 +154,7 @@ namespace lamella
   {
     const RowReduction reduction(body, 0, rows, {"surface"});
     return solve_factorized(body,
-                            *body.make_solver(reduction.constraints()),
+                            *make_solver(body, reduction.constraints()),
                             reduction,
                             refinements);
   }

@@ -51,7 +51,7 @@ namespace
     std::vector<Location> places;
     for (const Location &place : side.places)
       places.push_back(body.locate({place.position}).at(0).at(0));
-    const auto                  u = body.rows(places, Quantity::displacement);
+    const auto                  u = body.rows(places, undisplaced);
     std::vector<BodyFunctional> rows;
     for (const ConstraintGeometry::Weights &weights : side.weights)
       {
@@ -161,8 +161,8 @@ BOOST_AUTO_TEST_CASE(on_a_richer_discretization)
   BOOST_TEST(interpolate_to_fine.size() > 2 * interpolate_to_coarse.size());
   for (unsigned int b = 0; b < 2; ++b)
     {
-      const auto rigid      = coarse[b]->rigid_motions(),
-                 rigid_fine = fine[b]->rigid_motions();
+      const auto rigid      = coarse[b]->rigid_motions(undisplaced),
+                 rigid_fine = fine[b]->rigid_motions(undisplaced);
       double size           = 0.;
       for (unsigned int m = 0; m < 6; ++m)
         size =

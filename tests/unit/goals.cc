@@ -73,8 +73,8 @@ namespace
   Vector
   interpolated(Body &body)
   {
-    const auto places = body.body_points();
-    const auto all    = body.rows(places, Quantity::displacement);
+    const auto                        places = body.body_points();
+    const auto                        all    = body.rows(places, undisplaced);
     std::vector<PrescribedFunctional> rows;
     for (unsigned int i = 0; i < all.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)

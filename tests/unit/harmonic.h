@@ -58,7 +58,7 @@ namespace lamella::harmonic
   {
     std::array<double, 2> sums{{0., 0.}};
     unsigned int          count = 0;
-    for (const OutputCell &cell : body.output_cells(n, u))
+    for (const OutputCell &cell : output_cells(body, n, u))
       for (unsigned int i = 0; i < cell.samples.size(); ++i, ++count)
         {
           const Point<3> &x = cell.positions[i];

@@ -73,7 +73,7 @@ namespace
       {
         Vector u(body.n_dofs());
         for (DofIndex dof = 0; dof < u.size(); ++dof)
-          u[dof] = moved(body.dof_position(dof))[dof % 3];
+          u[dof] = moved(body.dof(dof).position)[dof % 3];
         return u;
       }
     // Surfaces fix all that a beam has.
@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(moments_are_about_where_the_body_is)
   const auto at = [&](const Vector &v, const unsigned int k) {
     return body->sample(places[k][0], v).displacement;
   };
-  const auto motions = body->rigid_motions_at(u);
+  const auto motions = body->rigid_motions(u);
   for (unsigned int k = 0; k < 2; ++k)
     for (unsigned int c = 0; c < 3; ++c)
       {
@@ -462,7 +462,7 @@ BOOST_AUTO_TEST_CASE(loads_that_turn_along_keep_what_they_promise)
   F[2][2]              = 0.9;
   F                    = R * F;
   const Vector u       = affine(*body, F);
-  const auto   motions = body->rigid_motions_at(u);
+  const auto   motions = body->rigid_motions(u);
 
   // A couple has no force, and its moment whatever has turned.
   Load couple    = load_vector_on("end");

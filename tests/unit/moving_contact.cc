@@ -86,7 +86,7 @@ namespace
   affine(const Body &body, const Tensor<2, 3> &G, const Tensor<1, 3> &c = {})
   {
     const auto                 places = body.body_points();
-    const auto                 rows = body.rows(places, Quantity::displacement);
+    const auto                 rows   = body.rows(places, undisplaced);
     dealii::FullMatrix<double> normal(body.n_dofs(), body.n_dofs());
     Vector                     right(body.n_dofs()), u(body.n_dofs());
     for (unsigned int k = 0; k < places.size(); ++k)

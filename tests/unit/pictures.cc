@@ -6,6 +6,7 @@
 #include "fixtures.h"
 
 #include <lamella/adapt/node_fields.h>
+#include <lamella/body/fields.h>
 #include <lamella/body/parameters.h>
 #include <lamella/report/vtu_file.h>
 
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE(elements_have_the_samples_of_their_points)
         BOOST_TEST(worst < 1e-11);
         // Each element once, and the other way to ask for them.
         BOOST_TEST(*numbers.rbegin() + 1 == numbers.size());
-        BOOST_TEST(body.output_cells(1, u).size() == numbers.size());
+        BOOST_TEST(output_cells(body, 1, u).size() == numbers.size());
       }
 }
 
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(elements_have_the_samples_of_their_points)
 BOOST_AUTO_TEST_CASE(degrees_of_elements)
 {
   const auto degrees = [](const std::string &theory) {
-    return made(theory, 3)[0]->output_degrees();
+    return made(theory, 3)[0]->cells().output_degrees;
   };
   BOOST_TEST((degrees("LE-2") == GridIntervals{{2, 3, 2}}));
   BOOST_TEST((degrees("TBT") == GridIntervals{{1, 3, 1}}));

@@ -42,7 +42,7 @@ namespace
                 const StressField             &field)
       : Beam("given", section, axis, Placement())
       , field(field)
-      , degrees(Beam::recovery_degrees())
+      , degrees(Beam::cells().recovery_degrees)
     {}
 
     FieldSample
@@ -62,10 +62,12 @@ namespace
       return result;
     }
 
-    std::array<unsigned int, 3>
-    recovery_degrees() const override
+    Cells
+    cells() const override
     {
-      return degrees;
+      Cells all            = Beam::cells();
+      all.recovery_degrees = degrees;
+      return all;
     }
 
     StressField                    field;

@@ -324,10 +324,10 @@ BOOST_AUTO_TEST_CASE(points_move_with_their_sections)
   const auto       x     = body->displacements(places, u);
   const auto       ahead = body->displacements(places, along(*body, u, h, w)),
              back        = body->displacements(places, along(*body, u, -h, w));
-  const auto rows        = body->rows_at(places, u);
+  const auto rows        = body->rows(places, u);
   double     work = 0., second = 0.;
   const auto work_at = [&](const Vector &v) {
-    const auto at  = body->rows_at(places, v);
+    const auto at  = body->rows(places, v);
     double     sum = 0.;
     for (unsigned int k = 0; k < places.size(); ++k)
       for (unsigned int c = 0; c < 3; ++c)
@@ -356,8 +356,8 @@ BOOST_AUTO_TEST_CASE(points_move_with_their_sections)
                                  });
   BOOST_TEST(std::abs(work - second) < 1e-7 * std::abs(second));
   // At rest they are the rows of small displacements.
-  const auto unloaded = body->rows_at(places, Vector(u.size())),
-             small    = body->rows(places, Quantity::displacement);
+  const auto unloaded = body->rows(places, Vector(u.size())),
+             small    = body->rows(places, undisplaced);
   for (unsigned int k = 0; k < places.size(); ++k)
     for (unsigned int c = 0; c < 3; ++c)
       BOOST_TEST(std::abs(unloaded[k][c](w) - small[k][c](w)) < 1e-12);
@@ -373,7 +373,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_turn_is_free)
   const double energy = body->deformation(u).energy;
   Tensor<1, 3> theta({0.5, -0.9, 1.4});
   Vector       turned(u.size()), spin(u.size());
-  const auto   motions = body->rigid_motions_at(u);
+  const auto   motions = body->rigid_motions(u);
   for (const double angle : {0.6, pi / 2., pi, 2. * pi})
     {
       theta *= angle / theta.norm();
@@ -383,7 +383,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_turn_is_free)
       Vector zero(u.size());
       for (unsigned int c = 0; c < 3; ++c)
         {
-          zero = body->rigid_motions_at(Vector(u.size()))[3 + c];
+          zero = body->rigid_motions(Vector(u.size()))[3 + c];
           zero *= theta[c];
           spin += zero;
         }

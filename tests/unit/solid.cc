@@ -10,6 +10,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/body/solid_parameters.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/shape/shapes.h>
 
 #include <boost/test/unit_test.hpp>
@@ -43,7 +44,7 @@ BOOST_AUTO_TEST_CASE(rigid_motions)
                         degree,
                         around_a_corner);
       const double   unit    = 0.5 * 8. * 0.7 * 0.5 * 1.3;
-      const auto     motions = solid.rigid_motions();
+      const auto     motions = solid.rigid_motions(undisplaced);
       const Point<3> corner  = tilted.to_scene({0.7, 1.3, 0.});
       const Location there   = solid.locate({corner})[0][0];
       for (unsigned int m = 0; m < 6; ++m)
@@ -254,7 +255,7 @@ BOOST_AUTO_TEST_CASE(surfaces)
               BOOST_TEST(p.location.position.distance(
                            solid.position(p.location.places[0])) < 1e-12);
             }
-          for (const SurfaceFacet &facet : solid.surface_facets(surface))
+          for (const SurfaceFacet &facet : surface_facets(solid, surface))
             {
               for (unsigned int q = 0; q < gauss.size(); ++q)
                 {

@@ -7,6 +7,7 @@
 #include "contact_fixtures.h"
 #include "solid_fixtures.h"
 
+#include <lamella/body/fields.h>
 #include <lamella/solve/checks.h>
 
 #include <boost/test/unit_test.hpp>
@@ -67,7 +68,7 @@ namespace
     std::array<double, 2> worst{{0., 0.}};
     for (const unsigned int b : {0, 1})
       for (const OutputCell &cell :
-           structure.bodies()[b]->output_cells(2, state.u.block(b)))
+           output_cells(*structure.bodies()[b], 2, state.u.block(b)))
         for (const FieldSample &sample : cell.samples)
           worst[0] = std::max({worst[0],
                                std::abs(sample.ply_stress[2] / -p - 1.),

@@ -17,6 +17,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/body/beam.h>
+#include <lamella/body/body_solver.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/contact/gap_constraints.h>
@@ -117,7 +118,7 @@ StoppedCantilever::make_gap_constraints()
   const std::vector<Location> corners =
     locate_all(*bodies[0], {{0., length, 0.}, {width, length, 0.}}, "stops");
   for (const std::vector<LinearFunctional> &u :
-       bodies[0]->rows(corners, Quantity::displacement))
+       bodies[0]->rows(corners, undisplaced))
     {
       GapConstraint row;
       row.parts       = {{0, u[2]}};
@@ -160,7 +161,7 @@ void
 StoppedCantilever::run()
 {
   make_gap_constraints();
-  stiffness = bodies[0]->assembled_stiffness(supports->constraints());
+  stiffness = assembled_stiffness(*bodies[0], supports->constraints());
 
   BlockVector               u(1, bodies[0]->n_dofs());
   std::vector<unsigned int> active, previous;

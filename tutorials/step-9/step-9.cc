@@ -88,6 +88,7 @@ DualsOfGoals::functional(const Goal &goal, const Structure &structure) const
   const Body &body  = *structure.bodies()[0];
   const auto  place = beam.scene.probes[goal.probe].position;
   return body.rows({locate_all(body, {place}, "probe")[0]},
+                   undisplaced,
                    goal.quantity)[0][goal.component];
 }
 

@@ -82,13 +82,8 @@ namespace lamella
     stiffness_entries() const override;
     dealii::IndexSet
     owned_dofs() const override;
-    unsigned int
-    dof_level(const DofIndex dof) const override;
-    std::vector<double>
-    dof_scales() const override;
-    /// Returns the position of the node of @p dof on the centroid axis.
-    dealii::Point<3>
-    dof_position(const DofIndex dof) const override;
+    DofInfo
+    dof(const DofIndex dof) const override;
     const Constraints &
     kinematic_constraints() const override
     {
@@ -101,7 +96,7 @@ namespace lamella
     ///   h v_z, -h v_x                                     (slopes of u_y),
     ///   h v_y                                             (rotation about y).
     std::vector<Vector>
-    rigid_motions() const override;
+    rigid_motions(const Vector &u) const override;
     std::vector<RigidMotion>
     omitted_rigid_motions() const override;
     dealii::Point<3>
@@ -118,6 +113,12 @@ namespace lamella
     /// @p requested is `automatic`, there is one process, and the functions of
     /// all nodes are dense (SectionSpace). Otherwise returns that of
     /// Body::solver_of().
+    /// Calls @p use with each stiffness row that this process owns.
+    void
+    for_each_stiffness_block(const Vector        &u,
+                             const Vector        &correction,
+                             const bool           with_values,
+                             const BlockCallback &use) const override;
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
@@ -132,7 +133,7 @@ namespace lamella
     void
     heat(const ScalarField &change) override;
     double
-    add_thermal_load(Vector &f) const override;
+    add_thermal_load(const Vector &u, Vector &f) const override;
     void
     add_weight(const dealii::Tensor<1, 3> &acceleration,
                Vector                     &f) const override;
@@ -161,8 +162,9 @@ namespace lamella
     locate(const std::vector<dealii::Point<3>> &points) const override;
     std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
-         const Quantity               quantity,
-         const Frame                  frame = Frame::scene) const override;
+         const Vector                &u,
+         const Quantity               quantity = Quantity::displacement,
+         const Frame                  frame    = Frame::scene) const override;
     FieldSample
     sample(const Location &location, const Vector &u) const override;
     dealii::Point<3>
@@ -171,13 +173,11 @@ namespace lamella
     ply_at(const Location::Place &place) const override;
     Cells
     cells() const override;
-    /// Returns the degree of displacements along the axis (for EBBT one less,
-    /// as the rotation is -w'); in the section N for LE-N, else zero.
-    std::array<unsigned int, 3>
-    recovery_degrees() const override;
-    /// Returns recovery_degrees(), but in the section the lowest degree of LE
-    /// of the nodes of the axis element that contains element @p cell.
-    std::array<unsigned int, 3>
+    /// Returns Cells::recovery_degrees: the degree of displacements along the
+    /// axis (for EBBT one less, as the rotation is -w'); in the section N for
+    /// LE-N, else zero. In the section it is at most the lowest degree of LE of
+    /// the nodes of the axis element that contains element @p cell.
+    GridIntervals
     recovery_degrees_of(const unsigned int cell) const override;
 
     std::vector<std::string>
@@ -197,8 +197,6 @@ namespace lamella
     body_points() const override;
     /// Returns the facets of the ends, one per section cell, followed by the
     /// facets of lateral surfaces.
-    std::vector<SurfaceFacet>
-    surface_facets(const std::string &surface) const override;
     /// Returns the facets of @p surface with node numbers (section node) *
     /// (number of axis nodes) + axis node. Adjacent section cells share nodes.
     SurfaceTopology
@@ -219,8 +217,6 @@ namespace lamella
         const Vector      &u) const override;
     /// Returns the degree along the axis and min(trace_degree(), max(degree(),
     /// 3)) of CrossSectionElement in the section.
-    GridIntervals
-    output_degrees() const override;
     /// Calls @p use with each output element, numbered (index among this
     /// process's axis elements) * (number of section cells) + section cell.
     /// Section functions are computed once per section point.
@@ -262,11 +258,12 @@ namespace lamella
     }
 
   protected:
-    /// Calls @p use with each stiffness row that this process owns.
+    /// Calls @p use with the cells of for_each_output_cell(), whose samples are
+    /// those of samples_at(), for beams whose displacements are not products.
     void
-    for_each_stiffness_block(
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
+    for_each_sampled_cell(const GridIntervals      &n,
+                          const Vector             &u,
+                          const OutputCellCallback &use) const;
 
     /// Returns the integration of nodal forces along the axis of this beam.
     AxisLoop
@@ -353,12 +350,6 @@ namespace lamella
     /// cell, and for its other nodes the differences to the first node.
     std::vector<std::vector<double>>
     coefficients_of_element(const unsigned int cell, const Vector &u) const;
-
-    /// Implements for_each_output_cell() for beams with finite rotations.
-    void
-    for_each_rotated_cell(const GridIntervals      &n,
-                          const Vector             &u,
-                          const OutputCellCallback &use) const;
 
     /// Returns the amplitudes at @p etas in [0, 1] of axis element @p cell.
     AxisStates
@@ -468,6 +459,11 @@ namespace lamella
     select_constraint_points(std::vector<EdgePoint>           points,
                              const std::vector<unsigned int> &list) const;
 
+    /// Returns the facets of surface_topology() for @p surface: facets of the
+    /// ends, one per section cell, followed by facets of lateral surfaces.
+    std::vector<SurfaceFacet>
+    facets_of(const std::string &surface) const;
+
     /// Sets corners and degrees of @p facet from its section cell and its axes.
     void
     complete(SurfaceFacet &facet) const;
@@ -480,6 +476,33 @@ namespace lamella
     std::string label;
     /// Kirchhoff's constraints; empty except for EBBT.
     Constraints kirchhoff;
+  };
+
+  /// A beam whose internal forces and fields are nonlinear in its DoFs.
+  class FiniteRotationBeam : public Beam
+  {
+  public:
+    using Beam::Beam;
+
+    bool
+    has_finite_rotations() const override
+    {
+      return true;
+    }
+    std::vector<OutputCell>
+    cut(const double       position,
+        const unsigned int n,
+        const Vector      &u) const override
+    {
+      return Body::cut(position, n, u);
+    }
+    void
+    for_each_output_cell(const GridIntervals      &n,
+                         const Vector             &u,
+                         const OutputCellCallback &use) const override
+    {
+      for_each_sampled_cell(n, u, use);
+    }
   };
 
   /// Returns a pointer to each of @p bodies that is a beam, null for others.

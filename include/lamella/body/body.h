@@ -7,7 +7,9 @@
 // Start with Body, Location and LinearFunctional (base/linear_functional.h).
 // Body::locate() finds the elements that contain a point, and Body::rows()
 // returns the displacement of the point as linear functionals of the DoFs
-// (rows), from which point forces, supports and gaps are formed.
+// (rows), from which point forces, supports and gaps are formed. Functions that
+// follow from others are not members: body_solver.h, fields.h, line_crossings.h
+// and surface_topology.h have them.
 
 #ifndef lamella_body_body_h
 #define lamella_body_body_h
@@ -29,7 +31,6 @@
 
 namespace lamella
 {
-  class NotPositiveDefinite;
   class SecondOrder;
 
   /// A field that can be evaluated at a point: displacement u, strain epsilon,
@@ -144,15 +145,21 @@ namespace lamella
   using GridIntervals = std::array<unsigned int, 3>;
 
   /// Number, ownership and polynomial degrees of the elements of a body.
+  /// Degrees are along the three unit coordinates of an element.
   struct Cells
   {
     /// Number of elements on all processes together.
     unsigned int n = 0;
     /// Index of the first element of this process, and one past the last.
     std::pair<unsigned int, unsigned int> own;
-    /// Largest polynomial degrees of displacements along the three unit
-    /// coordinates of an element, at least 1.
+    /// Largest polynomial degrees of displacements, at least 1.
     GridIntervals degrees{{1, 1, 1}};
+    /// Numbers of intervals that resolve displacement and shape in output.
+    GridIntervals output_degrees = degrees;
+    /// Degrees p for strain recovery: strains are superconvergent at p Gauss
+    /// points. 0 along coordinates in which strains are smooth across elements
+    /// (section, Taylor theories).
+    GridIntervals recovery_degrees = degrees;
   };
 
   /// A ply of the section and its axes at a point.
@@ -195,13 +202,43 @@ namespace lamella
     double shape_change = 0.;
   };
 
+  /// Position, scale and hierarchical level of a DoF.
+  struct DofInfo
+  {
+    /// Position of the node, scene axes, for messages.
+    dealii::Point<3> position;
+    /// Largest displacement due to a unit value of the DoF, up to a factor of
+    /// order one, to scale DoFs of different units.
+    double scale = 1.;
+    /// Level in the hierarchical basis of the section
+    /// (doc/theory/stable-basis.md): 0 for rigid motions, higher for finer
+    /// functions; 0 for nodal bases. Supports eliminate DoFs of low level
+    /// first, for stability.
+    unsigned int level = 0;
+  };
+
+  /// Largest displacement and rotation in a vector of DoFs.
+  struct DofMagnitude
+  {
+    /// Largest product of a DoF and its DofInfo::scale [length]; unscaled
+    /// unless the DoFs include rotations.
+    double displacement = 0.;
+    /// Largest nodal rotation [rad]; 0 unless the DoFs include rotations.
+    double rotation = 0.;
+  };
+
+  /// Displacement u = 0 as an empty vector. Functions of Body with an argument
+  /// u then return what belongs to the undeformed body, linearized there.
+  inline const Vector undisplaced;
+
   /// Rigid motion: translations along x, y, z [length], rotations [rad].
   using RigidMotion = std::array<double, 6>;
 
   /// Interface of a discretized elastic body: DoFs, stiffness, points and
   /// surfaces, without boundary conditions. Positions are in scene axes.
-  /// Displacements are arguments; the body stores none. A "row" is a linear
-  /// functional of the DoFs, such as a displacement component at a point.
+  /// Displacements are arguments, which bodies of linear kinematics ignore; the
+  /// body stores none. A "row" is a linear functional of the DoFs, such as a
+  /// displacement component at a point.
   /// Equations are those of Nagaraj et al. 2020.
   ///
   /// In the principle of virtual work (Eqs. 8 to 12) the internal work is
@@ -268,27 +305,9 @@ namespace lamella
       return dealii::complete_index_set(n_dofs());
     }
 
-    /// Returns the level of @p dof in the hierarchical basis of the section
-    /// (doc/theory/stable-basis.md): 0 for rigid motions, higher for finer
-    /// functions; 0 for nodal bases. Supports eliminate DoFs of low level
-    /// first, for stability.
-    virtual unsigned int
-    dof_level(const DofIndex) const
-    {
-      return 0;
-    }
-
-    /// Returns for each DoF the largest displacement due to a unit value of the
-    /// DoF, up to a factor of order one, to scale DoFs of different units.
-    virtual std::vector<double>
-    dof_scales() const
-    {
-      return std::vector<double>(n_dofs(), 1.);
-    }
-
-    /// Returns the position of the node of @p dof, for messages.
-    virtual dealii::Point<3>
-    dof_position(const DofIndex dof) const = 0;
+    /// Returns position, scale and level of @p dof.
+    virtual DofInfo
+    dof(const DofIndex dof) const = 0;
 
     /// Returns the homogeneous constraints of the discretization: Kirchhoff's
     /// constraint in Euler-Bernoulli theory or hanging nodes. The linear solver
@@ -296,21 +315,14 @@ namespace lamella
     virtual const Constraints &
     kinematic_constraints() const;
 
-    /// Returns the six rigid motions, which span the null space of the
-    /// stiffness: unit translations and rotations along and about scene axes,
-    ///   u(X) = e_m,   u(X) = e_m x (X - center()),   m = x, y, z.
-    /// Displacements that the theory lacks (omitted_rigid_motions()) are zero.
+    /// Returns the six rigid motions of the body with the displacement u(X):
+    /// unit translations and rotations along and about scene axes,
+    ///   e_m,   e_m x (X + u(X) - center()),   m = x, y, z.
+    /// They span the null space of the stiffness at u. Linear bodies ignore @p
+    /// u. Displacements that the theory lacks (omitted_rigid_motions()) are
+    /// zero.
     virtual std::vector<Vector>
-    rigid_motions() const = 0;
-
-    /// Returns the rigid motions of the body displaced by the argument u: unit
-    /// translations e_m and rotations e_m x (X + u - center()) for the scene
-    /// axes m = x, y, z. This default implementation returns rigid_motions().
-    virtual std::vector<Vector>
-    rigid_motions_at(const Vector &) const
-    {
-      return rigid_motions();
-    }
+    rigid_motions(const Vector &u) const = 0;
 
     /// Returns true if the kinematics has finite rotations: internal forces are
     /// nonlinear, stresses refer to rotated axes, and rows() of strains and
@@ -322,7 +334,7 @@ namespace lamella
     }
 
     /// Returns true if the DoFs include finite rotations. Displacements are
-    /// then nonlinear in the DoFs (rows_at()), and retract() adds increments.
+    /// then nonlinear in the DoFs: rows() depend on u.
     virtual bool
     constraints_rotate() const
     {
@@ -334,11 +346,12 @@ namespace lamella
     virtual Vector
     retract(const Vector &u, const Vector &change) const;
 
-    /// Returns the largest nodal rotation [rad] of an increment; 0 by default.
-    virtual double
-    largest_spin(const Vector &) const
+    /// Returns largest displacement and rotation of the DoFs @p u or of an
+    /// increment of them; by default the maximum norm of @p u.
+    virtual DofMagnitude
+    magnitude(const Vector &u) const
     {
-      return 0.;
+      return {u.linfty_norm(), 0.};
     }
 
     /// Returns the rigid motions that the theory lacks, such as rotation about
@@ -358,22 +371,30 @@ namespace lamella
     virtual double
     size() const;
 
-    /// Returns the bounding box of the undeformed nodes, scene axes.
+    /// Returns the bounding box of the undeformed nodes, scene axes; by default
+    /// of the corners of all elements.
     virtual dealii::BoundingBox<3>
-    bounding_box() const = 0;
+    bounding_box() const;
 
     // ---- mechanics
 
     /// Adds the internal forces to @p f, f += integral B^T sigma(B u) dV, which
     /// is f += K u for a linear body. They are computed from strains, since
     /// rounding of an assembled matrix loses the bending energy of slender
-    /// bodies (doc/theory/stable-basis.md). Collective.
+    /// bodies (doc/theory/stable-basis.md). This default implementation is for
+    /// linear bodies that are not slender: it multiplies the stiffness blocks.
+    /// Collective.
     virtual void
-    add_internal_forces(const Vector &u, Vector &f) const = 0;
+    add_internal_forces(const Vector &u, Vector &f) const;
+
+    /// Adds the product K(u) w of the tangent stiffness K(u) to @p f, which is
+    /// add_internal_forces(w, f) for a linear body. Collective.
+    virtual void
+    add_tangent_forces(const Vector &u, const Vector &w, Vector &f) const;
 
     /// Returns strain energy and largest rotation of @p u. By default, uses the
     /// work of internal forces for the energy, and curl u of an interpolant
-    /// with output_degrees() for the rotation. Collective.
+    /// with Cells::output_degrees for the rotation. Collective.
     virtual Deformation
     deformation(const Vector &u) const;
 
@@ -396,42 +417,28 @@ namespace lamella
       return bool(temperature_change);
     }
 
-    /// Adds the thermal load, f += integral B^T C epsilon_0 dV with the thermal
-    /// strain epsilon_0. Returns the energy integral epsilon_0 . C epsilon_0 /
-    /// 2 dV. This default implementation has one Gauss point more than
-    /// output_degrees() per coordinate. Collective.
+    /// Adds the thermal load at the displacement @p u, f += integral (dE/du)^T
+    /// C epsilon_0 dV with the thermal strain epsilon_0 and the strain E:
+    /// Green's strain for finite rotations, otherwise the linear strain, dE/du
+    /// = B. Returns the energy integral epsilon_0 . C epsilon_0 / 2 dV if @p u
+    /// is `undisplaced`. This default implementation is for linear bodies and
+    /// has one Gauss point more than Cells::output_degrees per coordinate.
+    /// Collective.
     virtual double
-    add_thermal_load(Vector &f) const;
+    add_thermal_load(const Vector &u, Vector &f) const;
 
-    /// Adds the thermal load for finite rotations at the displacement @p u, f
-    /// += integral (dE/du)^T C epsilon_0 dV with Green's strain E and the
-    /// thermal strain epsilon_0. Collective.
-    virtual void
-    add_thermal_load_at(const Vector &u, Vector &f) const;
     /// Calls @p use with this process's blocks of the derivative by u of the
-    /// forces of add_thermal_load_at().
+    /// forces of add_thermal_load(); no blocks for linear bodies.
     virtual void
-    for_each_thermal_block(
-      const Vector                                      &u,
-      const std::function<void(const StiffnessBlock &)> &use) const;
+    for_each_thermal_block(const Vector & /*u*/,
+                           const BlockCallback & /*use*/) const
+    {}
 
     /// Adds the load vector of the weight to @p f, f . u = integral rho g . u
     /// dV with the density rho and g = @p acceleration [length / s^2]. Throws
     /// InputError if a ply has no density. Collective.
     virtual void
     add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
-
-    /// A callback with the Gauss points of an element and a force at each.
-    using ForcesCallback =
-      std::function<void(const std::vector<Location> &,
-                         const std::vector<dealii::Tensor<1, 3>> &)>;
-    /// Calls @p use for each element of this process, or @p of_all_processes,
-    /// with its Gauss points and their weights (forces, scene axes). Throws as
-    /// add_weight() does.
-    void
-    for_each_cell_by_weight(const dealii::Tensor<1, 3> &acceleration,
-                            const ForcesCallback       &use,
-                            const bool of_all_processes = false) const;
 
     /// Returns the plies (of one material and fiber angle) of the section.
     virtual const std::vector<Ply> &
@@ -447,14 +454,17 @@ namespace lamella
     locate(const std::vector<dealii::Point<3>> &points) const = 0;
 
     /// Returns for each location the components of @p quantity as functionals
-    /// of the DoFs: three displacements in scene axes, or six strains or
-    /// stresses (xx, yy, zz, xy, xz, yz) in the axes @p frame, means over all
-    /// elements at the location. Stresses of heated plies have the constant -C
-    /// epsilon_0.
+    /// of an increment of the DoFs @p u: three displacements in scene axes, or
+    /// six strains or stresses (xx, yy, zz, xy, xz, yz) in the axes @p frame,
+    /// means over all elements at the location. Displacement functionals are
+    /// the derivatives of displacements(); linear bodies ignore @p u. Strains
+    /// and stresses are always those of linear theory. Stresses of heated plies
+    /// have the constant -C epsilon_0.
     virtual std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
-         const Quantity               quantity,
-         const Frame                  frame = Frame::scene) const = 0;
+         const Vector                &u,
+         const Quantity               quantity = Quantity::displacement,
+         const Frame                  frame    = Frame::scene) const = 0;
 
     /// Returns the rotation matrix of the section at @p location for the DoFs
     /// @p u; by default the identity.
@@ -466,21 +476,17 @@ namespace lamella
     virtual std::vector<dealii::Tensor<1, 3>>
     displacements(const std::vector<Location> &locations,
                   const Vector                &u) const;
-    /// Returns the derivatives of displacements() by @p u as functionals of an
-    /// increment of the DoFs, three per location; by default rows().
-    virtual std::vector<std::vector<LinearFunctional>>
-    rows_at(const std::vector<Location> &locations, const Vector &u) const;
-
     /// Calls @p use with symmetric blocks of this process's elements that sum
     /// to the load stiffness of the point @p forces F_k at @p locations, the
-    /// derivative by u of the nodal forces sum_k rows_at()^T F_k. No blocks by
+    /// derivative by u of the nodal forces sum_k rows()^T F_k. No blocks by
     /// default.
     virtual void
     for_each_block_of_forces(
-      const std::vector<Location>                       &locations,
-      const std::vector<dealii::Tensor<1, 3>>           &forces,
-      const Vector                                      &u,
-      const std::function<void(const StiffnessBlock &)> &use) const;
+      const std::vector<Location> & /*locations*/,
+      const std::vector<dealii::Tensor<1, 3>> & /*forces*/,
+      const Vector & /*u*/,
+      const BlockCallback & /*use*/) const
+    {}
 
     /// Returns displacement, strain and stress of @p u at @p location.
     virtual FieldSample
@@ -512,10 +518,6 @@ namespace lamella
     surface_point(const SurfaceFacet     &facet,
                   const dealii::Point<2> &st) const = 0;
 
-    /// Returns the facets (element faces) of surface_topology() for @p surface.
-    virtual std::vector<SurfaceFacet>
-    surface_facets(const std::string &surface) const;
-
     /// Returns points that determine the displacement of @p surface, with
     /// outward normals and tributary areas, for node-to-node contact (Sec. 3.3
     /// of Nagaraj et al. 2020) and normal supports. By default these are the
@@ -539,20 +541,11 @@ namespace lamella
     virtual Cells
     cells() const = 0;
 
-    /// Returns for each unit coordinate the degree p for strain recovery:
-    /// strains are superconvergent at p Gauss points. 0 along coordinates in
-    /// which strains are smooth across elements (section, Taylor theories).
-    virtual std::array<unsigned int, 3>
-    recovery_degrees() const
-    {
-      return cells().degrees;
-    }
-
-    /// Returns the recovery_degrees() of the element with the given index.
-    virtual std::array<unsigned int, 3>
+    /// Returns Cells::recovery_degrees of the element with the given index.
+    virtual GridIntervals
     recovery_degrees_of(const unsigned int) const
     {
-      return recovery_degrees();
+      return cells().recovery_degrees;
     }
 
     /// Returns the parameters in [0, 1], ascending from 0 to 1, at which the
@@ -566,25 +559,11 @@ namespace lamella
     virtual unsigned int
     line_degree(const dealii::Point<3> &from, const dealii::Point<3> &to) const;
 
-    /// Returns ordered points from @p from to @p to that determine the
-    /// displacement on the segment: line_degree() + 1 Gauss-Lobatto points
-    /// between successive line_breaks().
-    std::vector<dealii::Point<3>>
-    line_points(const dealii::Point<3> &from, const dealii::Point<3> &to) const;
-
     /// Returns the fields of @p u on the cross-section at the distance
     /// @p position from the start of the axis, at (n + 1)^2 points per element,
     /// on every process. Between two axis elements, fields are means over both.
     virtual std::vector<OutputCell>
     cut(const double position, const unsigned int n, const Vector &u) const;
-
-    /// Returns the number of intervals along each unit coordinate of an element
-    /// that resolve its displacement and shape in output.
-    virtual GridIntervals
-    output_degrees() const
-    {
-      return cells().degrees;
-    }
 
     /// A callback with the index of an element in this process and its fields.
     using OutputCellCallback =
@@ -597,66 +576,25 @@ namespace lamella
                          const Vector             &u,
                          const OutputCellCallback &use) const;
 
-    /// Returns the fields of @p u in all elements, at (n + 1)^3 points each.
-    std::vector<OutputCell>
-    output_cells(const unsigned int n, const Vector &u) const;
-
     // ---- solvers
 
-    /// Returns the solver @p requested or, if it is `automatic`, `cg` for nodal
-    /// bodies of more than 300000 DoFs, otherwise CHOLMOD on one process and
-    /// MUMPS on several. Throws InputError for `cholmod` on several processes
-    /// and for `cg` if is_nodal() is false.
-    SolverKind
-    solver_kind(const SolverKind requested) const;
-
-    /// Returns the terms of the unconstrained stiffness K + sum k r^T r, where
-    /// each of @p springs has a stiffness k and an elongation r, a functional
-    /// of the DoFs. The body must outlive the result.
-    StiffnessTerms
-    stiffness_terms(const std::vector<SpringTerm> &springs = {}) const;
-
-    /// Returns the stiffness T^T (K + sum k r^T r) T, assembled for the solver
-    /// @p requested: K of the body, k and r the stiffness and elongation of
-    /// each of @p springs. The homogeneous @p constraints u = T v must include
-    /// kinematic_constraints(). Throws as solver_kind() does. Collective.
-    std::unique_ptr<StiffnessMatrix>
-    assembled_stiffness(
-      const Constraints             &constraints,
-      const std::vector<SpringTerm> &springs   = {},
-      const SolverKind               requested = SolverKind::automatic) const;
-
-    /// Returns a solver for the matrix of assembled_stiffness(). @p monitor is
-    /// called after assembly, and with the size of the matrix factor. Throws
-    /// NumericsError with a position in the scene if the matrix is not positive
-    /// definite, InputError as solver_kind() does. Collective.
-    std::unique_ptr<LinearSolver>
-    make_solver(const Constraints             &constraints,
-                const std::vector<SpringTerm> &springs = {},
-                const SolverKind     requested         = SolverKind::automatic,
-                const SolverMonitor &monitor           = {}) const;
-
-    /// Returns the terms of the tangent stiffness K(u) of the internal forces.
-    /// If the last Newton @p correction is not empty, the geometric stiffness
-    /// uses stresses linearized at the previous iterate (predicted_strain()).
-    StiffnessTerms
-    tangent_terms(const Vector                  &u,
-                  const Vector                  &correction,
-                  const std::vector<SpringTerm> &springs = {}) const;
-    /// Adds the product K(u) w of the tangent stiffness K(u) to f.
-    void
-    add_tangent_forces(const Vector &u, const Vector &w, Vector &f) const;
-    /// Returns a solver for the sum of tangent_terms(), see make_solver().
-    std::unique_ptr<LinearSolver>
-    make_tangent_solver(const Vector                  &u,
-                        const Vector                  &correction,
-                        const Constraints             &constraints,
-                        const std::vector<SpringTerm> &springs = {},
-                        const SolverKind     requested = SolverKind::automatic,
-                        const SolverMonitor &monitor   = {}) const;
+    /// Calls @p use with the blocks of this process that sum to the
+    /// unconstrained tangent stiffness K(u) of the internal forces. If the last
+    /// Newton @p correction is not empty, the geometric stiffness uses stresses
+    /// linearized at the previous iterate (predicted_strain()). If @p
+    /// with_values is false, blocks have only DoFs (sparsity pattern). Linear
+    /// bodies ignore @p u and @p correction.
+    virtual void
+    for_each_stiffness_block(const Vector        &u,
+                             const Vector        &correction,
+                             const bool           with_values,
+                             const BlockCallback &use) const = 0;
 
     /// Returns a solver for the sum of @p terms with the homogeneous
-    /// @p constraints. Parameters and exceptions are those of make_solver().
+    /// @p constraints, which must include kinematic_constraints(). @p monitor
+    /// is called after assembly, and with the size of the matrix factor. Throws
+    /// NumericsError with a position in the scene if the matrix is not positive
+    /// definite, InputError as solver_kind() does. Collective.
     virtual std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
@@ -672,23 +610,6 @@ namespace lamella
     }
 
   protected:
-    /// Calls @p use with the blocks of this process that sum to the
-    /// unconstrained stiffness K. If @p with_values is false, blocks have only
-    /// DoFs, without values (sparsity pattern).
-    virtual void
-    for_each_stiffness_block(
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const = 0;
-
-    /// Calls @p use with the blocks of the tangent stiffness at @p u; see
-    /// tangent_terms() for @p correction. Requires finite rotations.
-    virtual void
-    for_each_tangent_block(
-      const Vector                                      &u,
-      const Vector                                      &correction,
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const;
-
     /// Returns the temperature change at @p x (scene axes) [K]; 0 by default.
     double
     temperature(const dealii::Point<3> &x) const
@@ -696,49 +617,9 @@ namespace lamella
       return temperature_change ? temperature_change(x) : 0.;
     }
 
-    /// Returns the density of each ply. Throws InputError if a ply has none.
-    std::vector<double>
-    densities() const;
-
-    /// Rethrows @p error as a NumericsError with the position of its DoF.
-    [[noreturn]] void
-    rethrow_with_position(const NotPositiveDefinite &error) const;
-
     const Placement placement; ///< Position and axes of the body in the scene.
 
   private:
-    /// Returns the condensed matrix of @p terms for the solver @p requested.
-    std::unique_ptr<StiffnessMatrix>
-    assembled(const StiffnessTerms &terms,
-              const Constraints    &constraints,
-              const SolverKind      requested) const;
-
-    /// A callback with the Gauss points of an element and their weights JxW.
-    using PointsCallback = std::function<void(const std::vector<Location> &,
-                                              const std::vector<double> &)>;
-    void
-    for_each_cell_by_points(const PointsCallback &use,
-                            const bool of_all_processes = false) const;
-
-    /// Returns true if the elements @p before and @p cell are axial neighbors.
-    bool
-    is_adjacent(const unsigned int before, const unsigned int cell) const;
-
-    /// Returns the fields of the element @p cell at @p etas in [0, 1] along the
-    /// axis, with @p n intervals in the section.
-    OutputCell
-    sample_grid(const unsigned int         cell,
-                const GridIntervals       &n,
-                const std::vector<double> &etas,
-                const Vector              &u) const;
-
-    /// Replaces the fields of @p grid on the face of the element @p cell
-    /// nearest to the start by means with those of the adjacent element.
-    void
-    average_with_previous_layer(const unsigned int cell,
-                                const Vector      &u,
-                                OutputCell        &grid) const;
-
     std::string body_name;
     ScalarField temperature_change;
   };

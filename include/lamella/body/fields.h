@@ -106,6 +106,30 @@ namespace lamella
   /// ply axes, stress jump.
   std::vector<double>
   field_values(const FieldSample &sample);
+
+  /// Returns the fields of @p u in all elements of @p body of this process, at
+  /// (n + 1)^3 points each.
+  std::vector<OutputCell>
+  output_cells(const Body &body, const unsigned int n, const Vector &u);
+
+  /// Returns the density of each ply of @p body. Throws InputError if a ply has
+  /// none.
+  std::vector<double>
+  densities(const Body &body);
+
+  /// A callback with the Gauss points of an element and a force at each.
+  using ForcesCallback =
+    std::function<void(const std::vector<Location> &,
+                       const std::vector<dealii::Tensor<1, 3>> &)>;
+
+  /// Calls @p use for each element of this process, or @p of_all_processes,
+  /// with its Gauss points and their weights (forces, scene axes) under the
+  /// @p acceleration [length / s^2]. Throws as densities() does.
+  void
+  for_each_cell_by_weight(const Body                 &body,
+                          const dealii::Tensor<1, 3> &acceleration,
+                          const ForcesCallback       &use,
+                          const bool                  of_all_processes = false);
 } // namespace lamella
 
 #endif

@@ -32,13 +32,13 @@ namespace lamella
   /// to pi, scaled as RigidField. In an increment du, it is a spin about body
   /// axes that follows the rotation in u; retract() computes u updated by du.
   /// Moments in forces are conjugate to spins. Functionals of displacements
-  /// depend on u (rows_at()).
+  /// depend on u (rows()).
   ///
   /// Nodal quaternions are interpolated along an element. Reduced integration,
   /// one Gauss point fewer than nodes, avoids locking. EBBT is TBT with a shear
   /// stiffness of 10^4 times the axial stiffness, as a penalty. Sections that
   /// cannot twist must rotate in one plane.
-  class GeometricallyExactBeam : public Beam
+  class GeometricallyExactBeam : public FiniteRotationBeam
   {
   public:
     /// Constructs a beam with all functions of @p section at all nodes, of a
@@ -63,11 +63,6 @@ namespace lamella
       const bool                                    keeps_normal = false);
 
     bool
-    has_finite_rotations() const override
-    {
-      return true;
-    }
-    bool
     constraints_rotate() const override
     {
       return true;
@@ -76,34 +71,40 @@ namespace lamella
     /// NumericsError if a section that cannot twist would twist.
     Vector
     retract(const Vector &u, const Vector &change) const override;
-    double
-    largest_spin(const Vector &change) const override;
+    DofMagnitude
+    magnitude(const Vector &u) const override;
     std::vector<Vector>
-    rigid_motions_at(const Vector &u) const override;
+    rigid_motions(const Vector &u) const override;
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
+    /// Calls @p use with the tangent of each locally owned axis element.
+    void
+    for_each_stiffness_block(const Vector        &u,
+                             const Vector        &correction,
+                             const bool           with_values,
+                             const BlockCallback &use) const override;
     Deformation
     deformation(const Vector &u) const override;
+    double
+    add_thermal_load(const Vector &u, Vector &f) const override;
     void
-    add_thermal_load_at(const Vector &u, Vector &f) const override;
-    void
-    for_each_thermal_block(
-      const Vector                                      &u,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
+    for_each_thermal_block(const Vector        &u,
+                           const BlockCallback &use) const override;
     dealii::Tensor<2, 3>
     rotation_at(const Location &location, const Vector &u) const override;
     std::vector<dealii::Tensor<1, 3>>
     displacements(const std::vector<Location> &locations,
                   const Vector                &u) const override;
     std::vector<std::vector<LinearFunctional>>
-    rows_at(const std::vector<Location> &locations,
-            const Vector                &u) const override;
+    rows(const std::vector<Location> &locations,
+         const Vector                &u,
+         const Quantity               quantity = Quantity::displacement,
+         const lamella::Frame frame = lamella::Frame::scene) const override;
     void
-    for_each_block_of_forces(
-      const std::vector<Location>                       &locations,
-      const std::vector<dealii::Tensor<1, 3>>           &forces,
-      const Vector                                      &u,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
+    for_each_block_of_forces(const std::vector<Location>             &locations,
+                             const std::vector<dealii::Tensor<1, 3>> &forces,
+                             const Vector                            &u,
+                             const BlockCallback &use) const override;
 
   protected:
     FieldSample
@@ -114,13 +115,6 @@ namespace lamella
     samples_at(const std::vector<SectionPoint> &points,
                const std::vector<AxisPoint>    &places,
                const Vector                    &u) const override;
-    /// Calls @p use with the tangent of each locally owned axis element.
-    void
-    for_each_tangent_block(
-      const Vector                                      &u,
-      const Vector                                      &correction,
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
     /// Section stiffness D of an axis element. `fields` are the indices of its

@@ -10,6 +10,8 @@
 
 namespace lamella
 {
+  class Body;
+
   // Intersections of a line a + t d with the edges of section cells, in the
   // plane (x, z) of the section.
 
@@ -39,6 +41,14 @@ namespace lamella
   /// ascending order and without duplicates (within 1e-9).
   std::vector<double>
   merge_breaks(std::vector<double> breaks);
+
+  /// Returns ordered points from @p from to @p to that determine the
+  /// displacement of @p body on the segment: Body::line_degree() + 1
+  /// Gauss-Lobatto points between successive Body::line_breaks().
+  std::vector<dealii::Point<3>>
+  line_points(const Body             &body,
+              const dealii::Point<3> &from,
+              const dealii::Point<3> &to);
 } // namespace lamella
 
 #endif

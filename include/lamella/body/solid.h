@@ -53,10 +53,10 @@ namespace lamella
     stiffness_entries() const override;
     dealii::IndexSet
     owned_dofs() const override;
-    dealii::Point<3>
-    dof_position(const DofIndex dof) const override
+    DofInfo
+    dof(const DofIndex dof) const override
     {
-      return placement.to_scene(mesh.nodes()[dof / 3]);
+      return {placement.to_scene(mesh.nodes()[dof / 3])};
     }
 
     const Constraints &
@@ -65,7 +65,7 @@ namespace lamella
       return hanging;
     }
     std::vector<Vector>
-    rigid_motions() const override;
+    rigid_motions(const Vector &u) const override;
     dealii::Point<3>
     center() const override;
     double
@@ -75,12 +75,17 @@ namespace lamella
 
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
+    void
+    for_each_stiffness_block(const Vector        &u,
+                             const Vector        &correction,
+                             const bool           with_values,
+                             const BlockCallback &use) const override;
     Deformation
     deformation(const Vector &u) const override;
     std::unique_ptr<SecondOrder>
     second_order(const Vector &u) const override;
     double
-    add_thermal_load(Vector &f) const override;
+    add_thermal_load(const Vector &u, Vector &f) const override;
     void
     add_weight(const dealii::Tensor<1, 3> &acceleration,
                Vector                     &f) const override;
@@ -94,8 +99,9 @@ namespace lamella
     locate(const std::vector<dealii::Point<3>> &points) const override;
     std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
-         const Quantity               quantity,
-         const Frame                  frame = Frame::scene) const override;
+         const Vector                &u,
+         const Quantity               quantity = Quantity::displacement,
+         const Frame                  frame    = Frame::scene) const override;
     FieldSample
     sample(const Location &location, const Vector &u) const override;
     dealii::Point<3>
@@ -118,8 +124,6 @@ namespace lamella
     constraint_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
-    std::vector<SurfaceFacet>
-    surface_facets(const std::string &surface) const override;
     SurfaceTopology
     surface_topology(const std::string &surface) const override;
     SurfacePoint
@@ -143,11 +147,6 @@ namespace lamella
     }
 
   protected:
-    void
-    for_each_stiffness_block(
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
-
     /// Returns displacement, strain and stress at a point of one element.
     virtual FieldSample
     sample_at_element_point(const Location::Place &place,
@@ -238,6 +237,10 @@ namespace lamella
     face_point(const unsigned int      cell,
                const unsigned int      face,
                const dealii::Point<3> &unit) const;
+
+    /// Returns the facets of surface_topology() for @p surface.
+    std::vector<SurfaceFacet>
+    facets_of(const std::string &surface) const;
 
     /// Hanging nodes of the mesh by their node index.
     using HangingNodes =

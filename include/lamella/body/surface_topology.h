@@ -39,7 +39,7 @@ namespace lamella
       std::array<unsigned int, 2> ends{};   ///< Nodes at the ends of the edge.
     };
 
-    /// All facets, in the order of Body::surface_facets().
+    /// All facets, in the order of surface_facets().
     std::vector<Facet> facets;
     /// Number of nodes of contact (Facet::grid) on the surface.
     unsigned int n_grid = 0, n_trace = 0; ///< Number of nodes of Facet::trace.
@@ -69,6 +69,10 @@ namespace lamella
     std::map<std::uint64_t, unsigned int>     grid_numbers, trace_numbers;
     std::multimap<unsigned int, unsigned int> facets_of_cell;
   };
+
+  /// Returns the facets (element faces) of @p surface of @p body.
+  std::vector<SurfaceFacet>
+  surface_facets(const Body &body, const std::string &surface);
 } // namespace lamella
 
 #endif

@@ -20,7 +20,7 @@ namespace lamella
   /// Output has Green's strain E and as stress R^T sigma R, the Cauchy stress
   /// in axes that rotate with the material. For output, E_yy and transverse
   /// shear strains are fitted by quadratic polynomials along each element.
-  class TotalLagrangianBeam : public Beam
+  class TotalLagrangianBeam : public FiniteRotationBeam
   {
   public:
     /// Constructs the beam. Throws InputError unless axis elements are B4 and
@@ -30,21 +30,22 @@ namespace lamella
                         const std::shared_ptr<const Axis>    &axis,
                         const Placement                      &placement);
 
-    bool
-    has_finite_rotations() const override
-    {
-      return true;
-    }
     std::vector<Vector>
-    rigid_motions_at(const Vector &u) const override;
+    rigid_motions(const Vector &u) const override;
+    /// Calls @p use with the tangent stiffness of each locally owned axis
+    /// element, one block per section cell.
+    void
+    for_each_stiffness_block(const Vector        &u,
+                             const Vector        &correction,
+                             const bool           with_values,
+                             const BlockCallback &use) const override;
     Deformation
     deformation(const Vector &u) const override;
     std::vector<dealii::Point<3>>
     inverted_points(const Vector &u) const override;
     void
-    for_each_thermal_block(
-      const Vector                                      &u,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
+    for_each_thermal_block(const Vector        &u,
+                           const BlockCallback &use) const override;
 
   protected:
     /// Returns the section forces, nonlinear in @p q due to Green's strain.
@@ -56,14 +57,6 @@ namespace lamella
               const AxisPoint    &on_axis,
               const Vector       &u) const override;
 
-    /// Calls @p use with the tangent stiffness of each locally owned axis
-    /// element, one block per section cell.
-    void
-    for_each_tangent_block(
-      const Vector                                      &u,
-      const Vector                                      &correction,
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
     /// Returns amplitudes (at @p on_axis) of functions in the cell of @p point.

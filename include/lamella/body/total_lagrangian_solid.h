@@ -31,30 +31,28 @@ namespace lamella
       return true;
     }
     std::vector<Vector>
-    rigid_motions_at(const Vector &u) const override;
+    rigid_motions(const Vector &u) const override;
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
+    /// Calls @p use with the tangent stiffness of each locally owned
+    /// hexahedron.
+    void
+    for_each_stiffness_block(const Vector        &u,
+                             const Vector        &correction,
+                             const bool           with_values,
+                             const BlockCallback &use) const override;
     Deformation
     deformation(const Vector &u) const override;
     std::vector<dealii::Point<3>>
     inverted_points(const Vector &u) const override;
     void
-    for_each_thermal_block(
-      const Vector                                      &u,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
+    for_each_thermal_block(const Vector        &u,
+                           const BlockCallback &use) const override;
 
   protected:
     FieldSample
     sample_at_element_point(const Location::Place &place,
                             const Vector          &u) const override;
-    /// Calls @p use with the tangent stiffness of each locally owned
-    /// hexahedron.
-    void
-    for_each_tangent_block(
-      const Vector                                      &u,
-      const Vector                                      &correction,
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
 
   private:
     /// Returns the displacement gradient H of @p u at @p point of @p cell.

@@ -13,7 +13,7 @@ namespace lamella
   /// F_k at the points have the generalized forces
   ///   f(u) = sum over k of R_k(u)^T F_k,
   /// where the three rows of R_k give the displacement of point k per change of
-  /// the DoFs (Body::rows_at()). The body must outlive this object.
+  /// the DoFs (Body::rows()). The body must outlive this object.
   class CurrentPoints
   {
   public:
@@ -49,15 +49,15 @@ namespace lamella
 
     /// Calls @p use with the blocks of the matrix of add_rotated_forces().
     void
-    for_each_rotation_block(
-      const std::vector<dealii::Tensor<1, 3>>           &forces,
-      const double                                       factor,
-      const Vector                                      &u,
-      const std::function<void(const StiffnessBlock &)> &use) const;
+    for_each_rotation_block(const std::vector<dealii::Tensor<1, 3>> &forces,
+                            const double                             factor,
+                            const Vector                            &u,
+                            const BlockCallback                     &use) const;
 
   private:
-    const Body                                &body;
-    std::vector<Location>                      locations;
+    const Body           &body;
+    std::vector<Location> locations;
+    /// Rows of bodies whose rows do not depend on u, else empty.
     std::vector<std::vector<LinearFunctional>> fixed;
   };
 } // namespace lamella

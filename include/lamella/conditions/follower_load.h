@@ -41,11 +41,10 @@ namespace lamella
     /// symmetric part of the derivative of the nodal forces by @p u; if @p
     /// with_values is false, blocks have only DoFs, no values.
     virtual void
-    for_each_stiffness_block(
-      const double                                       factor,
-      const Vector                                      &u,
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const = 0;
+    for_each_stiffness_block(const double         factor,
+                             const Vector        &u,
+                             const bool           with_values,
+                             const BlockCallback &use) const = 0;
   };
 
   /// Loads of a body with finite rotations.
@@ -69,11 +68,13 @@ namespace lamella
   std::unique_ptr<FollowerLoad>
   follower_load(const Load &load, const Region &region, const Body &body);
 
-  /// Returns the thermal load on @p body, Body::add_thermal_load_at().
+  /// Returns the thermal load on @p body, Body::add_thermal_load(); null if it
+  /// does not depend on the displacement or is zero.
   std::unique_ptr<FollowerLoad>
   turning_heat(const Body &body);
 
-  /// Returns the weight of @p body for @p acceleration [length / s^2].
+  /// Returns the weight of @p body for @p acceleration [length / s^2]; null if
+  /// its load vector does not depend on the displacement.
   std::unique_ptr<FollowerLoad>
   follower_weight(const dealii::Tensor<1, 3> &acceleration, const Body &body);
 } // namespace lamella

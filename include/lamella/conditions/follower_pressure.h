@@ -29,11 +29,10 @@ namespace lamella
                    const Vector &w,
                    Vector       &f) const override;
     void
-    for_each_stiffness_block(
-      const double                                       factor,
-      const Vector                                      &u,
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const override;
+    for_each_stiffness_block(const double         factor,
+                             const Vector        &u,
+                             const bool           with_values,
+                             const BlockCallback &use) const override;
 
   private:
     /// A Gauss point at (s, t) with p times its weight, the values of the shape

@@ -75,7 +75,7 @@ namespace lamella
   ///
   ///   Kind     locations
   ///   point    one for each position in `at`
-  ///   line     Body::line_points() of the segment: as many per element as its
+  ///   line     line_points() of the segment: as many per element as its
   ///            polynomial degree along the line requires
   ///   surface  Body::constraint_points()
   ///   body     Body::body_points()

@@ -34,8 +34,6 @@ namespace lamella
     /// Functional of each constraint of the body after elimination of its
     /// kinematic constraints; empty for constraints of other bodies.
     std::vector<LinearFunctional> functionals;
-    /// Displacement per unit value of each DoF (Body::dof_scales()).
-    std::vector<double> sizes;
   };
 
   /// Linearly independent constraints of a group with common DoFs, and the DoF
@@ -52,7 +50,7 @@ namespace lamella
   };
 
   /// Linear constraint sum_i entries[i] v_i = value during Gauss-Jordan
-  /// elimination. The unknowns v_i are DoFs times Body::dof_scales().
+  /// elimination. The unknowns v_i are DoFs times DofInfo::scale.
   struct FunctionalEquation
   {
     unsigned int               number;  ///< Index of the constraint.

@@ -26,7 +26,7 @@ namespace lamella
   ///
   /// A row of R is linearly dependent if all entries that remain after
   /// elimination are below 1e-6 of its largest original entry, with DoFs scaled
-  /// by Body::dof_scales(). It is contradictory if its remaining right-hand
+  /// by DofInfo::scale. It is contradictory if its remaining right-hand
   /// side exceeds 1e-6 of the largest value. Keeps a reference to the body's
   /// kinematic constraints.
   class RowReduction

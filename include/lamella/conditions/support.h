@@ -146,7 +146,7 @@ namespace lamella
                          const Bodies               &bodies);
 
   /// Returns the constraint @p prescribed of @p body linearized at the
-  /// displacement @p u (Body::rows_at()), and the displacement along its
+  /// displacement @p u (Body::rows()), and the displacement along its
   /// direction. If a RigidRotation is prescribed, the direction rotates with
   /// the section, so that independent constraints stay independent.
   std::pair<PrescribedFunctional, double>

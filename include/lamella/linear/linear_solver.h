@@ -18,7 +18,7 @@
 namespace lamella
 {
   /// Kind of linear solver for the symmetric positive definite stiffness matrix
-  /// of a body. Body::solver_kind() checks whether the body supports it.
+  /// of a body. solver_kind() checks whether the body supports it.
   enum class SolverKind
   {
     automatic, ///< choice by body and number of processes

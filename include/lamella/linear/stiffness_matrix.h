@@ -41,6 +41,9 @@ namespace lamella
     }
   };
 
+  /// A callback with a block of a stiffness.
+  using BlockCallback = std::function<void(const StiffnessBlock &)>;
+
   /// A stiffness term k r^T r: row vector r and spring constant k of a spring
   /// to the ground along r, with k in force/length if r is dimensionless.
   using SpringTerm = std::pair<LinearFunctional, double>;
@@ -53,10 +56,10 @@ namespace lamella
     /// Function that calls its second argument for each block of the
     /// unconstrained stiffness. If the first argument is false, the blocks have
     /// no values. In a distributed assembly, each process has different blocks.
-    std::function<void(const bool,
-                       const std::function<void(const StiffnessBlock &)> &)>
-                            for_each_block;
+    std::function<void(const bool, const BlockCallback &)> for_each_block;
     std::vector<SpringTerm> springs; ///< Springs, equal on all processes.
+    /// True if blocks of loads may couple DoFs that share no element.
+    bool has_loads = false;
   };
 
   /// The assembled stiffness matrix of a body, condensed by the homogeneous

@@ -20,10 +20,10 @@ namespace lamella
   /// is not null, the largest inverse reserve factor is written at each point.
   /// @p factor is the time in ParaView.
   ///
-  /// Cells have the degrees Body::output_degrees(), at most 4. Values are in
-  /// single precision. Displacements and positions are rounded to 2^-24 of the
-  /// largest value in the file; strains and stresses to 2^-11 of the largest in
-  /// the element or 2^-24 of that in the file, whichever is larger.
+  /// Cells have the degrees Body::cells().output_degrees, at most 4. Values are
+  /// in single precision. Displacements and positions are rounded to 2^-24 of
+  /// the largest value in the file; strains and stresses to 2^-11 of the
+  /// largest in the element or 2^-24 of that in the file, whichever is larger.
   ///
   /// With several processes, each process writes solution_STEP.PROCESS.vtu with
   /// its elements; the name of solution_STEP.pvtu, which combines these files,

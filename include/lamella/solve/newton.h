@@ -289,7 +289,7 @@ namespace lamella
                             const LoadFactor  &to) const;
 
     /// Returns the largest displacement component of @p u [length]. DoFs that
-    /// are no lengths (rotations, warping) are scaled by Body::dof_scales().
+    /// are no lengths (rotations, warping) are scaled by DofInfo::scale.
     double
     length_of(const BlockVector &u) const;
     /// Scales @p change in each body to rotations up to `spin`.
@@ -356,9 +356,7 @@ namespace lamella
                           const double           size) const;
 
     const Structure &structure;
-    /// Body::dof_scales() of bodies with rotation DoFs, else empty.
-    std::vector<std::vector<double>> sizes;
-    MovingContacts                   contacts;
+    MovingContacts   contacts;
     /// Message of the last failed attempt, and why a contact was lost in it.
     std::string            last_failure, lost_contact;
     const SolverKind       requested;

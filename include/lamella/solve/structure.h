@@ -7,6 +7,7 @@
 #ifndef lamella_solve_structure_h
 #define lamella_solve_structure_h
 
+#include <lamella/body/body_solver.h>
 #include <lamella/conditions/follower_load.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/row_reduction.h>
@@ -146,12 +147,11 @@ namespace lamella
     /// (FollowerLoad) on @p body at load factor @p factor and displacements @p
     /// u. If @p with_values is false, the blocks contain the DoFs only.
     void
-    for_each_block_of_loads(
-      const unsigned int                                 body,
-      const LoadFactor                                  &factor,
-      const Vector                                      &u,
-      const bool                                         with_values,
-      const std::function<void(const StiffnessBlock &)> &use) const;
+    for_each_block_of_loads(const unsigned int   body,
+                            const LoadFactor    &factor,
+                            const Vector        &u,
+                            const bool           with_values,
+                            const BlockCallback &use) const;
 
     /// Returns the load vector of the thermal strains; zero without
     /// temperatures, and for finite rotations, where load() includes it.

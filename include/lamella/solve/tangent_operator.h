@@ -70,9 +70,8 @@ namespace lamella
     const RowReduction &
     reduction(const unsigned int body) const
     {
-      return moved_reductions.empty() || moved_reductions[body] == nullptr ?
-               structure.reduction(body) :
-               *moved_reductions[body];
+      return moved_reductions[body] == nullptr ? structure.reduction(body) :
+                                                 *moved_reductions[body];
     }
 
     /// Condenses the forces @p r in place onto the free DoFs.

@@ -3,6 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/export/calculix_contact.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ namespace lamella
     measures_of(const Body &body, const std::string &surface)
     {
       SideMeasures                    result;
-      const std::vector<SurfaceFacet> facets = body.surface_facets(surface);
+      const std::vector<SurfaceFacet> facets = surface_facets(body, surface);
       for (const SurfaceFacet &facet : facets)
         {
           const SurfacePoint middle =
@@ -69,7 +70,7 @@ namespace lamella
                                               automatic_search_distance(contact, bodies);
       std::vector<Point<3>> places;
       for (const SurfaceFacet &facet :
-           body.surface_facets(contact.first.surface))
+           surface_facets(body, contact.first.surface))
         for (const double s : {0., 0.5, 1.})
           for (const double t : {0., 0.5, 1.})
             {

@@ -5,6 +5,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/solid.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/export/calculix_mesh.h>
 
 #include <algorithm>
@@ -228,7 +229,7 @@ namespace lamella
   CalculixMesh::faces(const unsigned int body, const std::string &surface) const
   {
     CalculixFaces result;
-    for (const SurfaceFacet &facet : solids[body]->surface_facets(surface))
+    for (const SurfaceFacet &facet : surface_facets(*solids[body], surface))
       {
         unsigned int normal = 0;
         while (facet.along_s[normal] != 0. || facet.along_t[normal] != 0.)
