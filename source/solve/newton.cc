@@ -388,6 +388,10 @@ namespace lamella
           {
             if (step(to, transfer, predicted, at))
               return true;
+            last_failure = "The last iteration left " +
+                           to_text(at.residual, 2) +
+                           " of the forces unbalanced, and gaps off by " +
+                           to_text(at.law_error, 2) + ".";
           }
         catch (const NumericsError &error)
           {

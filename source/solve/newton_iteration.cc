@@ -161,7 +161,8 @@ namespace lamella
     x += du;
     // Motions that only springs restrain keep their spring forces.
     if (structure.has_springs() &&
-        length_of(x) > parameters.max_spring_influence * length_of(du))
+        length_of(x) > parameters.max_spring_influence * regularization_factor *
+                         length_of(du))
       return du;
     // First-order update of forces; the next iteration finds the active set.
     add_forces(contacts.rows(), closed, forces, state);

@@ -48,8 +48,8 @@ namespace lamella
     double rotation_tolerance = 1e-3;
     /// Maximum number of GMRES iterations in Newton::correct_row_rotation().
     unsigned int max_rotation_corrections = 20;
-    /// Largest factor by which removal of the stabilizing springs may enlarge a
-    /// correction; otherwise the correction with springs is used.
+    /// Largest factor, over that of the springs' stiffness, by which removal of
+    /// stabilizing springs may enlarge a correction; otherwise they stay in it.
     double max_spring_influence = 10.;
     /// Largest correction over the scene diagonal at which a stagnating
     /// residual counts as converged, if bodies have stabilizing springs.
