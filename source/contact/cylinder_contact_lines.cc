@@ -14,23 +14,22 @@
 // Contact of a beam with a circular cylinder along material lines. On each line
 // the distance from the cylinder's axis is minimized at every move:
 // 1. samples on all facets of the line bracket the minimum;
-// 2. Newton's method on r . X_,t = 0 finds it, also slightly past a side;
-// 3. the previous facet is kept while it is as near, against jumps.
+// 2. the Illinois method finds r . t = 0, t the tangent normal to the
+//    continuous normal of the surface.
 // The force then acts along the normal of the cylinder through that point
 // (closest-point projection onto the axis).
-// At the minimum, r . X_,t = 0, so the gap |r| - R is stationary in t and its
-// gradient is the normal r / |r| at the material point.
+// Slopes of elements differ at their nodes, by the shear angle below a line
+// load. With the tangents X_,t of the elements, a node that is farther from the
+// roller than both its sides would have two nearest points, and the contact
+// point would alternate between them.
+// At r . X_,t = 0 the gap |r| - R is stationary in t, and its gradient is the
+// normal r / |r| at the material point; here to the difference of the tangents.
 namespace lamella
 {
   using namespace dealii;
 
   namespace
   {
-    // Share of a facet's length allowed past a side with a neighbor.
-    constexpr double past_the_side = 0.05;
-
-
-
     // Coordinate of @p x along the axis of @p roller.
     double
     station_of(const Obstacle &roller, const Point<3> &x)
@@ -49,50 +48,54 @@ namespace lamella
 
 
 
-    /// Returns t of the stationary distance from the axis of @p roller on the
-    /// line s = @p start[0] of @p map, from t = @p start[1] on: r . X_,t = 0,
-    /// by Newton's method with X_,tt from differences. Empty without a minimum.
-    std::optional<double>
-    nearest_on(const FacetMap &map, const Obstacle &roller, Point<2> start)
+    // Slope of half the squared distance of the point @p at from the axis of @p
+    // roller along t, on the surface @p now with its continuous normals.
+    double
+    slope(const Obstacle                &roller,
+          const MeshSurface             &now,
+          const MeshSurface::FacetPoint &at)
     {
-      constexpr unsigned int max_iterations = 30;
-      constexpr double       step           = arithmetic::same_in_element;
-      for (unsigned int k = 0; k < max_iterations; ++k)
-        {
-          const auto         place   = map(start);
-          const Tensor<1, 3> r       = roller.across_axis(place.position -
-                                                    roller.point),
-                             tangent = roller.across_axis(place.d_t),
-                             bend    = (map({start[0], start[1] + step}).d_t -
-                                     map({start[0], start[1] - step}).d_t) /
-                                    (2. * step);
-          const double slope = tangent * tangent + r * bend;
-          if (slope <= 0.)
-            return {};
-          const double change = -(r * tangent) / slope;
-          start[1] += change;
-          if (!(std::abs(start[1]) < 10.))
-            return {};
-          if (std::abs(change) < arithmetic::rounding_of_sums)
-            return start[1];
-        }
-      return {};
+      const MeshSurface::Facet &facet = now.facets()[at.facet];
+      const auto                place = facet.map(at.st);
+      const Tensor<1, 3>        n     = now.smooth_normal(facet, at.st);
+      return roller.across_axis(place.position - roller.point) *
+             (place.d_t - (place.d_t * n) * n);
     }
 
 
 
-    /// Returns it on @p facet, or past a side with a neighbor by a small share.
-    std::optional<double>
-    nearest_on(const MeshSurface::Facet &facet,
-               const Obstacle           &roller,
-               const Point<2>           &start)
+    // Point between @p low and @p high on one facet where slope() is zero, by
+    // the Illinois method. Empty unless it changes from - to +.
+    std::optional<MeshSurface::FacetPoint>
+    nearest_between(const Obstacle         &roller,
+                    const MeshSurface      &now,
+                    MeshSurface::FacetPoint low,
+                    MeshSurface::FacetPoint high)
     {
-      const auto   t      = nearest_on(facet.map, roller, start);
-      const double before = facet.has_neighbor[2] ? past_the_side : 0.,
-                   behind = facet.has_neighbor[3] ? past_the_side : 0.;
-      if (t && *t >= -before && *t <= 1. + behind)
-        return t;
-      return {};
+      constexpr unsigned int max_iterations = 60;
+      double                 at_low         = slope(roller, now, low),
+             at_high                        = slope(roller, now, high);
+      if (at_low > 0. || at_high < 0. || at_low == at_high)
+        return {};
+      MeshSurface::FacetPoint at        = low;
+      bool                    was_below = false;
+      for (unsigned int k = 0; k < max_iterations; ++k)
+        {
+          const double before = at.st[1], length = high.st[1] - low.st[1];
+          at.st[1]          = low.st[1] - at_low * length / (at_high - at_low);
+          const double here = slope(roller, now, at);
+          if (here == 0. ||
+              std::abs(at.st[1] - before) < arithmetic::rounding_of_sums)
+            break;
+          // An end that stays for two iterations gets half of its slope.
+          const bool below           = here < 0.;
+          (below ? low : high)       = at;
+          (below ? at_low : at_high) = here;
+          if (k > 0 && below == was_below)
+            (below ? at_high : at_low) /= 2.;
+          was_below = below;
+        }
+      return at;
     }
   } // namespace
 
@@ -171,45 +174,41 @@ namespace lamella
 
 
 
-  // Global minimum by samples, then local minimum by Newton's method.
+  // Samples, then zeros of the slope beside those that are about as near as the
+  // nearest.
   MeshSurface::FacetPoint
-  CylinderContactLines::nearest_point_on_line(
-    const Line                    &line,
-    const MeshSurface             &now,
-    const Obstacle                &roller,
-    const MeshSurface::FacetPoint &last)
+  CylinderContactLines::nearest_point_on_line(const Line        &line,
+                                              const MeshSurface &now,
+                                              const Obstacle    &roller)
   {
-    constexpr unsigned int  samples  = 8;
-    MeshSurface::FacetPoint best     = last;
+    constexpr unsigned int  samples     = 8;
+    constexpr double        about_equal = 1.05;
+    MeshSurface::FacetPoint best{};
     double                  smallest = std::numeric_limits<double>::max();
-    const auto try_place = [&](const unsigned int facet, const Point<2> &st) {
-      const double here = distance(roller, now.facets()[facet].map, st);
-      if (here >= smallest)
-        return;
-      smallest = here;
-      best     = {facet, st};
+    std::vector<double>     sampled;
+    const auto sample = [&](const Piece &on, const unsigned int i) {
+      return MeshSurface::FacetPoint{on.facet, {on.s, double(i) / samples}};
     };
-    for (const auto &[facet, s] : line)
+    const auto try_point = [&](const MeshSurface::FacetPoint &at) {
+      const double here = distance(roller, now.facets()[at.facet].map, at.st);
+      if (here < smallest)
+        best = at;
+      smallest = std::min(smallest, here);
+      return here;
+    };
+    for (const Piece &on : line)
       for (unsigned int i = 0; i <= samples; ++i)
-        try_place(facet, {s, double(i) / samples});
-    // A sample on a side belongs to both facets.
-    const double sampled = smallest * (1. + arithmetic::same_value);
-    for (const auto &[facet, s] : line)
-      {
-        const FacetMap &map = now.facets()[facet].map;
-        const bool      was = facet == last.facet;
-        for (const double t :
-             {was ? last.st[1] : 0., best.facet == facet ? best.st[1] : 1.})
-          if (was || distance(roller, map, {s, t}) <= sampled)
-            if (const auto found =
-                  nearest_on(now.facets()[facet], roller, {s, t}))
-              {
-                // The point stays on its facet while that is as near.
-                if (was && distance(roller, map, {s, *found}) <= sampled)
-                  return {facet, {s, *found}};
-                try_place(facet, {s, *found});
-              }
-      }
+        sampled.push_back(try_point(sample(on, i)));
+    const double near = about_equal * smallest;
+    // Zeros replace the nearest sample.
+    smallest = std::numeric_limits<double>::max();
+    for (unsigned int k = 0; k < line.size(); ++k)
+      for (unsigned int i = 0; i < samples; ++i)
+        if (const double *ends = &sampled[k * (samples + 1) + i];
+            std::min(ends[0], ends[1]) <= near)
+          if (const auto found = nearest_between(
+                roller, now, sample(line[k], i), sample(line[k], i + 1)))
+            try_point(*found);
     return best;
   }
 
@@ -222,8 +221,7 @@ namespace lamella
                                std::vector<GapPoint> &points) const
   {
     for (unsigned int k = 0; k < points.size(); ++k)
-      points[k].slave =
-        nearest_point_on_line(lines[k], now, roller, points[k].slave);
+      points[k].slave = nearest_point_on_line(lines[k], now, roller);
   }
 
 
@@ -243,9 +241,8 @@ namespace lamella
         const Line line = line_at(surface, roller, station_of(roller, place));
         if (line.empty())
           continue;
-        const auto [facet, st] = nearest_point_on_line(
-          line, now, roller, {line.front().facet, {line.front().s, 0.}});
-        const MeshSurface::Facet &at   = now.facets()[facet];
+        const auto [facet, st]       = nearest_point_on_line(line, now, roller);
+        const MeshSurface::Facet &at = now.facets()[facet];
         const auto                here = at.map(st);
         const double              spacing =
           at.map({st[0], 1.}).position.distance(at.map({st[0], 0.}).position) /
@@ -321,8 +318,7 @@ namespace lamella
         const Line line = line_at(surface, roller, station * unit);
         if (line.empty())
           continue;
-        const auto at = nearest_point_on_line(
-          line, now, roller, {line.front().facet, {line.front().s, 0.}});
+        const auto         at    = nearest_point_on_line(line, now, roller);
         const FacetMap    &map   = now.facets()[at.facet].map;
         const auto         place = map(at.st);
         const Tensor<1, 3> r =

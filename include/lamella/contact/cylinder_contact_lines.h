@@ -57,9 +57,9 @@ namespace lamella
   /// point of a line is its point nearest to the roller axis, which changes as
   /// the beam bends. At this point the gap
   ///   g = |r| - R,   r the component of x - c normal to the axis through c,
-  /// with the roller radius R is stationary along the line, so the gradient of
-  /// g omits the motion of the point. At a distance d from it, the normal is
-  /// off by the angle d / R.
+  /// with the roller radius R is stationary along the line but for differences
+  /// of the slopes of adjacent elements, so the gradient of g omits the motion
+  /// of the point. At a distance d from it, the normal is off by the angle d/R.
   class CylinderContactLines
   {
   public:
@@ -72,9 +72,8 @@ namespace lamella
 
     /// Moves the slave points @p points, one per contact line, along the lines
     /// to the points of the deformed surface @p now nearest to the axis of @p
-    /// roller. A point stays on its facet up to 5 % of the facet length outside
-    /// a side with an adjacent facet. Without a minimum of the distance, the
-    /// end of the line is used.
+    /// roller: the continuous normal of the surface is along the distance r.
+    /// Without a minimum of the distance, the end of the line is used.
     void
     follow(const MeshSurface     &now,
            const Obstacle        &roller,
@@ -118,12 +117,11 @@ namespace lamella
             const double       station);
 
     /// Returns the point of @p line on the deformed surface @p now nearest to
-    /// the axis of @p roller, starting from the previous point @p last.
+    /// the axis of @p roller, an end of it if none is nearest.
     static MeshSurface::FacetPoint
-    nearest_point_on_line(const Line                    &line,
-                          const MeshSurface             &now,
-                          const Obstacle                &roller,
-                          const MeshSurface::FacetPoint &last);
+    nearest_point_on_line(const Line        &line,
+                          const MeshSurface &now,
+                          const Obstacle    &roller);
 
     std::vector<Line> lines;
   };
