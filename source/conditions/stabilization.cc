@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/orthogonal.h>
+#include <lamella/body/guided_obstacle.h>
 #include <lamella/conditions/stabilization.h>
 
 namespace lamella
@@ -138,6 +139,16 @@ namespace lamella
   {
     if (stabilization.share == 0.)
       return {};
+    if (const auto *const guided = dynamic_cast<const GuidedObstacle *>(&body))
+      {
+        Spring spring{{},
+                      stabilization.share *
+                        axial_stiffness(guided->pressed_body()),
+                      stabilization.share,
+                      GuidedObstacle::motion};
+        spring.row.add(0, 1.);
+        return {spring};
+      }
     const std::vector<FreeMotion> free = free_rigid_motions(body, index, rows);
     if (free.empty())
       return {};

@@ -200,7 +200,7 @@ namespace lamella
                           u.block(*interface.second_body),
                           path);
     else
-      u_2.assign(active.size(), interface.obstacle->displacement_at(factor));
+      u_2.assign(active.size(), interface.obstacle->displacement_at(factor, u));
 
     Sliding worst;
     for (unsigned int k = 0; k < active.size(); ++k)

@@ -388,8 +388,15 @@ namespace lamella
               tangents_at(at, all[first[row]], sign * there[k].normal);
             along = sign * (shear[row][0] * t[0] + shear[row][1] * t[1]);
           }
+        Tensor<1, 3> on_obstacle = force * there[k].normal;
         for (const auto &[node, of] : there[k].slave)
-          forces[0][node] -= force * of.normal + of.tangential * along;
+          {
+            forces[0][node] -= force * of.normal + of.tangential * along;
+            on_obstacle += of.tangential * along;
+          }
+        ContactConstraint on_guide;
+        add_guided_part(on_obstacle, on_guide);
+        on_guide.add_to(f, 1.);
         for (const auto &[node, of] : there[k].master)
           forces[1][node] += force * of.normal + of.tangential * along;
       }
@@ -476,6 +483,20 @@ namespace lamella
 
 
 
+  // The DoF of an obstacle under a given force.
+  void
+  Contact::add_guided_part(const Tensor<1, 3> &direction,
+                           ContactConstraint  &row) const
+  {
+    if (interface.obstacle != nullptr)
+      for (auto &part : guided_part(*interface.obstacle,
+                                    direction,
+                                    undeformed.bodies().size()))
+        row.parts.push_back(std::move(part));
+  }
+
+
+
   // Rows of the gap constraints: B = W R with the mortar weights W and the
   // displacement rows R of the trace nodes, and the tangent plane of the gap.
   void
@@ -505,6 +526,8 @@ namespace lamella
           row.parts = {first[k]};
         if (integrals[k].area > 0. && interface.second_body)
           row.parts.push_back(second[k]);
+        if (integrals[k].area > 0.)
+          add_guided_part(integrals[k].normal, row);
         set_tangent_plane(k, u, factor);
       }
     orient_outward(*sides.surface(interface.points_on_second),
@@ -581,6 +604,7 @@ namespace lamella
             if (interface.obstacle != nullptr)
               slip.rate =
                 slip.tangent * (across * interface.obstacle->displacement);
+            add_guided_part(across * slip.tangent, slip);
             row.slips.push_back(slip);
           }
       }

@@ -28,7 +28,7 @@ namespace lamella
     if (pair.obstacle == nullptr)
       return;
     auto moved = std::make_shared<Obstacle>(*pair.obstacle);
-    moved->point += moved->displacement_at(factor);
+    moved->point += moved->displacement_at(factor, u);
     standing = moved;
   }
 

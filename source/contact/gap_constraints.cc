@@ -195,6 +195,10 @@ namespace lamella
           row.parts              = {first[k]};
           if (contact.obstacle == nullptr)
             row.parts.push_back(second[k]);
+          else
+            for (auto &part :
+                 guided_part(*contact.obstacle, gap.normal, bodies.size()))
+              row.parts.push_back(std::move(part));
           interface.rows.push_back(std::move(row));
           interface.points.push_back(point_of(gap, on_second));
         }
@@ -303,6 +307,23 @@ namespace lamella
       if (row >= firsts[contact] && row < firsts[contact + 1])
         result.push_back(row - firsts[contact]);
     return result;
+  }
+
+
+
+  std::vector<BodyFunctional>
+  guided_part(const Obstacle     &obstacle,
+              const Tensor<1, 3> &direction,
+              const unsigned int  n_bodies)
+  {
+    if (!obstacle.body || *obstacle.body >= n_bodies)
+      return {};
+    BodyFunctional part{*obstacle.body, {}};
+    // A guide along a plane must not couple by rounding.
+    if (const double share = direction * obstacle.guide();
+        std::abs(share) > arithmetic::rounding * direction.norm())
+      part.row.add(0, share);
+    return {part};
   }
 
 

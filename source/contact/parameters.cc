@@ -340,6 +340,15 @@ namespace lamella
                       "0, 0, 0",
                       patterns::numbers(3),
                       "Obstacle displacement at load factor 1 [length].");
+    prm.declare_entry(
+      "Force",
+      "",
+      patterns::optional(patterns::numbers(3)),
+      "Force that presses the obstacle at load factor 1 [force], in place of "
+      "u. The obstacle is guided along the direction of Force, as the "
+      "crosshead of a testing machine: it moves along this direction only, "
+      "by an unknown displacement at which the contact forces along it "
+      "balance Force times the load factor (Factors).");
     HistoryParameters::declare(prm);
   }
 
@@ -361,8 +370,39 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Force, in place of u; sets the index @p body of its DoF.
+    void
+    parse_force(const Entries &in, const unsigned int body, Obstacle &obstacle)
+    {
+      const Entry force = in["Force"];
+      if (force.is_empty())
+        return;
+      obstacle.force = force.point();
+      obstacle.body  = body;
+      if (!(obstacle.force.norm() > 0.))
+        force.refuse("contact.zero-force: Force must not be the zero vector, "
+                     "since the obstacle is guided along it",
+                     "Remove Force, or write a force, as in 0, 0, -500.");
+      if (obstacle.displacement.norm() > 0.)
+        force.refuse("contact.force-and-displacement: Force and u exclude each "
+                     "other: the displacement under a Force is unknown",
+                     "Remove u, or remove Force.");
+      if (obstacle.shape == Obstacle::Shape::plane &&
+          !(obstacle.force * obstacle.direction > 0.))
+        force.refuse("contact.force-away: the force on the plane does not "
+                     "press it against bodies (Force . Normal is not positive)",
+                     "Reverse Force, or let Normal point towards the bodies.");
+    }
+  } // namespace
+
+
+
   std::shared_ptr<Obstacle>
-  ObstacleParameters::parse(const Entries &in, const std::string &name)
+  ObstacleParameters::parse(const Entries     &in,
+                            const std::string &name,
+                            const unsigned int body)
   {
     auto        obstacle = std::make_shared<Obstacle>();
     const Entry shape = in["Shape"], radius = in["Radius"];
@@ -379,6 +419,7 @@ namespace lamella
           radius.refuse("contact.radius-of-plane: a plane has no radius",
                         "Remove Radius, or write Shape = cylinder.");
         obstacle->direction = parse_direction(in["Normal"]);
+        parse_force(in, body, *obstacle);
         return obstacle;
       }
     obstacle->direction = parse_direction(in["Axis"]);
@@ -386,6 +427,7 @@ namespace lamella
       radius.refuse_missing(
         "contact.radius-missing: write the radius of the cylinder, as in 0.5.");
     obstacle->radius = radius.positive();
+    parse_force(in, body, *obstacle);
     return obstacle;
   }
 } // namespace lamella

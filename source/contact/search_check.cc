@@ -95,10 +95,11 @@ namespace lamella
     if (!contact.search_distance)
       return;
     // Two surfaces come nearer by no more than both move.
-    const double obstacle = contact.obstacle == nullptr ?
-                              0. :
-                              contact.obstacle->displacement_at(factor).norm();
-    const double needed   = *contact.search_distance +
+    const double obstacle =
+      contact.obstacle == nullptr ?
+        0. :
+        contact.obstacle->displacement_at(factor, u).norm();
+    const double needed = *contact.search_distance +
                           2. * std::sqrt(3.) * u.linfty_norm() + obstacle;
     const double most = std::max(*contact.search_distance,
                                  automatic_search_distance(contact, bodies));

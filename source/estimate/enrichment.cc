@@ -192,10 +192,10 @@ namespace lamella
     const Bodies                   &bodies = model.structure().bodies();
     const std::vector<const Beam *> beams  = beams_of(bodies);
     std::vector<BodySize>           sizes;
-    for (const auto &body : bodies)
+    for (unsigned int b = 0; b < model.scene().bodies.size(); ++b)
       {
         BodySize &size = sizes.emplace_back();
-        size.dofs      = body->n_dofs();
+        size.dofs      = bodies[b]->n_dofs();
         size.constrained_along_axis =
           is_constrained_along_axis(model.scene().supports, sizes.size() - 1);
         if (const Beam *const beam = beams[sizes.size() - 1])

@@ -162,8 +162,8 @@ namespace lamella
     Extreme                               worst;
     std::pair<unsigned int, unsigned int> who;
     unsigned int                          n_pairs = 0;
-    for (unsigned int a = 0; a < bodies.size(); ++a)
-      for (unsigned int b = a + 1; b < bodies.size(); ++b)
+    for (unsigned int a = 0; a < moved.size(); ++a)
+      for (unsigned int b = a + 1; b < moved.size(); ++b)
         if (contacts.count({a, b}) == 0 &&
             moved[a].box.get_neighbor_type(moved[b].box) !=
               NeighborType::not_neighbors)
@@ -227,7 +227,7 @@ namespace lamella
       ". Check loads and displacements, and that all numbers are in Units = " +
       units.length + ", " + units.force + " (stresses in " + units.stress + ")";
     double largest = 0.;
-    for (unsigned int b = 0; b < bodies.size(); ++b)
+    for (unsigned int b = 0; b < moved.size(); ++b)
       {
         const Body    &body         = *bodies[b];
         const Extreme &strain       = moved[b].strain,
@@ -295,7 +295,11 @@ namespace lamella
       std::none_of(checks.energies.begin(),
                    checks.energies.end(),
                    [](const double energy) { return energy != 0.; });
-    const unsigned int       n = bodies.size();
+    // Obstacles under a given force have no elements.
+    const unsigned int n =
+      std::count_if(bodies.begin(), bodies.end(), [](const auto &body) {
+        return body->cells().n > 0;
+      });
     std::vector<std::string> sentences;
     const auto               current_points =
       [&](std::vector<std::vector<SurfacePoint>> &known,

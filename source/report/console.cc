@@ -120,6 +120,9 @@ namespace lamella
       if (kkt.force.norm() > 0.)
         out << ", its line of action through "
             << to_text(kkt.center_of_pressure);
+      if (kkt.obstacle_displacement)
+        out << "\n    displacement of '" << contact.second_name << "' "
+            << to_text(*kkt.obstacle_displacement) << length;
       out << "\n    penetration " << to_text(kkt.max_penetration, 3) << length
           << ", " << to_text(kkt.max_penetration / results.size, 2)
           << " of the scene's size"

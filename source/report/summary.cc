@@ -56,6 +56,8 @@ namespace lamella
                 {"law_error", kkt.law_error},
                 {"initial_gap_min", contact.initial_gap_min},
                 {"initial_gap_max", contact.initial_gap_max}};
+      if (kkt.obstacle_displacement)
+        json["obstacle_displacement"] = to_json(*kkt.obstacle_displacement);
       if (contact.friction > 0.)
         json["friction"] = {{"coefficient", contact.friction},
                             {"force", to_json(kkt.shear)},

@@ -23,14 +23,20 @@ namespace lamella
           for (const char c : {'x', 'y', 'z'})
             header += "," + kind + ":" + name + ":" + letter + c;
       };
-      std::vector<std::string> contacts;
-      for (const ContactSummary &contact : results.contacts)
-        contacts.push_back(contact.name);
+      std::vector<std::string> contacts, pressed;
+      for (unsigned int k = 0; k < results.contacts.size(); ++k)
+        {
+          contacts.push_back(results.contacts[k].name);
+          if (!results.steps.empty() &&
+              results.last().checks.contacts[k].obstacle_displacement)
+            pressed.push_back(contacts.back());
+        }
       add("support", results.supports, "f");
       add("contact", contacts, "f");
       add("probe", results.probes, "u");
       add("support", results.supports, "m");
       add("contact", contacts, "m");
+      add("contact", pressed, "u");
       return header;
     }
 
@@ -87,6 +93,9 @@ namespace lamella
         line += components(reaction.moment);
       for (const KktResidual &contact : state.checks.contacts)
         line += components(contact.moment);
+      for (const KktResidual &contact : state.checks.contacts)
+        if (contact.obstacle_displacement)
+          line += components(*contact.obstacle_displacement);
       return line;
     }
 

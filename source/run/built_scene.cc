@@ -4,6 +4,7 @@
 #include <lamella/adapt/plan.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
+#include <lamella/body/guided_obstacle.h>
 #include <lamella/conditions/isostatic_support.h>
 #include <lamella/contact/assumptions.h>
 #include <lamella/contact/main_normals.h>
@@ -100,6 +101,49 @@ namespace lamella
             stabilizations[side->body].share = stabilization_of_contact;
       return stabilizations;
     }
+
+
+
+    /// Appends the obstacles of @p given under a Force to the bodies, with
+    /// their loads and springs.
+    void
+    add_guided_obstacles(const Scene                &given,
+                         Bodies                     &bodies,
+                         std::vector<Load>          &loads,
+                         std::vector<Stabilization> &stabilizations)
+    {
+      for (const auto &obstacle : given.obstacles)
+        {
+          if (!obstacle->body)
+            continue;
+          const auto presses =
+            std::find_if(given.contacts.begin(),
+                         given.contacts.end(),
+                         [&](const ContactPair &contact) {
+                           return contact.obstacle == obstacle;
+                         });
+          if (presses == given.contacts.end())
+            throw InputError("Obstacle " + obstacle->name + "/Force",
+                             to_text(obstacle->force),
+                             "run.force-without-contact: no contact balances "
+                             "this force",
+                             "Name the obstacle in Second of a Contact.");
+          Load load;
+          load.name = "Obstacle " + obstacle->name;
+          load.on.resize(1);
+          load.on[0].body = *obstacle->body;
+          load.on[0].kind = Region::Kind::point;
+          load.on[0].at   = {obstacle->point};
+          load.history    = obstacle->history;
+          for (unsigned int c = 0; c < 3; ++c)
+            load.force[c] = obstacle->force[c];
+          loads.push_back(load);
+          AssertThrow(*obstacle->body == bodies.size(), ExcInternalError());
+          bodies.push_back(std::make_unique<GuidedObstacle>(
+            obstacle->name, obstacle->guide(), *bodies[presses->first.body]));
+          stabilizations.push_back({stabilization_of_contact});
+        }
+    }
   } // namespace
 
 
@@ -117,11 +161,11 @@ namespace lamella
                given.gravity);
     Bodies bodies = make_bodies_with_fields();
     set_isostatic_motions(bodies);
-    whole = std::make_unique<Structure>(std::move(bodies),
-                                        given.supports,
-                                        given.loads,
-                                        stabilizations_of(given),
-                                        given.gravity);
+    std::vector<Load>          loads          = given.loads;
+    std::vector<Stabilization> stabilizations = stabilizations_of(given);
+    add_guided_obstacles(given, bodies, loads, stabilizations);
+    whole = std::make_unique<Structure>(
+      std::move(bodies), given.supports, loads, stabilizations, given.gravity);
     for (const LoadFactor &factor : given.solve.load_factors)
       check_isostatic_balance(given.supports,
                               whole->bodies(),
@@ -305,7 +349,7 @@ namespace lamella
     return depth > 0. &&
                given.contacts[contact].overclosure != Overclosure::adjust &&
                (own.second_body ? is_held(*own.second_body, at.second) :
-                                  own.obstacle->displacement.norm() == 0.) &&
+                                  own.obstacle->is_fixed()) &&
                is_held(own.first_body, at.first) ?
              depth :
              0.;
@@ -423,7 +467,7 @@ namespace lamella
     constexpr double        bytes = 8., mega = 1e6;
     const Bodies           &bodies = whole->bodies();
     const std::vector<Cost> costs  = predicted_costs(bodies);
-    for (unsigned int b = 0; b < bodies.size(); ++b)
+    for (unsigned int b = 0; b < given.bodies.size(); ++b)
       out << "Plan of body " << bodies[b]->name() << ": " << bodies[b]->theory()
           << ", " << bodies[b]->n_dofs() << " DoFs, a factor of some "
           << to_text(bytes * costs[b].non_zeros / mega, 3) << " MB and "
@@ -460,11 +504,11 @@ namespace lamella
     found.load_steps = given.solve.load_factors.size();
     found.size       = whole->size();
     found.loads      = whole->load_resultants();
-    for (const auto &body : whole->bodies())
+    for (unsigned int b = 0; b < given.bodies.size(); ++b)
       {
-        found.bodies.push_back(
-          {body->name(), body->theory(), body->n_dofs(), {}});
-        for (const Ply &ply : body->plies())
+        const Body &body = *whole->bodies()[b];
+        found.bodies.push_back({body.name(), body.theory(), body.n_dofs(), {}});
+        for (const Ply &ply : body.plies())
           found.bodies.back().materials.push_back(ply.material);
       }
     for (unsigned int k = 0; k < contacts.size(); ++k)

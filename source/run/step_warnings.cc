@@ -47,17 +47,17 @@ namespace lamella
     };
     // A stop that a strained body does not reach may be intended.
     if (idle.size() < contacts.size())
-      idle.erase(
-        std::remove_if(idle.begin(),
-                       idle.end(),
-                       [&](const unsigned int c) {
-                         const ContactInterface &contact = contacts[c];
-                         return !is_unstrained(contact.first_body) &&
-                                (contact.second_body ?
-                                   !is_unstrained(*contact.second_body) :
-                                   contact.obstacle->displacement.norm() == 0.);
-                       }),
-        idle.end());
+      idle.erase(std::remove_if(idle.begin(),
+                                idle.end(),
+                                [&](const unsigned int c) {
+                                  const ContactInterface &contact = contacts[c];
+                                  return !is_unstrained(contact.first_body) &&
+                                         (contact.second_body ?
+                                            !is_unstrained(
+                                              *contact.second_body) :
+                                            contact.obstacle->is_fixed());
+                                }),
+                 idle.end());
     return idle;
   }
 

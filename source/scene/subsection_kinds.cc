@@ -175,7 +175,11 @@ namespace lamella
                      const std::string &name,
                      const Entries     &in)
     {
-      const auto obstacle = ObstacleParameters::parse(in, name);
+      // Obstacles under a Force are bodies after those of the scene.
+      unsigned int body = reading.names.at("Bodies").size();
+      for (const auto &before : reading.scene.obstacles)
+        body += before->body.has_value();
+      const auto obstacle = ObstacleParameters::parse(in, name, body);
       obstacle->history =
         HistoryParameters::parse(in, reading.scene.solve.load_factors);
       reading.scene.obstacles.push_back(obstacle);

@@ -323,7 +323,8 @@ namespace lamella
       for (const ContactInterface &contact : contacts)
         if (contact.obstacle != nullptr)
           largest =
-            std::max(largest, contact.obstacle->displacement_at(factor).norm());
+            std::max(largest,
+                     contact.obstacle->displacement_at(factor, u).norm());
       return largest;
     }
 

@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/body/guided_obstacle.h>
 #include <lamella/solve/contact_solver.h>
 #include <lamella/solve/friction_step.h>
 
@@ -404,6 +405,14 @@ namespace lamella
                                             const double       rate) const
   {
     const bool has_friction = rows.has_friction();
+    if (motion == GuidedObstacle::motion)
+      throw NumericsError("solve.force-not-balanced: Obstacle '" + body +
+                          "': no contact balances its Force (in each iteration "
+                          "it moves " +
+                          to_text(rate, 4) +
+                          " times as far as in the iteration before). Point "
+                          "Force towards the bodies, check the positions of "
+                          "obstacle and bodies, or prescribe u.");
     throw NumericsError(
       "solve.unconstrained-motion: Body '" + body +
       "' has a rigid-body motion that no support or contact prevents (" +
@@ -448,7 +457,7 @@ namespace lamella
         }
     const Spring     &worst = structure.springs(body)[spring];
     const std::string name  = structure.bodies()[body]->name();
-    if (!(rate < 0.999))
+    if (!(rate < 0.999) || worst.motion == GuidedObstacle::motion)
       throw_unconstrained_motion(name, worst.motion, rate);
     throw NumericsError(
       "solve.springs-too-stiff: The stabilizing springs of body '" + name +

@@ -263,6 +263,8 @@ namespace lamella
     if (forces.shear.size() > 0)
       check_friction(contact, forces, kkt);
     add_contact_forces(contact, forces, kkt, on_body);
+    if (contact.obstacle != nullptr && contact.obstacle->body)
+      kkt.obstacle_displacement = contact.obstacle->displacement_at(factor, u);
     return kkt;
   }
 } // namespace lamella

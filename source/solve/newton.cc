@@ -2,6 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/body/guided_obstacle.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/friction_step.h>
 #include <lamella/solve/newton.h>
@@ -428,6 +429,11 @@ namespace lamella
          "body restrains (an obstacle may restrain it).") +
       (structure.has_springs() ?
          " For a body with Stabilization, try other values from 1e-8 to 1e-5." :
+         "") +
+      (dynamic_cast<const GuidedObstacle *>(structure.bodies().back().get()) !=
+           nullptr ?
+         " The Force of an obstacle may exceed what its contacts balance, or "
+         "point away from the bodies; then prescribe u." :
          "") +
       (last_failure.empty() ? "" : " (" + last_failure + ")"));
   }

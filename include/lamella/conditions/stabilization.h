@@ -49,7 +49,8 @@ namespace lamella
   /// with the n corners X_p of both ends (farthest_points()) and rigid motions
   /// q that are orthonormal in the inner product 4 / n sum_p q(X_p) . q'(X_p).
   /// The stiffness is @p stabilization.share times E A / L (normal modulus and
-  /// area of the start section, distance of the ends).
+  /// area of the start section, distance of the ends). A GuidedObstacle has one
+  /// spring along its guide, with E A / L of the pressed body.
   std::vector<Spring>
   stabilizing_springs(const Body                              &body,
                       const unsigned int                       index,

@@ -243,6 +243,11 @@ namespace lamella
               const MasterPoints         master_points,
               std::vector<GapPoint>     &on,
               SlipReferencePoints *const held = nullptr) const;
+    /// Adds to @p row the part of an obstacle under a given force for its
+    /// displacement along the vector @p direction.
+    void
+    add_guided_part(const dealii::Tensor<1, 3> &direction,
+                    ContactConstraint          &row) const;
     /// Adds @p forces on trace nodes of the surfaces of @p at to @p f.
     void
     add_forces_of_nodes(

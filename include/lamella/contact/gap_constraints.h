@@ -30,8 +30,8 @@ namespace lamella
   /// weighted average: a linear functional of the DoFs of both bodies.
   struct ContactConstraint
   {
-    /// Functional of the first body, with negative weights, then, unless it is
-    /// an obstacle, that of the second, with positive weights.
+    /// Functional of the first body, with negative weights, then that of the
+    /// second, with positive weights. An obstacle has one under a Force only.
     std::vector<BodyFunctional> parts;
     /// Index of the load history that multiplies the motion of an obstacle.
     unsigned int history = 0;
@@ -298,6 +298,14 @@ namespace lamella
     /// First constraint of each contact, and one past the last.
     std::vector<unsigned int> firsts;
   };
+
+  /// Returns the displacement of @p obstacle along the vector @p direction as a
+  /// functional of its DoF; empty if its motion is prescribed or there are only
+  /// @p n_bodies bodies, without it (temporary models).
+  std::vector<BodyFunctional>
+  guided_part(const Obstacle             &obstacle,
+              const dealii::Tensor<1, 3> &direction,
+              const unsigned int          n_bodies);
 
   /// Returns the default search distance [length]: twice Body::size() of the
   /// smaller body, or of the first body for an obstacle.

@@ -3,6 +3,7 @@
 #ifndef lamella_contact_obstacle_h
 #define lamella_contact_obstacle_h
 
+#include <lamella/base/linear_algebra.h>
 #include <lamella/base/names.h>
 #include <lamella/conditions/load_factor.h>
 
@@ -15,7 +16,8 @@
 namespace lamella
 {
   /// A rigid obstacle, the second side of contacts: a floor (half space behind
-  /// a plane) or a roller (infinite circular cylinder), in prescribed motion.
+  /// a plane) or a roller (infinite circular cylinder), in prescribed motion or
+  /// pressed by a given force along a guide (GuidedObstacle).
   struct Obstacle
   {
     /// Shape of an obstacle; `undefined` until it is set.
@@ -40,11 +42,37 @@ namespace lamella
     /// Index of the load history of the displacement (LoadFactor::of()).
     unsigned int history = 0;
 
-    /// Returns the displacement at load factor @p factor [length].
+    /// Force at load factor 1 in place of `displacement` [force], scene axes;
+    /// zero if the motion is prescribed.
+    dealii::Tensor<1, 3> force;
+    /// Index of the GuidedObstacle whose DoF is the displacement along `force`;
+    /// empty if the motion is prescribed.
+    std::optional<unsigned int> body = {};
+
+    /// Returns the displacement [length] at load factor @p factor and, for an
+    /// obstacle under a force, displacements @p u of all bodies. Without its
+    /// block in @p u (temporary models), the obstacle is not displaced.
     dealii::Tensor<1, 3>
-    displacement_at(const LoadFactor &factor) const
+    displacement_at(const LoadFactor &factor, const BlockVector &u) const
     {
-      return factor.of(history) * displacement;
+      dealii::Tensor<1, 3> moved = factor.of(history) * displacement;
+      if (body && *body < u.n_blocks())
+        moved += u.block(*body)[0] * guide();
+      return moved;
+    }
+
+    /// Returns the unit vector along `force`.
+    dealii::Tensor<1, 3>
+    guide() const
+    {
+      return force / force.norm();
+    }
+
+    /// Returns true if the obstacle never moves.
+    bool
+    is_fixed() const
+    {
+      return displacement.norm() == 0. && !body;
     }
 
     /// Returns the largest depth at which the nearest surface point is unique:

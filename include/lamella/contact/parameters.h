@@ -38,7 +38,7 @@ namespace lamella
   };
 
   /// Parameters of a rigid obstacle, `subsection Obstacle NAME`: Shape,
-  /// Through, Normal, Axis, Radius and the displacement u [length].
+  /// Through, Normal, Axis, Radius and the displacement u [length] or Force.
   struct ObstacleParameters
   {
     /// Declares the entries with their defaults, patterns and documentation.
@@ -46,10 +46,12 @@ namespace lamella
     declare(dealii::ParameterHandler &prm);
 
     /// Reads the obstacle @p name and normalizes its direction. Never returns
-    /// null. Throws InputError for a missing shape, a zero direction, a
-    /// cylinder without a positive radius and a plane with a radius.
+    /// null. Under a Force, its displacement is the DoF of the body with index
+    /// @p body. Throws InputError for a missing shape, a zero direction, a
+    /// cylinder without a positive radius, a plane with a radius, and a Force
+    /// that is zero, beside u, or away from the bodies.
     static std::shared_ptr<Obstacle>
-    parse(const Entries &in, const std::string &name);
+    parse(const Entries &in, const std::string &name, const unsigned int body);
   };
 } // namespace lamella
 

@@ -30,6 +30,8 @@ namespace lamella
     /// Point on the line of action of `force` nearest to the mean of the active
     /// contact points, weighted by their forces.
     dealii::Point<3> center_of_pressure;
+    /// Displacement of an obstacle under a given force [length], scene axes.
+    std::optional<dealii::Tensor<1, 3>> obstacle_displacement;
     /// Norm of the sum of the contact forces on both bodies, over the sum of
     /// the normal forces; zero up to rounding.
     double imbalance       = 0.;
