@@ -2,7 +2,6 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/orthogonal.h>
-#include <lamella/body/guided_obstacle.h>
 #include <lamella/conditions/stabilization.h>
 
 namespace lamella
@@ -127,6 +126,21 @@ namespace lamella
         }
       return motions;
     }
+
+
+
+    /// The spring on the only DoF of an obstacle under a given force.
+    Spring
+    guide_spring(const Stabilization &stabilization)
+    {
+      Spring spring{{},
+                    stabilization.share *
+                      axial_stiffness(*stabilization.pressed),
+                    stabilization.share,
+                    motion_along_force};
+      spring.row.add(0, 1.);
+      return spring;
+    }
   } // namespace
 
 
@@ -139,16 +153,8 @@ namespace lamella
   {
     if (stabilization.share == 0.)
       return {};
-    if (const auto *const guided = dynamic_cast<const GuidedObstacle *>(&body))
-      {
-        Spring spring{{},
-                      stabilization.share *
-                        axial_stiffness(guided->pressed_body()),
-                      stabilization.share,
-                      GuidedObstacle::motion};
-        spring.row.add(0, 1.);
-        return {spring};
-      }
+    if (stabilization.pressed != nullptr)
+      return {guide_spring(stabilization)};
     const std::vector<FreeMotion> free = free_rigid_motions(body, index, rows);
     if (free.empty())
       return {};

@@ -4,9 +4,9 @@
 #include <lamella/adapt/plan.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
-#include <lamella/body/guided_obstacle.h>
 #include <lamella/conditions/isostatic_support.h>
 #include <lamella/contact/assumptions.h>
+#include <lamella/contact/guided_obstacles.h>
 #include <lamella/contact/main_normals.h>
 #include <lamella/run/built_scene.h>
 #include <lamella/run/first_failure.h>
@@ -101,49 +101,6 @@ namespace lamella
             stabilizations[side->body].share = stabilization_of_contact;
       return stabilizations;
     }
-
-
-
-    /// Appends the obstacles of @p given under a Force to the bodies, with
-    /// their loads and springs.
-    void
-    add_guided_obstacles(const Scene                &given,
-                         Bodies                     &bodies,
-                         std::vector<Load>          &loads,
-                         std::vector<Stabilization> &stabilizations)
-    {
-      for (const auto &obstacle : given.obstacles)
-        {
-          if (!obstacle->body)
-            continue;
-          const auto presses =
-            std::find_if(given.contacts.begin(),
-                         given.contacts.end(),
-                         [&](const ContactPair &contact) {
-                           return contact.obstacle == obstacle;
-                         });
-          if (presses == given.contacts.end())
-            throw InputError("Obstacle " + obstacle->name + "/Force",
-                             to_text(obstacle->force),
-                             "run.force-without-contact: no contact balances "
-                             "this force",
-                             "Name the obstacle in Second of a Contact.");
-          Load load;
-          load.name = "Obstacle " + obstacle->name;
-          load.on.resize(1);
-          load.on[0].body = *obstacle->body;
-          load.on[0].kind = Region::Kind::point;
-          load.on[0].at   = {obstacle->point};
-          load.history    = obstacle->history;
-          for (unsigned int c = 0; c < 3; ++c)
-            load.force[c] = obstacle->force[c];
-          loads.push_back(load);
-          AssertThrow(*obstacle->body == bodies.size(), ExcInternalError());
-          bodies.push_back(std::make_unique<GuidedObstacle>(
-            obstacle->name, obstacle->guide(), *bodies[presses->first.body]));
-          stabilizations.push_back({stabilization_of_contact});
-        }
-    }
   } // namespace
 
 
@@ -163,7 +120,8 @@ namespace lamella
     set_isostatic_motions(bodies);
     std::vector<Load>          loads          = given.loads;
     std::vector<Stabilization> stabilizations = stabilizations_of(given);
-    add_guided_obstacles(given, bodies, loads, stabilizations);
+    add_guided_obstacles(
+      given.obstacles, given.contacts, bodies, loads, stabilizations);
     whole = std::make_unique<Structure>(
       std::move(bodies), given.supports, loads, stabilizations, given.gravity);
     for (const LoadFactor &factor : given.solve.load_factors)

@@ -2,7 +2,6 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/body/guided_obstacle.h>
 #include <lamella/solve/contact_solver.h>
 #include <lamella/solve/friction_step.h>
 
@@ -405,7 +404,7 @@ namespace lamella
                                             const double       rate) const
   {
     const bool has_friction = rows.has_friction();
-    if (motion == GuidedObstacle::motion)
+    if (motion == motion_along_force)
       throw NumericsError("solve.force-not-balanced: Obstacle '" + body +
                           "': no contact balances its Force (in each iteration "
                           "it moves " +
@@ -457,7 +456,7 @@ namespace lamella
         }
     const Spring     &worst = structure.springs(body)[spring];
     const std::string name  = structure.bodies()[body]->name();
-    if (!(rate < 0.999) || worst.motion == GuidedObstacle::motion)
+    if (!(rate < 0.999) || worst.motion == motion_along_force)
       throw_unconstrained_motion(name, worst.motion, rate);
     throw NumericsError(
       "solve.springs-too-stiff: The stabilizing springs of body '" + name +

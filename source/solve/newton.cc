@@ -2,7 +2,6 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/body/guided_obstacle.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/friction_step.h>
 #include <lamella/solve/newton.h>
@@ -430,8 +429,7 @@ namespace lamella
       (structure.has_springs() ?
          " For a body with Stabilization, try other values from 1e-8 to 1e-5." :
          "") +
-      (dynamic_cast<const GuidedObstacle *>(structure.bodies().back().get()) !=
-           nullptr ?
+      (structure.bodies().back()->cells().n == 0 ?
          " The Force of an obstacle may exceed what its contacts balance, or "
          "point away from the bodies; then prescribe u." :
          "") +

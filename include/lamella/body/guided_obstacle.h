@@ -15,22 +15,12 @@ namespace lamella
   class GuidedObstacle : public Body
   {
   public:
-    /// Description of the motion along the guide, for messages.
-    static constexpr const char *motion = "translation along its Force";
-
     /// Creates the obstacle @p name guided along the unit vector @p guide. The
     /// body @p pressed, the first one in contact with it, must outlive this
-    /// object; it gives lengths and a stiffness for tolerances.
+    /// object; it gives lengths for tolerances.
     GuidedObstacle(const std::string          &name,
                    const dealii::Tensor<1, 3> &guide,
                    const Body                 &pressed);
-
-    /// Returns the first body in contact with the obstacle.
-    const Body &
-    pressed_body() const
-    {
-      return pressed;
-    }
 
     std::string
     theory() const override;

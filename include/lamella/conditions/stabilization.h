@@ -31,7 +31,13 @@ namespace lamella
   {
     /// Spring stiffness divided by E A / L of the body, such as 1e-6; 0: none.
     double share = 0.;
+    /// For an obstacle under a given force (GuidedObstacle) the body that it
+    /// presses, which gives E A / L; null for other bodies.
+    const Body *pressed = nullptr;
   };
+
+  /// Spring::motion of an obstacle under a given force.
+  constexpr const char *motion_along_force = "translation along its Force";
 
   /// Returns the centroid of a surface: the mean of the positions of its nodes
   /// @p points, weighted by their tributary areas.
@@ -50,7 +56,7 @@ namespace lamella
   /// q that are orthonormal in the inner product 4 / n sum_p q(X_p) . q'(X_p).
   /// The stiffness is @p stabilization.share times E A / L (normal modulus and
   /// area of the start section, distance of the ends). A GuidedObstacle has one
-  /// spring along its guide, with E A / L of the pressed body.
+  /// spring along its guide.
   std::vector<Spring>
   stabilizing_springs(const Body                              &body,
                       const unsigned int                       index,

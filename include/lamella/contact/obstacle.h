@@ -44,7 +44,7 @@ namespace lamella
 
     /// Force at load factor 1 in place of `displacement` [force], scene axes;
     /// zero if the motion is prescribed.
-    dealii::Tensor<1, 3> force;
+    dealii::Tensor<1, 3> force = {};
     /// Index of the GuidedObstacle whose DoF is the displacement along `force`;
     /// empty if the motion is prescribed.
     std::optional<unsigned int> body = {};
