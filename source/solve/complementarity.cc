@@ -215,12 +215,9 @@ namespace lamella
         }
       W.matrix = M;
       DenseInterfaceSystem  system(W, gaps, PointVectors(n));
-      const InterfacePoints points{std::vector<unsigned int>(n, 0),
-                                   std::vector<double>(n, 0.),
-                                   std::vector<double>(n, 0.),
-                                   std::vector<double>(n, 1.)};
-      const PointVectors    force = solve_by_interior_point(
-        system, points, PointVectors(n), [this](const Round &) {
+      const InterfacePoints points = system.points(std::vector<double>(n, 0.));
+      const PointVectors    force =
+        solve_by_interior_point(system, points, [this](const Round &) {
           ++counts.interior_iterations;
         });
       for (unsigned int i = 0; i < n; ++i)

@@ -36,21 +36,6 @@ namespace lamella
 
 
 
-    /// Throws NumericsError if @p found violates Coulomb's law.
-    void
-    check_law(const CoulombSolution &found)
-    {
-      // Tolerance over the scale of the problem.
-      constexpr double sound = 1e-6;
-      if (!(found.error <= sound))
-        throw NumericsError(
-          "solve.friction-not-converged: The contact iteration with friction "
-          "did not converge: Coulomb's law has the relative error " +
-          to_text(found.error, 2) + friction_remedy);
-    }
-
-
-
     bool
     are_idle(const std::size_t n_rows, const std::size_t n_active)
     {
@@ -300,30 +285,15 @@ namespace lamella
           before.push_back(problem.shear[r][a]);
         start.push_back(problem.first_forces[r]);
       }
-    const CoulombProblem  small = coulomb_problem(problem, part, before);
-    const CoulombSolution found = solve_coulomb(small, start);
+    const CoulombProblem    small = coulomb_problem(problem, part, before);
+    const InterfaceSolution found = solve_coulomb(small, start);
     check_law(found);
 
     solution.is_unstable = found.stability < 0;
     solution.active.clear();
     solution.direction.assign(rows.size(), {});
     for (std::size_t i = 0; i < part.size(); ++i)
-      {
-        const unsigned int  r     = part[i];
-        const Tensor<1, 3> &force = found.force[i];
-        solution.force[r]         = std::max(0., force[0]);
-        const bool is_closed      = found.states[i] != PointState::open;
-        solution.shear[r]         = {};
-        for (unsigned int a = 0; a < rows[r].slips.size() && is_closed; ++a)
-          solution.shear[r][a] = force[1 + a];
-        if (!is_closed)
-          solution.force[r] = 0.;
-        else
-          solution.active.push_back(r);
-        if (found.states[i] == PointState::slip &&
-            solution.shear[r].norm() > 0.)
-          solution.direction[r] = solution.shear[r] / solution.shear[r].norm();
-      }
+      solution.store(part[i], found.states[i], found.force[i]);
     std::vector<double> change = small.compliance.by_rows(found.force);
     for (std::size_t k = 0; k < change.size(); ++k)
       change[k] -= before[k];

@@ -2,16 +2,10 @@
 
 #include <lamella/solve/contact_problem.h>
 
+#include <algorithm>
+
 namespace lamella
 {
-  double
-  law_compliance(const GapConstraint &row)
-  {
-    return row.enforcement == Enforcement::penalty ? 1. / row.penalty : 0.;
-  }
-
-
-
   double
   NumericalCompliance::operator()(const GapConstraint &row) const
   {
@@ -45,5 +39,23 @@ namespace lamella
           result[r][1 + t] = shear[r][t];
       }
     return result;
+  }
+
+
+
+  void
+  ContactSolution::store(const unsigned int          r,
+                         const PointState            state,
+                         const dealii::Tensor<1, 3> &lambda)
+  {
+    const bool closed = state != PointState::open;
+    force[r]          = closed ? std::max(0., lambda[0]) : 0.;
+    shear[r]          = closed ? dealii::Tensor<1, 2>({lambda[1], lambda[2]}) :
+                                 dealii::Tensor<1, 2>();
+    direction[r]      = {};
+    if (closed)
+      active.push_back(r);
+    if (state == PointState::slip && shear[r].norm() > 0.)
+      direction[r] = shear[r] / shear[r].norm();
   }
 } // namespace lamella

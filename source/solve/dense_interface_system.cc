@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/arithmetic.h>
+#include <lamella/linear/dense_lu.h>
 #include <lamella/solve/dense_interface_system.h>
 
 #include <algorithm>
@@ -9,6 +11,9 @@
 // q + W (lambda - D w - about), with r = q + W (lambda - about) - v and the
 // factors D = L L^T of each point, the symmetric form of (1 + W D) w = r is
 //   (1 + L^T W L) y = L^T r,   w = r - W L y,   y = L^T w.
+// Linearized laws A dlambda + B dv = r, with the forces lambda_0 of the closed
+// points only, are for these points
+//   (A + B W) dlambda = r - B (q + W (lambda_0 - about) - v).
 namespace lamella
 {
   using namespace dealii;
@@ -46,7 +51,23 @@ namespace lamella
     , about(about)
     , v(q)
     , L(q.size())
-  {}
+  {
+    double most = 0.;
+    for (unsigned int r = 0; r < W.n_rows(); ++r)
+      most = std::max(most, W(r, r));
+    const auto scale_of = [&](const double diagonal) {
+      return 1. / std::sqrt(std::max(diagonal, arithmetic::rounding * most));
+    };
+    for (unsigned int i = 0; i < W.n_points(); ++i)
+      {
+        const unsigned int first = W.first[i], size = W.size(i);
+        double             tangents = 0.;
+        for (unsigned int c = 1; c < size; ++c)
+          tangents += W(first + c, first + c) / (size - 1);
+        const double normal = scale_of(W(first, first));
+        unit.push_back({{normal, size > 1 ? scale_of(tangents) : normal}});
+      }
+  }
 
 
 
@@ -76,15 +97,34 @@ namespace lamella
 
 
   PointVectors
-  DenseInterfaceSystem::solve(const PointVectors &force)
+  DenseInterfaceSystem::lengths_of(const PointVectors &force) const
   {
     PointVectors change = force;
     for (unsigned int i = 0; i < change.size(); ++i)
       change[i] -= about[i];
-    PointVectors r = W.times(change), y = r;
+    PointVectors result = W.times(change);
+    for (unsigned int i = 0; i < result.size(); ++i)
+      result[i] += q[i];
+    return result;
+  }
+
+
+
+  void
+  DenseInterfaceSystem::move_to(const PointVectors &force)
+  {
+    v = lengths_of(force);
+  }
+
+
+
+  PointVectors
+  DenseInterfaceSystem::solve(const PointVectors &force)
+  {
+    PointVectors r = lengths_of(force), y = r;
     for (unsigned int i = 0; i < r.size(); ++i)
       {
-        r[i] += q[i] - v[i];
+        r[i] -= v[i];
         y[i] = transpose(L[i]) * r[i];
       }
     std::vector<double> x = W.by_rows(y);
@@ -96,6 +136,84 @@ namespace lamella
     for (unsigned int i = 0; i < r.size(); ++i)
       r[i] -= y[i];
     return step = r;
+  }
+
+
+
+  // Open points have no unknowns.
+  InterfaceStep
+  DenseInterfaceSystem::solve(const std::vector<LinearizedLaw> &laws,
+                              const PointVectors               &force)
+  {
+    struct Row
+    {
+      unsigned int point, component;
+    };
+    std::vector<Row> rows;
+    InterfaceStep    result;
+    result.force = force;
+    for (unsigned int p = 0; p < laws.size(); ++p)
+      if (laws[p].is_open)
+        result.force[p] = {};
+      else
+        for (unsigned int a = 0; a < W.size(p); ++a)
+          rows.push_back({p, a});
+    const std::size_t   n       = rows.size();
+    const PointVectors  lengths = lengths_of(result.force);
+    std::vector<double> A(n * n), x(n);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const auto [p, a]          = rows[i];
+        const LinearizedLaw &law   = laws[p];
+        const double         scale = unit[p][a > 0];
+        x[i] = (law.residual[a] - law.B[a] * (lengths[p] - v[p])) / scale;
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const auto [q, b] = rows[j];
+            double entry      = p == q ? law.A[a][b] : 0.;
+            for (unsigned int k = 0; k < W.size(p); ++k)
+              entry += law.B[a][k] * W(W.first[p] + k, W.first[q] + b);
+            A[j * n + i] = entry * unit[q][b > 0] / scale;
+          }
+      }
+    const DenseLU factor(std::move(A), n);
+    result.sign = factor.sign_of_determinant();
+    if (factor.is_singular())
+      return result;
+    factor.solve(x);
+    for (std::size_t i = 0; i < n; ++i)
+      result.force[rows[i].point][rows[i].component] +=
+        unit[rows[i].point][rows[i].component > 0] * x[i];
+    result.is_solved = std::isfinite(inner_product(result.force, result.force));
+    step             = lengths_of(result.force);
+    for (unsigned int i = 0; i < v.size(); ++i)
+      step[i] -= v[i];
+    result.change = step;
+    return result;
+  }
+
+
+
+  InterfacePoints
+  DenseInterfaceSystem::points(const std::vector<double> &friction) const
+  {
+    InterfacePoints result;
+    for (unsigned int i = 0; i < W.n_points(); ++i)
+      {
+        result.n_slips.push_back(W.size(i) - 1);
+        result.law.push_back(
+          W.size(i) > 1 ?
+            std::shared_ptr<const InterfaceLaw>(
+              std::make_shared<CoulombFriction>(0., friction[i])) :
+            std::make_shared<UnilateralContact>(0.));
+        result.stiffness.push_back(
+          {{unit[i][0] * unit[i][0], unit[i][1] * unit[i][1]}});
+        result.spring.push_back(result.stiffness.back()[0]);
+      }
+    result.compliance.assign(W.n_points(), 0.);
+    result.shift.resize(W.n_points());
+    result.about = about;
+    return result;
   }
 
 

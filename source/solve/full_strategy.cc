@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/solve/contact_newton.h>
+#include <lamella/base/arithmetic.h>
 #include <lamella/solve/full_strategy.h>
-#include <lamella/solve/interior_point.h>
+#include <lamella/solve/interface_solver.h>
 #include <lamella/solve/sparse_interface_system.h>
 
 // Newton's method on displacements and forces of the whole scene with the
@@ -12,7 +12,8 @@
 //   lambda = max(0, lambda - rho (g + a lambda)),   rho > 0,
 // with a generalized derivative of 1 on the active set, 0 elsewhere.
 //
-// Stages: ContactNewton; the interior point first, where forces are too far.
+// The laws and both stages are those of solve_interface(). Each Newton step
+// factorizes K + K^p with the linearized laws (SparseInterfaceSystem).
 namespace lamella
 {
   FullStrategy::FullStrategy(const TangentOperator &tangent_operator,
@@ -89,33 +90,42 @@ namespace lamella
   ContactSolution
   FullStrategy::solve(const ContactProblem &problem, const Monitor &monitor)
   {
-    constexpr unsigned int near = 12, until_monitor_ends = -1;
+    const PointVectors before = problem.forces();
+    PointVectors       start(rows.size());
+    if (!problem.first_forces.empty())
+      start = problem.first_forces;
+    else
+      for (const unsigned int r : problem.start)
+        start[r][0] = problem.estimate[r];
+    InterfaceRules rules;
+    rules.tolerance        = arithmetic::rounding_of_solutions;
+    rules.extra_iterations = 0;
+    if (largest_component(start) == 0.)
+      rules.first_iterations = 0;
 
-    ContactNewton newton(tangent_operator, rows, numerical_compliance, matrix);
-    const ContactNewton::Iterate first   = newton.begin(problem);
-    const bool                   is_warm = largest_component(first.force) > 0.;
-    if (const auto found =
-          newton.solve(problem, first, monitor, is_warm ? near : 0))
-      return *found;
-
-    ContactNewton::Iterate start;
-    {
-      // Its matrix is released before Newton's method needs another.
-      SparseInterfaceSystem system(tangent_operator,
-                                   rows,
-                                   numerical_compliance,
-                                   problem);
-      start.force  = solve_by_interior_point(system,
-                                            system.points(),
-                                            problem.forces(),
-                                            monitor);
-      start.du     = std::move(system.du);
-      start.K_du   = std::move(system.K_du);
-      start.change = start.du.linfty_norm();
-    }
-    return *newton.solve(problem,
-                         std::move(start),
-                         monitor,
-                         until_monitor_ends);
+    SparseInterfaceSystem system(
+      tangent_operator, rows, numerical_compliance, problem, matrix);
+    const InterfaceSolution found =
+      solve_interface(system, system.points(), start, monitor, rules);
+    check_law(found);
+    ContactSolution   result;
+    std::vector<bool> moved(system.displacement().n_blocks(), false);
+    result.force.assign(rows.size(), 0.);
+    result.shear.assign(rows.size(), {});
+    result.direction.assign(rows.size(), {});
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        result.store(r, found.states[r], found.force[r]);
+        if (found.force[r] != before[r])
+          for (const BodyFunctional &part : rows[r].parts)
+            moved[part.body] = true;
+      }
+    result.is_unstable = found.stability < 0;
+    result.du          = system.displacement();
+    // Bodies without a change of forces have only rounding in du.
+    for (unsigned int b = 0; b < moved.size(); ++b)
+      if (!moved[b])
+        result.du.block(b) = 0.;
+    return result;
   }
 } // namespace lamella

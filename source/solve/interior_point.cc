@@ -20,6 +20,9 @@
 // and of gamma and lambda_t from the tangential equations, with w = b^2 -
 // |lambda_t|^2,
 //   D_t = ((gamma + d) 1 + (2 gamma / w) lambda_t lambda_t^T)^-1.
+// Lengths are scaled by the root of InterfacePoints::stiffness, and forces by
+// its inverse, so that normal and tangential direction, and points of different
+// compliance, are commensurable.
 namespace lamella
 {
   using namespace dealii;
@@ -76,16 +79,20 @@ namespace lamella
         : system(system)
         , points(points)
         , parameters(parameters)
-        , n(points.friction.size())
-      {}
+        , n(points.law.size())
+      {
+        for (const auto &[normal, tangential] : points.stiffness)
+          unit.push_back(Tensor<1, 3>(
+            {std::sqrt(normal), std::sqrt(tangential), std::sqrt(tangential)}));
+      }
 
       PointVectors
-      solve(const PointVectors &first, const Monitor &monitor);
+      solve(const Monitor &monitor);
 
     private:
       /// Sets the starting point: all points connected by soft springs.
       void
-      begin(const PointVectors &first);
+      begin();
       /// Updates the bounds, removes opening points from the tangential
       /// problem, and evaluates the residuals.
       void
@@ -98,6 +105,18 @@ namespace lamella
                    const double                most,
                    const bool                  had_shear,
                    const dealii::Tensor<1, 3> &v);
+      /// Returns gaps and slips of the iterate less InterfacePoints::shift.
+      PointVectors
+      gaps() const;
+      /// Calls InterfaceSystem::factorize() for the stiffness @p D, and
+      /// solve().
+      void
+      factorize(PointStiffness D);
+      PointVectors
+      solution(const PointVectors &force);
+      /// Returns the forces @p scaled, without scale.
+      PointVectors
+      unscaled(PointVectors scaled) const;
       PointStiffness
       stiffness() const;
       /// Returns the Newton direction to the products @p normal_target and
@@ -114,6 +133,12 @@ namespace lamella
       /// Takes one step of Mehrotra's method.
       void
       step();
+      /// Returns the scaled compliance of point @p i in component @p c.
+      double
+      compliance(const unsigned int i, const unsigned int c) const
+      {
+        return points.compliance[i] * unit[i][c] * unit[i][c];
+      }
       bool
       is_closed(const unsigned int i) const
       {
@@ -126,7 +151,10 @@ namespace lamella
       const InterfacePoints        &points;
       const InteriorPointParameters parameters;
       const unsigned int            n;
-      /// Length and force scale of the problem.
+      /// Root of the stiffness of each point, to which lengths and inverse
+      /// forces are scaled.
+      std::vector<Tensor<1, 3>> unit;
+      /// Length and force scale of the scaled problem.
       double length_scale = 0., force_scale = 0.;
 
       // ---- the iterate
@@ -150,20 +178,24 @@ namespace lamella
     // Springs of stiffness k, a fraction of the local stiffness of the bodies,
     // push penetrating points apart with k max(0, -v_n).
     void
-    InteriorPoint::begin(const PointVectors &first)
+    InteriorPoint::begin()
     {
-      PointVectors   pushed = first;
+      PointVectors   pushed(n);
       PointStiffness springs(n);
-      PointVectors   v = system.lengths();
+      PointVectors   v = gaps();
       for (unsigned int i = 0; i < n; ++i)
         {
-          springs[i] = points.spring[i] * unit_symmetric_tensor<3>();
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              pushed[i][c]     = points.about[i][c] / unit[i][c];
+              springs[i][c][c] = points.spring[i] / (unit[i][0] * unit[i][0]);
+            }
           pushed[i][0] += springs[i][0][0] * std::max(0., -v[i][0]);
         }
-      system.factorize(springs);
-      const PointVectors moved = system.solve(pushed);
+      factorize(springs);
+      const PointVectors moved = solution(pushed);
       system.advance(1.);
-      v = system.lengths();
+      v = gaps();
       for (unsigned int i = 0; i < n; ++i)
         {
           length_scale = std::max(length_scale, std::abs(v[i][0]));
@@ -212,7 +244,7 @@ namespace lamella
     {
       constexpr double   inside = 0.995, least = arithmetic::rounding;
       const double       last = normal_product;
-      const PointVectors v    = system.lengths();
+      const PointVectors v    = gaps();
       residual.assign(n, {});
       has_shear.resize(n, false);
       bound.assign(n, 0.);
@@ -226,7 +258,9 @@ namespace lamella
             (is_first || force[i][0] * length_scale >
                            parameters.opening * slack[i] * force_scale);
           bound[i] =
-            std::max(points.friction[i] * force[i][0], least * force_scale);
+            std::max(points.law[i]->bound(unit[i][0] * force[i]).value /
+                       unit[i][1],
+                     least * force_scale);
           if (!has_shear[i])
             {
               force[i] -= tangential_part(force[i]);
@@ -236,8 +270,10 @@ namespace lamella
             follow_bound(i, inside * bound[i], had_shear || is_first, v[i]);
           room[i] =
             bound[i] * bound[i] - tangential_part(force[i]).norm_square();
-          const Tensor<1, 3> lengths = v[i] + points.compliance[i] * force[i];
-          residual[i][0]             = lengths[0] - slack[i];
+          Tensor<1, 3> lengths = v[i];
+          for (unsigned int c = 0; c < 3; ++c)
+            lengths[c] += compliance(i, c) * force[i][c];
+          residual[i][0] = lengths[0] - slack[i];
           normal.push_back(slack[i] * force[i][0]);
           if (has_shear[i])
             {
@@ -251,19 +287,62 @@ namespace lamella
 
 
 
+    PointVectors
+    InteriorPoint::gaps() const
+    {
+      PointVectors v = system.lengths();
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          v[i][c] = (v[i][c] - points.shift[i][c]) * unit[i][c];
+      return v;
+    }
+
+
+
+    void
+    InteriorPoint::factorize(PointStiffness D)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b <= a; ++b)
+            D[i][a][b] *= unit[i][a] * unit[i][b];
+      system.factorize(D);
+    }
+
+
+
+    PointVectors
+    InteriorPoint::unscaled(PointVectors scaled) const
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          scaled[i][c] *= unit[i][c];
+      return scaled;
+    }
+
+
+
+    PointVectors
+    InteriorPoint::solution(const PointVectors &force)
+    {
+      return unscaled(system.solve(unscaled(force)));
+    }
+
+
+
     PointStiffness
     InteriorPoint::stiffness() const
     {
       PointStiffness D(n);
       for (unsigned int i = 0; i < n; ++i)
         {
-          const double d = points.compliance[i], lambda = force[i][0];
+          const double d = compliance(i, 0), lambda = force[i][0];
           D[i][0][0] = lambda / (slack[i] + d * lambda);
           if (!has_shear[i])
             continue;
           const Tensor<1, 2>          shear  = shear_of(force[i]);
           const SymmetricTensor<2, 2> across = invert(
-            (gamma[i] + d) * unit_symmetric_tensor<2>() +
+            (gamma[i] + compliance(i, 1)) * unit_symmetric_tensor<2>() +
             2. * gamma[i] / room[i] * symmetrize(outer_product(shear, shear)));
           for (unsigned int a = 0; a < points.n_slips[i]; ++a)
             for (unsigned int b = 0; b <= a; ++b)
@@ -302,15 +381,15 @@ namespace lamella
           step.force[i][0] =
             (normal_target - s * lambda - lambda * residual[i][0] -
              (correction.empty() ? 0. : correction[i])) /
-            (s + points.compliance[i] * lambda);
+            (s + compliance(i, 0) * lambda);
           next[i] += step.force[i];
         }
-      const PointVectors w = system.solve(next);
+      const PointVectors w = solution(next);
       for (unsigned int i = 0; i < n; ++i)
         {
           step.force[i] -= D[i] * w[i];
-          step.slack.push_back(
-            w[i][0] + points.compliance[i] * step.force[i][0] + residual[i][0]);
+          step.slack.push_back(w[i][0] + compliance(i, 0) * step.force[i][0] +
+                               residual[i][0]);
           step.gamma.push_back(
             has_shear[i] ?
               q[i] + 2. * gamma[i] / room[i] *
@@ -355,7 +434,7 @@ namespace lamella
     {
       constexpr double     short_step = 0.1, least_sigma = 1e-4, blocked = 0.05;
       const PointStiffness D = stiffness();
-      system.factorize(D);
+      factorize(D);
       const Direction     predictor = direction(D, 0., 0., {});
       const double        reach     = longest_step(predictor);
       std::vector<double> products, correction;
@@ -399,12 +478,12 @@ namespace lamella
 
 
     PointVectors
-    InteriorPoint::solve(const PointVectors &first, const Monitor &monitor)
+    InteriorPoint::solve(const Monitor &monitor)
     {
       // Rounding errors of the products end their decrease.
       constexpr double slow = 0.9, small = arithmetic::rounding_of_solutions;
       constexpr unsigned int patience = 5;
-      begin(first);
+      begin();
       unsigned int idle = 0;
       for (unsigned int k = 0;
            force_scale > 0. && k < parameters.max_iterations;
@@ -422,7 +501,7 @@ namespace lamella
       for (unsigned int i = 0; i < n; ++i)
         if (!is_closed(i))
           force[i] = {};
-      return force;
+      return unscaled(force);
     }
   } // namespace
 
@@ -431,10 +510,9 @@ namespace lamella
   PointVectors
   solve_by_interior_point(InterfaceSystem               &system,
                           const InterfacePoints         &points,
-                          const PointVectors            &first,
                           const Monitor                 &monitor,
                           const InteriorPointParameters &parameters)
   {
-    return InteriorPoint(system, points, parameters).solve(first, monitor);
+    return InteriorPoint(system, points, parameters).solve(monitor);
   }
 } // namespace lamella

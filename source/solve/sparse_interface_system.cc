@@ -30,25 +30,6 @@ namespace lamella
 
 
 
-  PointVectors
-  proximal_lengths(const GapConstraints      &rows,
-                   const NumericalCompliance &compliance,
-                   const ContactProblem      &problem,
-                   const BlockVector         &du)
-  {
-    PointVectors v = jumps(rows, du);
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        const double proximal = compliance(rows[r]) - law_compliance(rows[r]);
-        v[r][0] += problem.gap[r] - proximal * problem.estimate[r];
-        for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
-          v[r][1 + t] += problem.slip[r][t] - proximal * problem.shear[r][t];
-      }
-    return v;
-  }
-
-
-
   void
   add_contact_forces(const GapConstraints &rows,
                      const ContactProblem &problem,
@@ -71,14 +52,15 @@ namespace lamella
     const TangentOperator     &tangent_operator,
     const GapConstraints      &rows,
     const NumericalCompliance &compliance,
-    const ContactProblem      &problem)
-    : du(tangent_operator.of().zero())
-    , K_du(du)
-    , tangent_operator(tangent_operator)
+    const ContactProblem      &problem,
+    PenaltyMatrix             &matrix)
+    : tangent_operator(tangent_operator)
     , rows(rows)
     , compliance(compliance)
     , problem(problem)
-    , matrix(tangent_operator, rows, Symmetry::definite)
+    , matrix(matrix)
+    , du(tangent_operator.of().zero())
+    , K_du(du)
   {}
 
 
@@ -88,34 +70,102 @@ namespace lamella
   {
     // Bodies are softer in bending than at a point, by the square of the
     // slenderness.
-    constexpr double soft = 1e-4;
+    constexpr double slender = 1e-4;
     InterfacePoints  points;
+    points.about  = problem.forces();
+    points.closed = problem.closed;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
+        const double d        = compliance(rows[r]),
+                     proximal = d - law_compliance(rows[r]),
+                     soft     = slender / (matrix.local_compliance(r) + d);
         points.n_slips.push_back(rows[r].slips.size());
-        points.friction.push_back(rows[r].friction);
-        points.compliance.push_back(compliance(rows[r]));
-        points.spring.push_back(
-          soft / (matrix.local_compliance(r) + points.compliance.back()));
+        points.law.push_back(law_of(rows[r]));
+        points.compliance.push_back(d);
+        points.stiffness.push_back({{soft, soft}});
+        points.spring.push_back(soft);
+        Tensor<1, 3> estimate;
+        estimate[0] = problem.estimate[r];
+        for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
+          estimate[1 + t] = problem.shear[r][t];
+        points.shift.push_back(proximal * estimate);
       }
     return points;
   }
 
 
 
+  namespace
+  {
+    /// Returns the terms of B^T D B, without those of the zeros in @p D.
+    template <typename PointMatrices>
+    std::vector<PenaltyTerm>
+    penalty_terms(const GapConstraints &rows, const PointMatrices &D)
+    {
+      std::vector<PenaltyTerm> terms;
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        for (unsigned int a = 0; a <= rows[r].slips.size(); ++a)
+          for (unsigned int b = 0; b <= rows[r].slips.size(); ++b)
+            if (D[r][a][b] != 0.)
+              terms.push_back({a == 0 ? r : rows.slip(r, a - 1),
+                               b == 0 ? r : rows.slip(r, b - 1),
+                               D[r][a][b]});
+      return terms;
+    }
+  } // namespace
+
+
+
   void
   SparseInterfaceSystem::factorize(const PointStiffness &D)
   {
-    std::vector<PenaltyTerm> terms;
+    if (!symmetric)
+      symmetric = std::make_unique<PenaltyMatrix>(tangent_operator,
+                                                  rows,
+                                                  Symmetry::definite);
+    symmetric->factorize(penalty_terms(rows, D));
+  }
+
+
+
+  // dlambda = A^-1 (r - B dv), so D = A^-1 B.
+  InterfaceStep
+  SparseInterfaceSystem::solve(const std::vector<LinearizedLaw> &laws,
+                               const PointVectors               &force)
+  {
+    symmetric.reset();
+    std::vector<Tensor<2, 3>> D;
+    InterfaceStep             result;
+    result.force = force;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
-        terms.push_back({r, r, D[r][0][0]});
-        for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
-          for (unsigned int b = 0; b < rows[r].slips.size(); ++b)
-            if (const double stiffness = D[r][1 + a][1 + b]; stiffness != 0.)
-              terms.push_back({rows.slip(r, a), rows.slip(r, b), stiffness});
+        const Tensor<2, 3> inverse = invert(laws[r].A);
+        D.push_back(inverse * laws[r].B);
+        result.force[r] += inverse * laws[r].residual;
       }
-    matrix.factorize(terms);
+    matrix.factorize(penalty_terms(rows, D));
+    result.change = solve(result.force);
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      result.force[r] -= D[r] * result.change[r];
+    result.sign      = matrix.sign_of_determinant();
+    result.is_solved = true;
+    return result;
+  }
+
+
+
+  // Without friction, only the active set of the forces matters to Newton's
+  // method, and no solution is needed.
+  void
+  SparseInterfaceSystem::move_to(const PointVectors &force)
+  {
+    du   = 0.;
+    K_du = 0.;
+    if (!rows.has_friction() || force == problem.forces())
+      return;
+    matrix.factorize({});
+    solve(force);
+    advance(1.);
   }
 
 
@@ -126,7 +176,7 @@ namespace lamella
     BlockVector f = tangent_operator.of().zero();
     f -= K_du;
     add_contact_forces(rows, problem, force, f);
-    step = matrix.solve(std::move(f));
+    step = (symmetric ? *symmetric : matrix).solve(std::move(f));
     return jumps(rows, step);
   }
 
@@ -144,6 +194,13 @@ namespace lamella
   PointVectors
   SparseInterfaceSystem::lengths() const
   {
-    return proximal_lengths(rows, compliance, problem, du);
+    PointVectors v = jumps(rows, du);
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        v[r][0] += problem.gap[r];
+        for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
+          v[r][1 + t] += problem.slip[r][t];
+      }
+    return v;
   }
 } // namespace lamella

@@ -3,7 +3,7 @@
 #ifndef lamella_solve_contact_problem_h
 #define lamella_solve_contact_problem_h
 
-#include <lamella/contact/gap_constraints.h>
+#include <lamella/contact/interface_law.h>
 #include <lamella/solve/friction_state.h>
 #include <lamella/solve/structure.h>
 
@@ -12,14 +12,6 @@
 
 namespace lamella
 {
-  /// Returns the compliance a [length / force] in the contact law
-  ///   g + a lambda >= 0,  lambda >= 0,  (g + a lambda) lambda = 0
-  /// of the constraint @p row with gap g and contact force lambda, positive in
-  /// compression: a = 1/eps for the method `penalty` with penalty eps, i.e.
-  /// lambda = eps max(0, -g); otherwise a = 0 (Kuhn-Tucker conditions).
-  double
-  law_compliance(const GapConstraint &row);
-
   /// A contact problem in increments about a state whose displacements u and
   /// contact forces lambda_state are in equilibrium,
   ///   K u = t f + B^T lambda_state,
@@ -62,9 +54,17 @@ namespace lamella
     std::vector<dealii::Tensor<1, 2>> shear = {};
     /// Unit direction of the shear force where a point slips, else zero.
     std::vector<dealii::Tensor<1, 2>> direction = {};
-    /// True if the friction solution is unstable (CoulombSolution::stability):
-    /// no load path leads to it, and it must be rejected.
+    /// True if the friction solution is unstable
+    /// (InterfaceSolution::stability): no load path leads to it, and it must be
+    /// rejected.
     bool is_unstable = false;
+
+    /// Stores the contact force @p lambda = (n, t_1, t_2) of the constraint @p
+    /// r in the state @p state, and adds it to the active ones if it is closed.
+    void
+    store(const unsigned int          r,
+          const PointState            state,
+          const dealii::Tensor<1, 3> &lambda);
   };
 
   /// Active constraints of a linear system with contact. The increment of each

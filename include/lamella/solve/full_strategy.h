@@ -9,18 +9,14 @@
 namespace lamella
 {
   /// Newton's method on the displacements u and contact forces lambda of the
-  /// whole scene. A constraint with gap g and compliance a of its contact law
-  /// is active if
-  ///   lambda - rho (g(u) + a lambda) > 0,   rho = |lambda| / |du|
-  /// (semi-smooth Newton or primal-dual active set method). The Newton step is
+  /// whole scene, a semi-smooth Newton method (solve_interface()) whose steps
+  /// factorize the matrix of the whole scene (PenaltyMatrix). Without friction
+  /// a constraint with the lengths v, the gap and all compliances included, is
+  /// active if lambda - D v > 0, and the Newton step is
   ///   (K + K^p) du = r_u + B_A^T r_lambda / d,   K^p = B_A^T diag(1/d) B_A,
   ///   dlambda      = (r_lambda - B_A du) / d
   /// with the tangent stiffness K, gradients B_A of active gaps, numerical
-  /// compliance d, unbalanced forces r_u, and r_lambda = -(g(u) + a lambda).
-  /// Each iteration factorizes the matrix of the whole scene (PenaltyMatrix).
-  /// ContactNewton is this method, with friction or without. It starts from
-  /// the forces of the previous load step, or from the result of
-  /// solve_by_interior_point().
+  /// compliance d, unbalanced forces r_u, and r_lambda = -v.
   class FullStrategy : public ContactStrategy
   {
   public:

@@ -3,10 +3,13 @@
 #ifndef lamella_solve_interface_system_h
 #define lamella_solve_interface_system_h
 
+#include <lamella/contact/interface_law.h>
 #include <lamella/solve/point_compliance.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace lamella
@@ -14,6 +17,29 @@ namespace lamella
   /// Symmetric, positive semidefinite 3 x 3 matrix D of each contact point
   /// [force / length], which maps gap and slips to contact forces.
   using PointStiffness = std::vector<dealii::SymmetricTensor<2, 3>>;
+
+  /// Linearized law A dlambda + B dv = r of a contact point, with the change
+  /// dlambda of its force and dv of gap and slips. A includes the compliance of
+  /// the law.
+  struct LinearizedLaw
+  {
+    /// True for the law lambda = 0 of an open point: A = 1, B = 0, r = -lambda.
+    bool                 is_open = true;
+    dealii::Tensor<2, 3> A,        ///< Factor of the change of force.
+      B;                           ///< Factor of the change of gap and slips.
+    dealii::Tensor<1, 3> residual; ///< Right-hand side r.
+  };
+
+  /// Solution of equilibrium with the linearized law of each point.
+  struct InterfaceStep
+  {
+    bool         is_solved = false; ///< False if the matrix is singular.
+    PointVectors force,             ///< Contact force of each point.
+      change;                       ///< Change of gaps and slips.
+    /// Sign of the determinant of the matrix; -1 for an unstable equilibrium
+    /// (InterfaceSolution::stability).
+    int sign = 1;
+  };
 
   /// Equilibrium of the bodies, reduced to the contact points: gaps and slips v
   /// as affine function of the contact forces. The iterate v need not satisfy
@@ -36,26 +62,58 @@ namespace lamella
     virtual PointVectors
     solve(const PointVectors &force) = 0;
 
+    /// Solves equilibrium with the linearized @p laws of all points about the
+    /// contact forces @p force. The matrix need not be symmetric. Throws
+    /// NumericsError as factorize() does.
+    virtual InterfaceStep
+    solve(const std::vector<LinearizedLaw> &laws,
+          const PointVectors               &force) = 0;
+
     /// Adds the fraction @p t of the last result of solve() to the iterate.
     virtual void
     advance(const double t) = 0;
+
+    /// Sets the iterate to the equilibrium under the contact forces @p force.
+    virtual void
+    move_to(const PointVectors &force) = 0;
 
     /// Returns the iterate of gaps and slips v, without compliance of the law.
     virtual PointVectors
     lengths() const = 0;
   };
 
-  /// Contact points of an InterfaceSystem with their law. All vectors have one
-  /// entry per point.
+  /// Contact points of an InterfaceSystem with their laws, in which the lengths
+  ///   v + d (lambda - lambda_bar) + a lambda_bar
+  /// stand for gap and slips, with the compliance a of the law, the numerical
+  /// compliance d >= a, and an estimate lambda_bar of the force. All vectors
+  /// have one entry per point.
   struct InterfacePoints
   {
-    std::vector<unsigned int> n_slips;  ///< Number of tangents: 0, 1 or 2.
-    std::vector<double>       friction; ///< Friction coefficient mu.
-    /// Compliance d of the law: v + d lambda answers the contact force lambda.
-    std::vector<double> compliance;
+    std::vector<unsigned int> n_slips; ///< Number of tangents: 0, 1 or 2.
+    std::vector<std::shared_ptr<const InterfaceLaw>> law; ///< Law.
+    std::vector<double> compliance; ///< Numerical compliance d.
+    /// Lengths (d - a) lambda_bar.
+    PointVectors shift;
+    /// Stiffness that relates forces and lengths of a point in normal and
+    /// tangential direction, the inverse of its local compliance.
+    std::vector<std::array<double, 2>> stiffness;
     /// Stiffness of the springs at the point that give the starting point, in
     /// the order of that of the bodies under forces on all points.
     std::vector<double> spring;
+    /// Lengths of open points up to this value are rounding errors of zero.
+    double closed = 0.;
+    /// Contact forces at the beginning, in equilibrium with the bodies.
+    PointVectors about;
+
+    /// Returns the lengths of point @p i for gap and slips @p v and the contact
+    /// force @p force.
+    dealii::Tensor<1, 3>
+    lengths(const unsigned int          i,
+            const dealii::Tensor<1, 3> &v,
+            const dealii::Tensor<1, 3> &force) const
+    {
+      return v + compliance[i] * force - shift[i];
+    }
   };
 } // namespace lamella
 

@@ -32,8 +32,7 @@ namespace lamella
    * grows with the number of points. The last digits are left to Newton's
    * method. Returns the contact force of each point, zero where it is open;
    * the iterate of @p system has the gaps and slips. @p monitor is called
-   * after each step. @p first is the force of each point before. Throws
-   * NumericsError if a matrix cannot be factorized.
+   * after each step. Throws NumericsError if a matrix cannot be factorized.
    *
    * With the lengths (v_n, v_t) of a point, the compliance of the law included,
    * and the bound b = mu lambda_n of the last iterate, which is constant in
@@ -46,7 +45,6 @@ namespace lamella
   PointVectors
   solve_by_interior_point(InterfaceSystem               &system,
                           const InterfacePoints         &points,
-                          const PointVectors            &first,
                           const Monitor                 &monitor,
                           const InteriorPointParameters &parameters = {});
 } // namespace lamella

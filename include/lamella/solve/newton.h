@@ -237,7 +237,7 @@ namespace lamella
     /// springs. Throws NumericsError if it is not, and IllConditioned if it is
     /// unstable even with springs. Returns false if the check does not apply:
     /// if there is no contact force, or with friction
-    /// (CoulombSolution::stability).
+    /// (InterfaceSolution::stability).
     ///
     /// R are the spring rows, scaled such that the tangent K contains R^T R. C
     /// is the inverse of K with all active gaps kept closed. The motions that

@@ -40,7 +40,7 @@ namespace lamella
   ///   K + K^p,   K^p = B_A^T diag(1/d) B_A,
   /// in the free DoFs, with the stiffness K of a TangentOperator, the gradients
   /// B_A of the active gaps, and their compliances d [length / force]. With
-  /// friction it is not symmetric (ContactNewton).
+  /// friction it is not symmetric (SparseInterfaceSystem).
   ///
   /// The sparsity pattern of the Trilinos matrix includes all constraints that
   /// were ever active. MUMPS factorizes it on all processes whenever K^p

@@ -8,17 +8,6 @@
 
 namespace lamella
 {
-  /// Returns the gap and slips of each constraint in the proximal problem about
-  /// the force estimates lambda_bar of @p problem, without the term d lambda:
-  ///   (g, s - s_0) - (d - a) lambda_bar
-  /// at the displacement increment @p du, with the compliance a of the law and
-  /// the numerical compliance d.
-  PointVectors
-  proximal_lengths(const GapConstraints      &rows,
-                   const NumericalCompliance &compliance,
-                   const ContactProblem      &problem,
-                   const BlockVector         &du);
-
   /// Adds the nodal forces B^T (@p force - those of the state of @p problem) of
   /// all constraints to @p f.
   void
@@ -27,17 +16,19 @@ namespace lamella
                      const PointVectors   &force,
                      BlockVector          &f);
 
-  /// Equilibrium of the bodies by the sparse matrix K + B^T D B of all DoFs,
-  /// for many contact points. Keeps references to all arguments. Collective.
+  /// Equilibrium of the bodies by the sparse matrix K + K^p, K^p = B^T D B, of
+  /// all DoFs, for many contact points. Keeps references to all arguments.
+  /// Collective.
   class SparseInterfaceSystem : public InterfaceSystem
   {
   public:
-    /// Assembles the stiffness of @p tangent_operator for the increments of
-    /// @p problem.
+    /// Creates the system for the increments of @p problem; @p matrix has the
+    /// stiffness of @p tangent_operator.
     SparseInterfaceSystem(const TangentOperator     &tangent_operator,
                           const GapConstraints      &rows,
                           const NumericalCompliance &compliance,
-                          const ContactProblem      &problem);
+                          const ContactProblem      &problem,
+                          PenaltyMatrix             &matrix);
 
     /// Returns the contact points of the constraints.
     InterfacePoints
@@ -47,21 +38,34 @@ namespace lamella
     factorize(const PointStiffness &D) override;
     PointVectors
     solve(const PointVectors &force) override;
+    InterfaceStep
+    solve(const std::vector<LinearizedLaw> &laws,
+          const PointVectors               &force) override;
+    void
+    move_to(const PointVectors &force) override;
     void
     advance(const double t) override;
     PointVectors
     lengths() const override;
 
-    BlockVector du;   ///< Displacement increment of the iterate.
-    BlockVector K_du; ///< Forces K du, computed from strains.
+    /// Returns the displacement increment of the iterate.
+    const BlockVector &
+    displacement() const
+    {
+      return du;
+    }
 
   private:
     const TangentOperator     &tangent_operator;
     const GapConstraints      &rows;
     const NumericalCompliance &compliance;
     const ContactProblem      &problem;
-    PenaltyMatrix              matrix;
-    BlockVector                step;
+    PenaltyMatrix             &matrix;
+    /// Symmetric matrix of factorize(); released by the next linearized laws.
+    std::unique_ptr<PenaltyMatrix> symmetric;
+    BlockVector                    du; ///< Displacement increment.
+    BlockVector K_du;                  ///< Forces K du, computed from strains.
+    BlockVector step;                  ///< Change of du by the last solution.
   };
 } // namespace lamella
 

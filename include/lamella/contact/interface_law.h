@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_contact_interface_law_h
+#define lamella_contact_interface_law_h
+
+#include <lamella/contact/gap_constraints.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+
+namespace lamella
+{
+  /// State of an interface point.
+  enum class PointState
+  {
+    open,
+    stick,
+    slip
+  };
+
+  /// Traction of an interface point for a trial traction z, and its derivatives
+  /// (InterfaceLaw::evaluate()). Components are (n, t_1, t_2) [force].
+  struct InterfaceResponse
+  {
+    PointState           state = PointState::open; ///< State of the point.
+    dealii::Tensor<1, 3> traction;                 ///< Traction P(z).
+    /// Derivative of P by z with constant bound; symmetric.
+    dealii::SymmetricTensor<2, 3> tangent;
+    /// Derivative of P by the bound.
+    dealii::Tensor<1, 3> bound_derivative;
+    /// Convex energy (|z|^2 - |z - P(z)|^2) / 2, whose gradient by z is P(z)
+    /// [force^2]. The Moreau envelope of the law in terms of the jump is this
+    /// energy over the stiffness D, with z = lambda_bar - D jump.
+    double energy = 0.;
+  };
+
+  /// Bound b of the shear force of a point, and its gradient by the trial
+  /// traction.
+  struct ShearBound
+  {
+    double               value = 0.; ///< Bound b(z) >= 0 [force].
+    dealii::Tensor<1, 3> gradient;   ///< db/dz.
+  };
+
+  /**
+   * Law of an interface point: the traction lambda that answers the jump v, the
+   * gap and the two slips of a load step, v = (g, s_1, s_2) + a lambda with the
+   * compliance a of the law. The law holds if for any stiffness D > 0
+   *   lambda = P(z),  z = lambda - D v,
+   * where P is the projection onto the convex set of tractions that belongs to
+   * the bound b(z) (Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92
+   * (1991) 353-375). With constant bound, P is the gradient of a convex energy
+   * and its derivative symmetric; the derivative of the bound is the
+   * unsymmetric part.
+   */
+  class InterfaceLaw
+  {
+  public:
+    /// Creates a law with the @p compliance a [length / force], zero if the
+    /// law is satisfied exactly.
+    explicit InterfaceLaw(const double compliance)
+      : compliance(compliance)
+    {}
+    virtual ~InterfaceLaw();
+
+    /// Returns the bound of the shear force for the trial traction @p z, or for
+    /// a traction.
+    virtual ShearBound
+    bound(const dealii::Tensor<1, 3> &z) const = 0;
+
+    /// Returns traction, derivatives and energy for the trial traction @p z and
+    /// a constant @p bound of the shear force.
+    virtual InterfaceResponse
+    evaluate(const dealii::Tensor<1, 3> &z, const double bound) const = 0;
+
+    const double compliance; ///< Compliance a of the law [length / force].
+  };
+
+  /// Frictionless contact: v_n >= 0, lambda_n >= 0, v_n lambda_n = 0. With the
+  /// compliance a = 1 / eps it is the penalty method, lambda_n = eps max(0,
+  /// -g).
+  class UnilateralContact : public InterfaceLaw
+  {
+  public:
+    using InterfaceLaw::InterfaceLaw;
+    ShearBound
+    bound(const dealii::Tensor<1, 3> &z) const override;
+    InterfaceResponse
+    evaluate(const dealii::Tensor<1, 3> &z, const double bound) const override;
+  };
+
+  /// Frictional contact by Coulomb's law: in addition to UnilateralContact,
+  ///   |lambda_t| <= mu lambda_n,  v_t = 0 where |lambda_t| < mu lambda_n,
+  ///   lambda_t = -mu lambda_n v_t / |v_t| where v_t is not zero.
+  class CoulombFriction : public UnilateralContact
+  {
+  public:
+    /// Creates a law with the friction coefficient @p mu.
+    CoulombFriction(const double compliance, const double mu)
+      : UnilateralContact(compliance)
+      , mu(mu)
+    {}
+    ShearBound
+    bound(const dealii::Tensor<1, 3> &z) const override;
+    InterfaceResponse
+    evaluate(const dealii::Tensor<1, 3> &z, const double bound) const override;
+
+  private:
+    const double mu;
+  };
+
+  /// Returns the compliance a [length / force] in the contact law of the
+  /// constraint @p row: 1 / eps for the method `penalty` with penalty eps,
+  /// otherwise zero.
+  double
+  law_compliance(const GapConstraint &row);
+
+  /// Returns the law of the constraint @p row.
+  std::shared_ptr<const InterfaceLaw>
+  law_of(const GapConstraint &row);
+} // namespace lamella
+
+#endif

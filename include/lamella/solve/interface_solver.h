@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_solve_interface_solver_h
+#define lamella_solve_interface_solver_h
+
+#include <lamella/solve/contact_problem.h>
+#include <lamella/solve/interface_system.h>
+
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// Tolerances and limits of solve_interface().
+  struct InterfaceRules
+  {
+    double tolerance = 1e-11; ///< Tolerance of InterfaceSolution::error.
+    double digits    = 1e-15; ///< Error at which Newton's method ends.
+    /// Maximum number of Newton iterations from the initial forces.
+    unsigned int first_iterations = 12;
+    unsigned int iterations       = 40; ///< Maximum after the interior point.
+    /// Maximum number of Newton iterations after the tolerance is met. They
+    /// continue while each reduces the error tenfold.
+    unsigned int extra_iterations = 3;
+    unsigned int damped_from = 4; ///< First Newton iteration with line search.
+    /// Initial compliance of the continuation, relative to that of a point.
+    double first_compliance = 1.;
+    double decrease_factor  = 0.3, ///< Factor of the compliance per round.
+      increase_factor       = 5.,  ///< Its value if the error exceeds `solved`.
+      solved                = 1e-9; ///< Error below which a round succeeds.
+    unsigned int max_regularized_rounds = 60; ///< Maximum number of rounds.
+  };
+
+  /// Contact forces of an InterfaceSystem, with their error.
+  struct InterfaceSolution
+  {
+    PointVectors            force;  ///< Contact forces (n, t_1, t_2).
+    std::vector<PointState> states; ///< Contact state of each point.
+    /// Relative error of the law, the largest component of lambda - P(lambda -
+    /// D v) over that of lambda or D v, with forces lambda, lengths v
+    /// and stiffness D of the points. Components are scaled by 1 / sqrt D.
+    double error = 0.;
+    /// Sign of the determinant of the matrix that maps contact forces to the
+    /// gaps and sticking slips of closed points: -1 for an unstable solution,
+    /// which no load path reaches; 1 if no point is closed.
+    int          stability = 1;
+    std::string  by;             ///< Method that found the solution.
+    unsigned int iterations = 0; ///< Number of linear systems solved.
+  };
+
+  /// Error of the laws at contact forces with their gaps and slips.
+  struct LawError
+  {
+    std::vector<PointState> states;       ///< State of each point.
+    std::vector<double>     of_point;     ///< InterfaceSolution::error of each.
+    double                  largest = 0.; ///< Largest of `of_point`.
+  };
+
+  /// Returns the error of the contact forces @p force with the gaps and slips
+  /// @p v.
+  LawError
+  law_error(const InterfacePoints &points,
+            const PointVectors    &force,
+            const PointVectors    &v);
+
+  /// Throws NumericsError if @p found violates the laws by more than 1e-6.
+  void
+  check_law(const InterfaceSolution &found);
+
+  /// Returns the sign of the determinant of Newton's matrix at the contact
+  /// forces @p force (InterfaceSolution::stability).
+  int
+  stability_at(InterfaceSystem       &system,
+               const InterfacePoints &points,
+               const PointVectors    &force);
+
+  /**
+   * Solves the laws of all @p points with the equilibrium of @p system. The
+   * first of the following methods that converges gives the result:
+   *   1 Newton's method on lambda = P(lambda - D v), P the projection of the
+   *     law, from the forces @p start;
+   *   2 Newton's method from the result of solve_by_interior_point();
+   *   3 proximal points (Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898)
+   *     with a decreasing compliance added to the points.
+   * If none converges, the best solution is returned with its error. The
+   * iterate of @p system belongs to the last iteration. @p monitor is called
+   * after each iteration.
+   */
+  InterfaceSolution
+  solve_interface(InterfaceSystem       &system,
+                  const InterfacePoints &points,
+                  const PointVectors    &start,
+                  const Monitor         &monitor,
+                  const InterfaceRules  &rules = {});
+} // namespace lamella
+
+#endif

@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/friction_state.h>
+#include <lamella/solve/interface_solver.h>
+#include <lamella/solve/interior_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// Semi-smooth Newton method for contact with Coulomb friction (Alart and
+// Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375; Hintermueller,
+// Ito and Kunisch, SIAM J. Optim. 13 (2002) 865-888) on the natural map
+//   F(lambda) = lambda - P(z),  z = lambda - D v,
+// P the law's projection, v the lengths with all compliances, and D the
+// stiffness of the points. With the generalized derivative G = dP/dz, which
+// includes that of the shear bound, the equations of a step are
+//   (1 - G + G D d) dlambda + G D dv = P(z) - lambda.
+// They are not symmetric for a slipping point, as its bound depends on the
+// normal force; solutions with a negative determinant lie on branches without a
+// load path.
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Trial traction z of a point and the response of its law.
+    struct Trial
+    {
+      Tensor<1, 3>      z;
+      Tensor<2, 3>      D; ///< Stiffness, diagonal.
+      ShearBound        bound;
+      InterfaceResponse response;
+
+      /// Returns P(z) - lambda at the force @p lambda; exactly -D v if P(z) =
+      /// z.
+      Tensor<1, 3>
+      missed(const Tensor<1, 3> &lambda) const
+      {
+        return (response.traction - z) + (z - lambda);
+      }
+    };
+
+
+
+    /// Natural map of point @p i at the force @p lambda, with gap and slips
+    /// @p v.
+    Trial
+    trial(const InterfacePoints &points,
+          const unsigned int     i,
+          const Tensor<1, 3>    &lambda,
+          const Tensor<1, 3>    &v)
+    {
+      Trial at;
+      for (unsigned int c = 0; c < 3; ++c)
+        at.D[c][c] = points.stiffness[i][c == 0 ? 0 : 1];
+      Tensor<1, 3> lengths = points.lengths(i, v, lambda);
+      if (lambda[0] == 0. && std::abs(lengths[0]) <= points.closed)
+        lengths[0] = 0.;
+      at.z        = lambda - at.D * lengths;
+      at.bound    = points.law[i]->bound(at.z);
+      at.response = points.law[i]->evaluate(at.z, at.bound.value);
+      return at;
+    }
+
+
+
+    LinearizedLaw
+    linearized(const InterfacePoints &points,
+               const unsigned int     i,
+               const Tensor<1, 3>    &lambda,
+               const Tensor<1, 3>    &v)
+    {
+      const Trial        at = trial(points, i, lambda, v);
+      const Tensor<2, 3> one(unit_symmetric_tensor<3>()),
+        G = Tensor<2, 3>(at.response.tangent) +
+            outer_product(at.response.bound_derivative, at.bound.gradient);
+      LinearizedLaw law;
+      law.is_open  = at.response.state == PointState::open;
+      law.B        = G * at.D;
+      law.A        = one - G + points.compliance[i] * law.B;
+      law.residual = at.missed(lambda);
+      return law;
+    }
+
+
+
+    std::vector<LinearizedLaw>
+    linearized(const InterfacePoints &points,
+               const PointVectors    &lambda,
+               const PointVectors    &v)
+    {
+      std::vector<LinearizedLaw> laws;
+      for (unsigned int i = 0; i < lambda.size(); ++i)
+        laws.push_back(linearized(points, i, lambda[i], v[i]));
+      return laws;
+    }
+
+
+
+    /// Components of @p missed over the square root of the stiffness.
+    double
+    scaled_norm_square(const Trial &at, const Tensor<1, 3> &missed)
+    {
+      double sum = 0.;
+      for (unsigned int c = 0; c < 3; ++c)
+        sum += missed[c] * missed[c] / at.D[c][c];
+      return sum;
+    }
+
+
+
+    /// Newton's method of solve_interface().
+    class InterfaceNewton
+    {
+    public:
+      InterfaceNewton(InterfaceSystem       &system,
+                      const InterfacePoints &points,
+                      const Monitor         &monitor,
+                      const InterfaceRules  &rules)
+        : system(system)
+        , points(points)
+        , monitor(monitor)
+        , rules(rules)
+      {}
+
+      /// Applies Newton's method from the forces @p lambda and the iterate of
+      /// the system, at most @p most iterations; returns the best forces.
+      InterfaceSolution
+      solve(PointVectors lambda, const unsigned int most);
+
+      /// Applies Newton's method from the result of the interior point.
+      InterfaceSolution
+      after_interior_point();
+
+      /// Applies Newton's method to points with decreasing compliance.
+      InterfaceSolution
+      by_compliance(const PointVectors &start);
+
+    private:
+      /// Returns the best of several fractions of @p step from @p lambda, @p v.
+      double
+      shortened(const PointVectors  &lambda,
+                const PointVectors  &v,
+                const InterfaceStep &step,
+                const unsigned int   iteration) const;
+      /// Reports the error @p now of an iteration, with the gaps and slips
+      /// @p v.
+      void
+      report(const LawError &now, const PointVectors &v) const;
+
+      InterfaceSystem       &system;
+      const InterfacePoints &points;
+      const Monitor         &monitor;
+      const InterfaceRules  &rules;
+    };
+
+
+
+    // Backtracking on the Euclidean norm of the natural map.
+    double
+    InterfaceNewton::shortened(const PointVectors  &lambda,
+                               const PointVectors  &v,
+                               const InterfaceStep &step,
+                               const unsigned int   iteration) const
+    {
+      // Every fourth step is taken without a norm, to leave cycles.
+      constexpr unsigned int blind_every = 4;
+      constexpr double       blind       = 0.35;
+      if (iteration % blind_every == 0)
+        return blind;
+      double best = 0., least = std::numeric_limits<double>::max();
+      for (const double t : {1., 0.5, 0.25, 0.1, 0.03, 0.01})
+        {
+          double size = 0.;
+          for (unsigned int i = 0; i < lambda.size(); ++i)
+            {
+              const Tensor<1, 3> there =
+                lambda[i] + t * (step.force[i] - lambda[i]);
+              const Trial at =
+                trial(points, i, there, v[i] + t * step.change[i]);
+              size += scaled_norm_square(at, at.missed(there));
+            }
+          if (size < least)
+            {
+              least = size;
+              best  = t;
+            }
+        }
+      return best;
+    }
+
+
+
+    void
+    InterfaceNewton::report(const LawError &now, const PointVectors &v) const
+    {
+      if (!monitor)
+        return;
+      Round round;
+      for (unsigned int i = 0; i < v.size(); ++i)
+        {
+          round.active += now.states[i] != PointState::open;
+          if (!(now.of_point[i] > rules.tolerance))
+            continue;
+          round.changed.push_back(i);
+          round.violation = std::max(round.violation, v[i].norm());
+        }
+      monitor(round);
+    }
+
+
+
+    // Each step gives new forces, not a correction of the last ones, so it can
+    // leave a wrong branch at once. The best iterate is kept, since the natural
+    // map need not decrease. Further steps after convergence gain digits of
+    // small forces.
+    InterfaceSolution
+    InterfaceNewton::solve(PointVectors lambda, const unsigned int most)
+    {
+      InterfaceSolution best;
+      best.force            = lambda;
+      best.error            = std::numeric_limits<double>::max();
+      unsigned int polished = 0;
+      for (unsigned int k = 0; k < most + polished; ++k)
+        {
+          const PointVectors  v = system.lengths();
+          const InterfaceStep step =
+            system.solve(linearized(points, lambda, v), lambda);
+          ++best.iterations;
+          if (!step.is_solved)
+            break;
+          PointVectors end = v;
+          for (unsigned int i = 0; i < end.size(); ++i)
+            end[i] += step.change[i];
+          const LawError now    = law_error(points, step.force, end);
+          const double   before = best.error;
+          if (now.largest < best.error)
+            {
+              best.error     = now.largest;
+              best.force     = step.force;
+              best.states    = now.states;
+              best.stability = step.sign;
+            }
+          report(now, end);
+          if (best.error < rules.tolerance)
+            {
+              const bool betters =
+                before > rules.tolerance || 10. * now.largest < before;
+              system.advance(1.);
+              if (best.error < rules.digits ||
+                  polished == rules.extra_iterations || !betters)
+                break;
+              ++polished;
+              lambda = step.force;
+              continue;
+            }
+          const double t =
+            k < rules.damped_from ? 1. : shortened(lambda, v, step, k);
+          system.advance(t);
+          for (unsigned int i = 0; i < lambda.size(); ++i)
+            lambda[i] += t * (step.force[i] - lambda[i]);
+        }
+      return best;
+    }
+
+
+
+    InterfaceSolution
+    InterfaceNewton::after_interior_point()
+    {
+      unsigned int n = 0;
+      system.move_to(points.about);
+      const PointVectors lambda =
+        solve_by_interior_point(system, points, [&](const Round &round) {
+          ++n;
+          if (monitor)
+            monitor(round);
+        });
+      InterfaceSolution found = solve(lambda, rules.iterations);
+      found.iterations += n;
+      return found;
+    }
+
+
+
+    // Continuation in the compliance: decrease it after each success of
+    // Newton's method, increase it after a failure. Newton's method without
+    // it is tried from each intermediate solution.
+    InterfaceSolution
+    InterfaceNewton::by_compliance(const PointVectors &start)
+    {
+      constexpr double   least = 1e-12;
+      constexpr unsigned tries = 8;
+      InterfaceSolution  best;
+      best.force          = start;
+      best.error          = std::numeric_limits<double>::max();
+      PointVectors lambda = start;
+      double       share  = rules.first_compliance;
+      for (unsigned int k = 0; k < rules.max_regularized_rounds &&
+                               share <= 10. * rules.first_compliance;
+           ++k)
+        {
+          InterfacePoints soft = points;
+          for (unsigned int i = 0; i < lambda.size(); ++i)
+            {
+              const double d = share / points.stiffness[i][0];
+              soft.compliance[i] += d;
+              soft.shift[i] += d * lambda[i];
+            }
+          InterfaceNewton other(system, soft, monitor, rules);
+          system.move_to(lambda);
+          InterfaceSolution found = other.solve(lambda, rules.iterations);
+          best.iterations += found.iterations;
+          if (found.error > rules.solved)
+            {
+              const InterfaceSolution again = other.after_interior_point();
+              best.iterations += again.iterations;
+              if (again.error < found.error)
+                found = again;
+            }
+          if (found.error > rules.solved)
+            {
+              share *= rules.increase_factor;
+              continue;
+            }
+          lambda = found.force;
+          system.move_to(lambda);
+          found                         = solve(lambda, tries);
+          const unsigned int iterations = best.iterations + found.iterations;
+          if (found.error < best.error)
+            best = found;
+          best.iterations = iterations;
+          if (best.error < rules.tolerance)
+            break;
+          share = std::max(least, share * rules.decrease_factor);
+        }
+      return best;
+    }
+  } // namespace
+
+
+
+  LawError
+  law_error(const InterfacePoints &points,
+            const PointVectors    &force,
+            const PointVectors    &v)
+  {
+    LawError result;
+    double   size = 0.;
+    for (unsigned int i = 0; i < force.size(); ++i)
+      {
+        const Trial        at      = trial(points, i, force[i], v[i]);
+        const Tensor<1, 3> missing = at.missed(force[i]), Dv = force[i] - at.z;
+        double             largest = 0.;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const double unit = std::sqrt(at.D[c][c]);
+            largest           = std::max(largest, std::abs(missing[c]) / unit);
+            size              = std::max(
+              {size, std::abs(force[i][c]) / unit, std::abs(Dv[c]) / unit});
+          }
+        result.states.push_back(at.response.state);
+        result.of_point.push_back(largest);
+      }
+    for (double &error : result.of_point)
+      {
+        error          = size > 0. ? error / size : 0.;
+        result.largest = std::max(result.largest, error);
+      }
+    return result;
+  }
+
+
+
+  void
+  check_law(const InterfaceSolution &found)
+  {
+    // Tolerance over the scale of the problem.
+    constexpr double sound = 1e-6;
+    if (!(found.error <= sound))
+      throw NumericsError(
+        "solve.friction-not-converged: The contact iteration with friction "
+        "did not converge: Coulomb's law has the relative error " +
+        to_text(found.error, 2) + friction_remedy);
+  }
+
+
+
+  int
+  stability_at(InterfaceSystem       &system,
+               const InterfacePoints &points,
+               const PointVectors    &force)
+  {
+    system.move_to(force);
+    return system.solve(linearized(points, force, system.lengths()), force)
+      .sign;
+  }
+
+
+
+  // Methods by increasing cost; the first below the tolerance ends the chain.
+  InterfaceSolution
+  solve_interface(InterfaceSystem       &system,
+                  const InterfacePoints &points,
+                  const PointVectors    &start,
+                  const Monitor         &monitor,
+                  const InterfaceRules  &rules)
+  {
+    InterfaceNewton   newton(system, points, monitor, rules);
+    InterfaceSolution best;
+    best.error       = std::numeric_limits<double>::max();
+    best.force       = start;
+    const auto is_it = [&](const char *const by, InterfaceSolution found) {
+      const unsigned int iterations = best.iterations + found.iterations;
+      if (found.error < best.error)
+        {
+          best    = std::move(found);
+          best.by = by;
+        }
+      best.iterations = iterations;
+      return best.error < rules.tolerance;
+    };
+    system.move_to(start);
+    const LawError at_start = law_error(points, start, system.lengths());
+    if (largest_component(start) == 0. && at_start.largest == 0.)
+      {
+        best.error  = 0.;
+        best.states = at_start.states;
+        return best;
+      }
+    if (is_it("Newton", newton.solve(start, rules.first_iterations)) ||
+        is_it("interior point", newton.after_interior_point()))
+      return best;
+    is_it("compliance", newton.by_compliance(best.force));
+    return best;
+  }
+} // namespace lamella
