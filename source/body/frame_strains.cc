@@ -94,10 +94,12 @@ namespace lamella
 
 
 
-    /// Divides the functions @p of, and derivatives, by |Q|^2.
+    /// Divides the functions @p of, and derivatives up to @p order, by |Q|^2.
     template <unsigned int n_functions, int n>
     void
-    divide_by_square(const Quaternion &Q, Derivatives<n_functions, n> &of)
+    divide_by_square(const Quaternion            &Q,
+                     const unsigned int           order,
+                     Derivatives<n_functions, n> &of)
     {
       const double square = Q.norm_square();
       Tensor<1, n> d;
@@ -106,7 +108,11 @@ namespace lamella
       for (unsigned int k = 0; k < n_functions; ++k)
         {
           of.value[k] /= square;
+          if (order == 0)
+            continue;
           of.first[k] = (of.first[k] - of.value[k] * d) / square;
+          if (order == 1)
+            continue;
           for (unsigned int a = 0; a < 4; ++a)
             of.second[k][a][a] -= 2. * of.value[k];
           of.second[k] -=
@@ -117,17 +123,22 @@ namespace lamella
 
 
 
-    /// Adds @p factor times the product of strains @p a and @p b to @p to.
+    /// Adds @p factor times the product of strains @p a and @p b to @p to, with
+    /// derivatives up to @p order.
     void
     add_product(const unsigned int to,
                 const double       factor,
                 const unsigned int a,
                 const unsigned int b,
+                const unsigned int order,
                 FrameStrains      &e)
     {
       e.value[to] += factor * e.value[a] * e.value[b];
-      e.first[to] +=
-        factor * (e.value[a] * e.first[b] + e.value[b] * e.first[a]);
+      if (order > 0)
+        e.first[to] +=
+          factor * (e.value[a] * e.first[b] + e.value[b] * e.first[a]);
+      if (order < 2)
+        return;
       e.second[to] +=
         factor * (e.value[a] * e.second[b] + e.value[b] * e.second[a] +
                   outer_product(e.first[a], e.first[b]) +
@@ -138,15 +149,15 @@ namespace lamella
 
     /// With what shear and twist stretch fibers by.
     FrameStrains
-    add_fiber_tilt(FrameStrains e)
+    add_fiber_tilt(FrameStrains e, const unsigned int order)
     {
       constexpr unsigned int G_x = 0, G_y = 1, G_z = 2, k_x = 3, k_y = 4,
                              k_z = 5, half_square_of_k_y = 6;
-      add_product(G_y, 0.5, G_x, G_x, e);
-      add_product(G_y, 0.5, G_z, G_z, e);
-      add_product(k_x, -1., k_y, G_x, e);
-      add_product(k_z, -1., k_y, G_z, e);
-      add_product(half_square_of_k_y, 0.5, k_y, k_y, e);
+      add_product(G_y, 0.5, G_x, G_x, order, e);
+      add_product(G_y, 0.5, G_z, G_z, order, e);
+      add_product(k_x, -1., k_y, G_x, order, e);
+      add_product(k_z, -1., k_y, G_z, order, e);
+      add_product(half_square_of_k_y, 0.5, k_y, k_y, order, e);
       return e;
     }
   } // namespace
@@ -212,7 +223,8 @@ namespace lamella
   FrameStrains
   frame_strains(const Quaternion   &Q,
                 const Quaternion   &dQ,
-                const Tensor<1, 3> &dr)
+                const Tensor<1, 3> &dr,
+                const unsigned int  order)
   {
     constexpr unsigned int of_dQ = 4, of_dr = 8;
     FrameStrains           e;
@@ -226,6 +238,8 @@ namespace lamella
         const Quaternion KdQ = forms().curvature[j] * dQ,
                          QK  = Q * forms().curvature[j];
         e.value[3 + j]       = Q * KdQ;
+        if (order == 0)
+          continue;
         for (unsigned int a = 0; a < 4; ++a)
           {
             e.first[j][a]             = 2. * AQ[a];
@@ -247,8 +261,8 @@ namespace lamella
                 2. * RQ[a];
           }
       }
-    divide_by_square(Q, e);
-    return add_fiber_tilt(e);
+    divide_by_square(Q, order, e);
+    return add_fiber_tilt(e, order);
   }
 
 
@@ -278,7 +292,7 @@ namespace lamella
               x.second[i][a][b] = 2. * A[a][b];
           }
       }
-    divide_by_square(Q, x);
+    divide_by_square(Q, 2, x);
     return x;
   }
 } // namespace lamella

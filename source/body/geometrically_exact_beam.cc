@@ -468,7 +468,7 @@ namespace lamella
   std::vector<double>
   GeometricallyExactBeam::strains(const Frame &frame)
   {
-    return strains(frame, frame_strains(frame.Q, frame.dQ, frame.dr));
+    return strains(frame, frame_strains(frame.Q, frame.dQ, frame.dr, 0));
   }
 
 

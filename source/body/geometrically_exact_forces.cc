@@ -68,7 +68,7 @@ namespace lamella
                                      std::vector<double> &f)
   {
     const Frame        frame = frame_at(station.point, element);
-    const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
+    const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr, 1);
     const unsigned int m = element.a.front().size(), n = n_node_unknowns + m;
     // Work of the frame's stresses on the measures z, then by L on the
     // unknowns.
@@ -232,7 +232,7 @@ namespace lamella
   {
     const unsigned int m = law.warpings.size(), n = n_node_unknowns + m;
     const Frame        frame = frame_at(station.point, before);
-    const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr);
+    const FrameStrains of    = frame_strains(frame.Q, frame.dQ, frame.dr, 1);
     // Linearized strains at the new iterate.
     std::vector<double> there = strains(frame, of);
     for (unsigned int i = 0; i < before.q.size(); ++i)

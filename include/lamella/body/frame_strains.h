@@ -64,11 +64,13 @@ namespace lamella
   /// which matters for sandwiches with a soft core and for twisted strips.
   using FrameStrains = Derivatives<7, 11>;
   /// Returns the strains for the rotation @p Q, its derivative @p dQ along y,
-  /// and the derivative @p dr of the displacement of the section's center.
+  /// and the derivative @p dr of the displacement of the section's center, with
+  /// derivatives up to @p order (0 to 2); those above are undefined.
   FrameStrains
   frame_strains(const Quaternion           &Q,
                 const Quaternion           &dQ,
-                const dealii::Tensor<1, 3> &dr);
+                const dealii::Tensor<1, 3> &dr,
+                const unsigned int          order = 2);
 
   /// A rotated vector R(Q) v with its derivatives by the quaternion Q and v.
   using RotatedVector = Derivatives<3, 7>;
