@@ -147,6 +147,11 @@ namespace lamella
 
 
 
+    /// Places of Q' and r' among the variables of frame_strains().
+    constexpr unsigned int of_dQ = 4, of_dr = 8;
+
+
+
     /// With what shear and twist stretch fibers by.
     FrameStrains
     add_fiber_tilt(FrameStrains e, const unsigned int order)
@@ -226,8 +231,7 @@ namespace lamella
                 const Tensor<1, 3> &dr,
                 const unsigned int  order)
   {
-    constexpr unsigned int of_dQ = 4, of_dr = 8;
-    FrameStrains           e;
+    FrameStrains e;
     for (unsigned int j = 0; j < 3; ++j)
       {
         Form A = forms().tilt[j];
@@ -238,9 +242,7 @@ namespace lamella
         const Quaternion KdQ = forms().curvature[j] * dQ,
                          QK  = Q * forms().curvature[j];
         e.value[3 + j]       = Q * KdQ;
-        if (order == 0)
-          continue;
-        for (unsigned int a = 0; a < 4; ++a)
+        for (unsigned int a = 0; a < 4 && order > 0; ++a)
           {
             e.first[j][a]             = 2. * AQ[a];
             e.first[3 + j][a]         = KdQ[a];
@@ -252,7 +254,7 @@ namespace lamella
                 e.second[3 + j][of_dQ + b][a] = forms().curvature[j][a][b];
               }
           }
-        for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int i = 0; i < 3 && order > 0; ++i)
           {
             const Quaternion RQ   = forms().rotation[i][j] * Q;
             e.first[j][of_dr + i] = Q * RQ;
