@@ -203,7 +203,7 @@ namespace lamella
   Contact::integrate(const ContactSides        &sides,
                      const MasterPoints         master_points,
                      std::vector<GapPoint>     &on,
-                     SlipReferencePoints *const held) const
+                     const SlipReference *const reference) const
   {
     return integrate_gaps(sides,
                           interface.points_on_second,
@@ -212,7 +212,7 @@ namespace lamella
                           master_points,
                           search_radius,
                           on,
-                          held);
+                          reference);
   }
 
 
@@ -252,7 +252,7 @@ namespace lamella
     if (interface.discretization == Discretization::surface_to_surface)
       for (GapPoint &point : points)
         point.area *= density(before, point) / density(now, point);
-    if (step_begin_u.n_blocks() > 0)
+    if (step_begin.sides != nullptr)
       hold();
     move(u, factor);
   }
@@ -269,8 +269,10 @@ namespace lamella
     const ContactSides at(undeformed, u, factor);
     if (lines != nullptr)
       lines->follow(*at.surface(false), *at.obstacle(), points);
-    integrals =
-      integrate(at, master_points(), points, held.empty() ? nullptr : &held);
+    integrals = integrate(at,
+                          master_points(),
+                          points,
+                          step_begin.sides == nullptr ? nullptr : &step_begin);
     write(at, u, factor);
   }
 
@@ -282,8 +284,9 @@ namespace lamella
   {
     if (undeformed.contact().friction == 0.)
       return;
-    step_begin_u      = u;
-    step_begin_factor = factor;
+    step_begin_u = u;
+    step_begin.sides =
+      std::make_unique<const ContactSides>(undeformed, step_begin_u, factor);
     hold();
     for (GapIntegrals &row : integrals)
       row.slip_increment = Tensor<1, 3>();
@@ -297,11 +300,11 @@ namespace lamella
   void
   Contact::hold()
   {
-    const ContactSides    then(undeformed, step_begin_u, step_begin_factor);
-    std::vector<GapPoint> on = points;
+    const ContactSides   &then = *step_begin.sides;
+    std::vector<GapPoint> on   = points;
     if (lines != nullptr)
       lines->follow(*then.surface(false), *then.obstacle(), on);
-    held = slip_reference_points(
+    step_begin.points = slip_reference_points(
       then, interface.points_on_second, master_points(), search_radius, on);
   }
 
@@ -323,8 +326,7 @@ namespace lamella
                    const BlockVector    &u,
                    const LoadFactor     &factor)
   {
-    step_begin_u = BlockVector();
-    held.clear();
+    step_begin = SlipReference();
     undeformed.set_discretization(known.discretization,
                                   undeformed.contact().slave_side);
     if (known.u.n_blocks() > 0)

@@ -43,9 +43,11 @@ namespace lamella
 
 
   ContactTraction::ContactTraction(std::shared_ptr<const SlaveSurface> surface,
-                                   std::vector<Row>                    rows)
+                                   std::vector<Row>                    rows,
+                                   std::vector<Dissipation>            left)
     : traction_surface(std::move(surface))
     , all(std::move(rows))
+    , points_left(std::move(left))
   {
     Assert(traction_surface == nullptr ||
              traction_surface->n_rows() == all.size(),
@@ -162,6 +164,10 @@ namespace lamella
     double                    sum   = 0.;
     for (unsigned int k = 0; k < all.size(); ++k)
       sum += parts[k] * all[k].dissipated;
+    for (const Dissipation &point : points_left)
+      if (!strip || (strip->from <= point.place[strip->axis] &&
+                     point.place[strip->axis] < strip->to))
+        sum += point.energy;
     return sum;
   }
 

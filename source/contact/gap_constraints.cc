@@ -144,6 +144,7 @@ namespace lamella
       row.initial_gap = std::abs(gap.gap) < rounding ? 0. : gap.gap;
       row.enforcement = contact.enforcement;
       row.penalty     = row_penalty(contact.penalty, gap.slave, gap.master);
+      row.slave_node  = gap.slave_node;
       return row;
     }
 
@@ -399,6 +400,10 @@ namespace lamella
       check_no_penetration(contact, bodies, interface.points_on_second, gaps);
     if (gaps.gaps.empty())
       throw_no_pairs(contact, bodies, search_radius);
+    if (gaps.surface == nullptr)
+      for (WeightedGap &gap : gaps.gaps)
+        gap.slave_node = sides.surface(interface.points_on_second)
+                           ->grid_node(gap.node, gap.normal);
     (interface.points_on_second ? interface.unpaired_second :
                                   interface.unpaired) = gaps.unpaired;
     add_rows(contact, bodies, gaps, interface);

@@ -32,6 +32,7 @@ namespace lamella
         , master(sides.surface(!on_second))
         , functions(functions)
         , rows(n_rows)
+        , left(n_rows)
       {}
 
       void
@@ -40,6 +41,12 @@ namespace lamella
           const MasterPoint  &at,
           const Tensor<1, 3> &slip_increment);
 
+      /// Adds a point without projection, which has slipped past an edge.
+      void
+      add_left(const unsigned int  number,
+               const GapPoint     &point,
+               const Tensor<1, 3> &slip_increment);
+
       std::vector<GapIntegrals>
       take();
 
@@ -47,7 +54,9 @@ namespace lamella
       const MeshSurface        &slave, *master;
       const SlaveSurface       *functions;
       std::vector<GapIntegrals> rows;
-      std::vector<double>       trace, trace_opposite;
+      /// Sums of weights, and of weights times slips, of points that have left.
+      std::vector<std::pair<double, Tensor<1, 3>>> left;
+      std::vector<double>                          trace, trace_opposite;
     };
 
 
@@ -100,10 +109,27 @@ namespace lamella
 
 
 
+    void
+    Sums::add_left(const unsigned int  number,
+                   const GapPoint     &point,
+                   const Tensor<1, 3> &slip_increment)
+    {
+      for (const auto &[row, weight] : shares_of(functions, number, point))
+        {
+          left[row].first += weight;
+          left[row].second += weight * slip_increment;
+        }
+    }
+
+
+
     // Divides the sums by the areas A_i.
     std::vector<GapIntegrals>
     Sums::take()
     {
+      for (unsigned int k = 0; k < rows.size(); ++k)
+        if (rows[k].area == 0. && left[k].first > 0.)
+          rows[k].slip_increment = left[k].second / left[k].first;
       for (GapIntegrals &row : rows)
         if (row.area > 0.)
           {
@@ -232,8 +258,6 @@ namespace lamella
 
 
 
-  // A point that faces the other side for the first time in a step gets its
-  // slip reference here, with zero slip.
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides        &sides,
                  const bool                 on_second,
@@ -242,21 +266,32 @@ namespace lamella
                  const MasterPoints         master_points,
                  const double               search_radius,
                  std::vector<GapPoint>     &points,
-                 SlipReferencePoints *const held)
+                 const SlipReference *const reference)
   {
     Sums sums(sides, on_second, functions, n_rows);
     for (unsigned int q = 0; q < points.size(); ++q)
-      if (const auto at = master_point(
-            sides, on_second, master_points, search_radius, points[q]))
-        {
-          Tensor<1, 3> slip_increment;
-          if (held != nullptr && (*held)[q])
-            slip_increment =
-              slip_increment_of(sides, on_second, *(*held)[q], points[q], *at);
-          else if (held != nullptr)
-            (*held)[q] = slip_reference_point(sides, points[q], *at);
-          sums.add(q, points[q], *at, slip_increment);
-        }
+      {
+        const auto at = master_point(
+          sides, on_second, master_points, search_radius, points[q]);
+        const auto *then = reference != nullptr && reference->points[q] ?
+                             &*reference->points[q] :
+                             nullptr;
+        if (at && then != nullptr)
+          sums.add(q,
+                   points[q],
+                   *at,
+                   slip_increment_of(sides, on_second, *then, points[q], *at));
+        else if (at)
+          sums.add(q,
+                   points[q],
+                   *at,
+                   reference == nullptr ?
+                     Tensor<1, 3>() :
+                     slip_from_past_edge(
+                       *reference->sides, sides, on_second, points[q], *at));
+        else if (then != nullptr)
+          sums.add_left(q, points[q], slip_past_edge(sides, on_second, *then));
+      }
     return sums.take();
   }
 

@@ -367,6 +367,27 @@ namespace lamella
 
 
 
+  unsigned int
+  MeshSurface::grid_node(const Location     &location,
+                         const Tensor<1, 3> &normal) const
+  {
+    const auto at = place_of(location, normal);
+    AssertThrow(at, ExcInternalError());
+    const Facet &facet   = all_facets[at->facet];
+    const auto   nearest = [](const GaussLobattoBasis &basis, const double x) {
+      unsigned int best = 0;
+      for (unsigned int k = 1; k < basis.size(); ++k)
+        if (std::abs(basis.point(k) - x) < std::abs(basis.point(best) - x))
+          best = k;
+      return best;
+    };
+    return facet
+      .grid_nodes[nearest(*facet.grid_t, at->st[1]) * facet.grid_s->size() +
+                  nearest(*facet.grid_s, at->st[0])];
+  }
+
+
+
   Location
   MeshSurface::trace_location(const unsigned int node) const
   {

@@ -256,9 +256,10 @@ namespace lamella
         ++result.unpaired;
         return;
       }
-    gap.node     = slave.grid_location(number);
-    gap.position = slave.grid_nodes()[number].position;
-    gap.spacing  = std::sqrt(node.full_area);
+    gap.node       = slave.grid_location(number);
+    gap.slave_node = number;
+    gap.position   = slave.grid_nodes()[number].position;
+    gap.spacing    = std::sqrt(node.full_area);
     gap.gap /= gap.area;
     gap.normal /= gap.area;
     for (LocalStiffness *side : {&gap.slave, &gap.master})

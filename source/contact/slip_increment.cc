@@ -7,7 +7,9 @@
 // Slip of a step from the change of the projections, objective by construction:
 // both points of a pair move with their bodies, and only the distance of the
 // projections on each surface counts (Wriggers, Computational Contact
-// Mechanics, Springer 2006, Sec. 4.2). Tangents are convected.
+// Mechanics, Springer 2006, Sec. 4.2). Tangents are convected. The same
+// distance of points that face the other surface at one end of a step only is
+// that of the two material points that face each other at the other end.
 namespace lamella
 {
   using namespace dealii;
@@ -31,16 +33,11 @@ namespace lamella
 
 
 
-    /// Returns the chord from @p from to @p to on the current @p surface.
-    Tensor<1, 3>
-    chord_on_surface(const MeshSurface             &surface,
-                     const MeshSurface::FacetPoint &from,
-                     const MeshSurface::FacetPoint &to)
+    /// Returns the current position of @p place on @p surface.
+    Point<3>
+    position(const MeshSurface &surface, const MeshSurface::FacetPoint &place)
     {
-      const auto position = [&](const MeshSurface::FacetPoint &place) {
-        return surface.facets()[place.facet].map(place.st).position;
-      };
-      return position(to) - position(from);
+      return surface.facets()[place.facet].map(place.st).position;
     }
 
 
@@ -123,13 +120,53 @@ namespace lamella
                     const GapPoint           &now,
                     const MasterPoint        &at)
   {
-    Tensor<1, 3> way =
-      chord_on_surface(*sides.surface(on_second), then.point.slave, now.slave);
+    Tensor<1, 3> way = position(*sides.surface(on_second), now.slave) -
+                       position(*sides.surface(on_second), then.point.slave);
     way -= sides.obstacle() != nullptr ?
              chord_on_surface(*sides.obstacle(), then, at.hit) :
-             chord_on_surface(*sides.surface(!on_second),
-                              then.point.master,
-                              now.master);
+             position(*sides.surface(!on_second), now.master) -
+               position(*sides.surface(!on_second), then.point.master);
     return way - (way * at.normal) * at.normal;
+  }
+
+
+
+  Tensor<1, 3>
+  slip_past_edge(const ContactSides       &sides,
+                 const bool                on_second,
+                 const SlipReferencePoint &then)
+  {
+    const MeshSurface &slave       = *sides.surface(on_second);
+    const auto &[facet, st]        = then.point.slave;
+    const MeshSurface::Facet &from = slave.facets()[facet];
+    const Tensor<1, 3>        n    = slave.smooth_normal(from, st),
+                       way         = (sides.obstacle() != nullptr ?
+                                        sides.obstacle()->point + then.on_obstacle :
+                                        position(*sides.surface(!on_second),
+                                         then.point.master)) -
+                             from.map(st).position;
+    return way - (way * n) * n;
+  }
+
+
+
+  Tensor<1, 3>
+  slip_from_past_edge(const ContactSides &began,
+                      const ContactSides &sides,
+                      const bool          on_second,
+                      const GapPoint     &now,
+                      const MasterPoint  &at)
+  {
+    const auto &[facet, st] = now.slave;
+    const FacetMap &before  = began.surface(on_second)->facets()[facet].map,
+                   &moved   = sides.surface(on_second)->facets()[facet].map;
+    const Point<3> master =
+      sides.obstacle() != nullptr ?
+        at.hit.position + (began.obstacle()->point - sides.obstacle()->point) :
+        position(*began.surface(!on_second), now.master);
+    const Tensor<1, 3> way  = before(st).position - master;
+    const Tangents     then = tangents_of(before.outward(before(st))),
+                   t        = convected_tangents(before, moved, st, at.normal);
+    return (way * then[0]) * t[0] + (way * then[1]) * t[1];
   }
 } // namespace lamella

@@ -15,8 +15,9 @@ namespace lamella
   using dealii::Tensor;
 
   ContactTraction
-  traction_of(const ContactSummary          &contact,
-              const std::vector<ContactRow> &rows)
+  traction_of(const ContactSummary                     &contact,
+              const std::vector<ContactRow>            &rows,
+              std::vector<ContactTraction::Dissipation> left)
   {
     std::vector<ContactTraction::Row> all;
     for (const ContactRow &row : rows)
@@ -34,7 +35,7 @@ namespace lamella
             all.back().dissipated = row.friction->dissipated;
           }
       }
-    return ContactTraction(contact.surface, std::move(all));
+    return ContactTraction(contact.surface, std::move(all), std::move(left));
   }
 
 
@@ -70,8 +71,12 @@ namespace lamella
         const std::string &name = results.contacts[k].name;
         contacts[name] =
           six(step.checks.contacts[k].force, step.checks.contacts[k].moment);
-        tractions.emplace(name,
-                          traction_of(results.contacts[k], step.contacts[k]));
+        std::vector<ContactTraction::Dissipation> left;
+        for (const auto &[point, history] : step.state.friction.history)
+          if (point.first == k && history.is_dropped)
+            left.push_back({history.position, history.dissipated});
+        tractions.emplace(
+          name, traction_of(results.contacts[k], step.contacts[k], left));
       }
     for (unsigned int k = 0; k < results.probes.size(); ++k)
       for (const FieldRow &row : step.probes[k])
@@ -157,7 +162,7 @@ namespace lamella
     nlohmann::json
     traction_json(const ContactTraction &traction)
     {
-      nlohmann::json rows = nlohmann::json::array(), surface;
+      nlohmann::json rows = nlohmann::json::array(), left = rows, surface;
       for (const ContactTraction::Row &row : traction.rows())
         rows.push_back({{"place", point_json(row.place)},
                         {"normal", point_json(row.normal)},
@@ -166,6 +171,9 @@ namespace lamella
                         {"moment", point_json(row.moment)},
                         {"shear", point_json(row.shear)},
                         {"dissipated", row.dissipated}});
+      for (const ContactTraction::Dissipation &point : traction.left())
+        left.push_back(
+          {{"place", point_json(point.place)}, {"energy", point.energy}});
       if (traction.surface() != nullptr)
         {
           surface["hats"] =
@@ -174,7 +182,7 @@ namespace lamella
           for (const auto &facet : traction.surface()->facets())
             surface["facets"].push_back(facet_json(facet));
         }
-      return {{"rows", rows}, {"surface", surface}};
+      return {{"rows", rows}, {"left", left}, {"surface", surface}};
     }
 
 
@@ -191,6 +199,10 @@ namespace lamella
                         point_of(row.at("moment")),
                         point_of(row.at("shear")),
                         row.at("dissipated")});
+      std::vector<ContactTraction::Dissipation> left;
+      for (const auto &point : json.at("left"))
+        left.push_back(
+          {Point<3>(point_of(point.at("place"))), point.at("energy")});
       const nlohmann::json               &surface = json.at("surface");
       std::shared_ptr<const SlaveSurface> traction_surface;
       if (!surface.is_null())
@@ -204,7 +216,9 @@ namespace lamella
             rows.size(),
             std::move(facets));
         }
-      return ContactTraction(traction_surface, std::move(rows));
+      return ContactTraction(traction_surface,
+                             std::move(rows),
+                             std::move(left));
     }
   } // namespace
 

@@ -57,7 +57,19 @@ namespace boost
         .pairings;
       lamella::FrictionState &friction = state.friction;
       archive &friction.shear &friction.direction &friction.before &friction
-        .length &friction.dissipated &friction.contact_gap &friction.path_gap;
+        .history &friction.path_gap;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive                  &archive,
+              lamella::FrictionHistory &point,
+              const unsigned int)
+    {
+      archive &point.position &point.is_dropped &point.force &point.shear &point
+        .gap &point.slid &point.length &point.dissipated;
     }
 
 
@@ -149,7 +161,7 @@ namespace boost
     serialize(Archive &archive, lamella::Restart &restart, const unsigned int)
     {
       // To be incremented with each change of what is stored.
-      constexpr unsigned int layout = 3;
+      constexpr unsigned int layout = 4;
       unsigned int           found  = layout;
       archive               &found;
       if (found != layout)

@@ -106,10 +106,11 @@ namespace lamella
                forces.normal[k],
                solved.checks.contacts[c].of_rows[k]});
             if (contact.rows[k].friction > 0.)
-              rows.back().friction = {forces.shear[k],
-                                      forces.slips(k),
-                                      forces.length[k],
-                                      forces.dissipated[k]};
+              rows.back().friction = {
+                forces.shear[k],
+                forces.slips(k),
+                forces.history(contact.rows[k]).length,
+                forces.history(contact.rows[k]).dissipated};
             const bool touched = was_active(previous, c, k);
             change.closed += rows.back().touches() && !touched;
             change.opened += !rows.back().touches() && touched;

@@ -88,7 +88,11 @@ namespace lamella
       {
         state.friction = FrictionState::unloaded(rows);
         if (!previous.friction.empty())
-          state.friction.before = previous.friction.before;
+          {
+            state.friction.before   = previous.friction.before;
+            state.friction.history  = previous.friction.history;
+            state.friction.path_gap = previous.friction.path_gap;
+          }
       }
     ContactProblem            problem = first_problem(state, factor, previous);
     double                    before  = std::numeric_limits<double>::max();

@@ -3,8 +3,6 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/solve/friction_state.h>
 
-#include <numeric>
-
 namespace lamella
 {
   using namespace dealii;
@@ -13,10 +11,9 @@ namespace lamella
   FrictionState::unloaded(const GapConstraints &rows)
   {
     const std::vector<Tensor<1, 3>> none(rows.size());
-    const std::vector<double>       nothing(rows.size(), 0.);
-    FrictionState state{none, none, none, nothing, nothing, {}, 0.};
-    for (const GapConstraint &row : rows)
-      state.contact_gap.push_back(row.initial_gap);
+    FrictionState                   state{none, none, none, {}, 0.};
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      state.history[rows.material_point(r)].gap = rows[r].initial_gap;
     return state;
   }
 
@@ -37,7 +34,22 @@ namespace lamella
   double
   FrictionState::all_dissipated() const
   {
-    return std::accumulate(dissipated.begin(), dissipated.end(), 0.);
+    double sum = 0.;
+    for (const auto &[point, of] : history)
+      sum += of.dissipated;
+    return sum;
+  }
+
+
+
+  double
+  FrictionState::dissipated_in(const unsigned int contact) const
+  {
+    double sum = 0.;
+    for (const auto &[point, of] : history)
+      if (point.first == contact)
+        sum += of.dissipated;
+    return sum;
   }
 
 

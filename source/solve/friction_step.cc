@@ -3,6 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/solve/friction_step.h>
 
+#include <map>
 #include <set>
 
 // Coulomb friction in one load step: backward Euler for the slip (implicit
@@ -168,30 +169,43 @@ namespace lamella
 
   namespace
   {
-    /// Returns the mean normal force of row @p r from @p before to @p state.
+    /// Adds a slip of the length @p slid under the @p mean normal force with
+    /// the @p friction coefficient to @p point; returns the dissipation.
     double
-    mean_force(const State &before, const State &state, const unsigned int r)
+    add_loss(const double     friction,
+             const double     mean,
+             const double     slid,
+             FrictionHistory &point)
     {
-      return 0.5 *
-             (state.force[r] + (before.force.empty() ? 0. : before.force[r]));
+      const double lost = friction * mean * slid;
+      point.length += slid;
+      point.dissipated += lost;
+      return lost;
     }
 
 
 
-    /// Adds the slip @p slid of row @p r and its dissipation mu lambda_n |v|
-    /// under the @p mean force to @p now; returns the dissipation.
-    double
-    add_loss(const GapConstraint &row,
-             const unsigned int   r,
-             const double         mean,
-             const double         slid,
-             const FrictionState &then,
-             FrictionState       &now)
+    /// Ends the step of points whose constraint was dropped when surfaces were
+    /// paired anew: they had slipped up to then. @p friction has the friction
+    /// coefficient of each contact that touches.
+    void
+    end_dropped_points(const GapConstraints                 &rows,
+                       const std::map<unsigned int, double> &friction,
+                       FrictionState                        &of)
     {
-      const double lost = row.friction * mean * slid;
-      now.length[r]     = then.length[r] + slid;
-      now.dissipated[r] = then.dissipated[r] + lost;
-      return lost;
+      std::set<std::pair<unsigned int, unsigned int>> constrained;
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        constrained.insert(rows.material_point(r));
+      for (auto &[point, history] : of.history)
+        if (history.is_dropped = constrained.count(point) == 0;
+            history.is_dropped && history.force != 0.)
+          {
+            if (const auto mu = friction.find(point.first);
+                mu != friction.end())
+              add_loss(mu->second, 0.5 * history.force, history.slid, history);
+            history.force = 0.;
+            history.shear = Tensor<1, 2>();
+          }
     }
   } // namespace
 
@@ -201,65 +215,44 @@ namespace lamella
   // the contact work less dissipation, of second order in the step.
   void
   end_step(const GapConstraints &rows,
-           const State          &before,
            const LoadFactor     &factor,
+           const bool            moves,
            State                &state)
   {
-    if (state.friction.empty())
+    FrictionState &of = state.friction;
+    if (of.empty())
       return;
-    FrictionState       &now   = state.friction;
-    const FrictionState  start = FrictionState::unloaded(rows);
-    const FrictionState &then =
-      before.friction.empty() ? start : before.friction;
-    now.path_gap = then.path_gap;
+    std::map<unsigned int, double> touching;
+    for (const unsigned int r : state.active)
+      touching[rows.contact_of_row(r).first] = rows[r].friction;
+    if (moves)
+      end_dropped_points(rows, touching, of);
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
-        const bool   slips = now.direction[r].norm() > 0.;
-        const double mean  = mean_force(before, state, r),
-                     slid  = slips ?
-                               slip_in_step(rows[r], r, state, factor).norm() :
-                               0.,
-                     lost  = add_loss(rows[r], r, mean, slid, then, now);
-        now.contact_gap[r] = rows[r].gap(state.u, factor) +
-                             law_compliance(rows[r]) * state.force[r];
-        now.before[r] = in_scene(rows[r], slip_of(rows[r], state.u, factor)) +
-                        law_compliance(rows[r]) * now.shear[r];
-        now.path_gap -= mean * (now.contact_gap[r] - then.contact_gap[r]) +
-                        0.5 * (now.shear[r] + then.shear[r]) *
-                          (now.before[r] - then.before[r]) +
-                        lost;
-      }
-  }
-
-
-
-  // Moving rows measure slips from the beginning of a step, so only the elastic
-  // slip a lambda_t is carried over.
-  void
-  end_moved_step(const GapConstraints &rows,
-                 const State          &before,
-                 const LoadFactor     &factor,
-                 State                &state)
-  {
-    std::set<unsigned int> pressed;
-    for (const unsigned int r : state.active)
-      pressed.insert(rows.contact_of_row(r).first);
-    for (unsigned int r = 0; r < state.friction.shear.size(); ++r)
-      {
+        FrictionHistory   &point = of.history[rows.material_point(r)];
+        const Tensor<1, 2> slip  = slip_in_step(rows[r], r, state, factor),
+                           shear = along_tangents(rows[r], of.shear[r]);
+        const double mean        = 0.5 * (point.force + state.force[r]);
         // Points that a moving contact zone leaves have slipped, too; in one
         // that opens, most of the displacement is without contact.
-        const double mean  = mean_force(before, state, r);
-        const bool   slips = state.friction.direction[r].norm() > 0. ||
-                           (state.force[r] == 0. && mean > 0. &&
-                            pressed.count(rows.contact_of_row(r).first) > 0);
-        add_loss(rows[r],
-                 r,
-                 mean,
-                 slips ? slip_in_step(rows[r], r, state, factor).norm() : 0.,
-                 before.friction,
-                 state.friction);
-        state.friction.before[r] =
-          law_compliance(rows[r]) * state.friction.shear[r];
+        const bool slips = of.direction[r].norm() > 0. ||
+                           (moves && state.force[r] == 0. && mean > 0. &&
+                            touching.count(rows.contact_of_row(r).first) > 0);
+        const double lost =
+          add_loss(rows[r].friction, mean, slips ? slip.norm() : 0., point);
+        const double gap = rows[r].gap(state.u, factor) +
+                           law_compliance(rows[r]) * state.force[r];
+        of.path_gap -=
+          mean * (gap - point.gap) + 0.5 * (shear + point.shear) * slip + lost;
+        point.force = state.force[r];
+        point.shear = shear;
+        point.gap   = gap;
+        // Slips of moving contacts are measured from the beginning of a step.
+        of.before[r] = law_compliance(rows[r]) * of.shear[r];
+        if (!moves)
+          of.before[r] += in_scene(rows[r], slip_of(rows[r], state.u, factor));
       }
+    for (auto &[point, history] : of.history)
+      history.slid = 0.;
   }
 } // namespace lamella

@@ -87,9 +87,9 @@ namespace lamella
                    const ConstraintForces &forces,
                    KktResidual            &kkt)
     {
+      kkt.dissipated = forces.friction.dissipated_in(forces.contact);
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
-          kkt.dissipated += forces.dissipated[k];
           if (forces.normal[k] == 0.)
             continue;
           kkt.shear += forces.shear[k];
@@ -244,8 +244,8 @@ namespace lamella
     : normal(rows.of_contact(contact, state.force))
     , shear(rows.of_contact(contact, state.friction.shear))
     , direction(rows.of_contact(contact, state.friction.direction))
-    , length(rows.of_contact(contact, state.friction.length))
-    , dissipated(rows.of_contact(contact, state.friction.dissipated))
+    , friction(state.friction)
+    , contact(contact)
   {}
 
 

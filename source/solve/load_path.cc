@@ -173,7 +173,7 @@ namespace lamella
         solved.state =
           solver.release_springs(solver.solve_contact(solved.state, to, before),
                                  to);
-        end_step(rows, before, to, solved.state);
+        end_step(rows, to, false, solved.state);
       }
     solved.checks = check(solved.state, to, last);
     return solved;

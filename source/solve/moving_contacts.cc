@@ -7,106 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace lamella
 {
   using namespace dealii;
-
-  MultiplierTransfer::Key
-  MultiplierTransfer::key(const unsigned int             c,
-                          const ContactInterface::Point &point)
-  {
-    const Location::Place &place = point.node.places.front();
-    return {{double(c),
-             double(place.cell),
-             place.unit[0],
-             place.unit[1],
-             place.unit[2]}};
-  }
-
-
-
-  MultiplierTransfer::MultiplierTransfer(
-    const std::vector<ContactInterface> &contacts,
-    const State                         &state)
-  {
-    const GapConstraints rows(contacts);
-    const auto keep = [&](const unsigned int row) -> StoredMultiplier & {
-      const auto [c, k]      = rows.contact_of_row(row);
-      StoredMultiplier &kept = places[key(c, contacts[c].points[k])];
-      kept.force             = state.force[row];
-      return kept;
-    };
-    const FrictionState &of = state.friction;
-    for (unsigned int row = 0; row < of.shear.size(); ++row)
-      {
-        StoredMultiplier &kept = keep(row);
-        kept.shear             = of.shear[row];
-        kept.direction         = of.direction[row];
-        kept.before            = of.before[row];
-        kept.length            = of.length[row];
-        kept.dissipated        = of.dissipated[row];
-      }
-    if (of.empty())
-      for (const unsigned int row : state.active)
-        keep(row);
-  }
-
-
-
-  void
-  MultiplierTransfer::transfer_to(const std::vector<ContactInterface> &contacts,
-                                  State &state) const
-  {
-    const GapConstraints rows(contacts);
-    state.force.assign(rows.size(), 0.);
-    state.active.clear();
-    FrictionState &of = state.friction;
-    if (!of.empty())
-      of = FrictionState::unloaded(rows);
-    for (unsigned int row = 0; row < rows.size(); ++row)
-      {
-        const auto [c, k] = rows.contact_of_row(row);
-        const auto known  = places.find(key(c, contacts[c].points[k]));
-        if (known == places.end())
-          continue;
-        const StoredMultiplier &kept = known->second;
-        state.force[row]             = kept.force;
-        if (of.empty() || kept.force != 0.)
-          state.active.push_back(row);
-        if (of.empty())
-          continue;
-        of.shear[row]      = kept.shear;
-        of.direction[row]  = kept.direction;
-        of.before[row]     = kept.before;
-        of.length[row]     = kept.length;
-        of.dissipated[row] = kept.dissipated;
-      }
-    if (!of.empty())
-      preserve_dissipation(contacts, of);
-  }
-
-
-
-  void
-  MultiplierTransfer::preserve_dissipation(
-    const std::vector<ContactInterface> &contacts,
-    FrictionState                       &of) const
-  {
-    unsigned int first = 0;
-    for (unsigned int c = 0; c < contacts.size(); ++c)
-      {
-        std::set<Key> here;
-        for (const ContactInterface::Point &point : contacts[c].points)
-          here.insert(key(c, point));
-        for (const auto &[where, kept] : places)
-          if (where[0] == c && here.count(where) == 0 && !here.empty())
-            of.dissipated[first] += kept.dissipated;
-        first += contacts[c].rows.size();
-      }
-  }
-
-
 
   MovingContacts::MovingContacts(
     const std::vector<ContactInterface> &interfaces,
@@ -335,8 +240,11 @@ namespace lamella
   bool
   MovingContacts::find_loads(State &state, const LoadFactor &factor)
   {
-    const MultiplierTransfer transfer(all, state);
-    bool                     any = false;
+    std::vector<std::pair<unsigned int, unsigned int>> points;
+    for (unsigned int r = 0; r < numbered.size(); ++r)
+      points.push_back(numbered.material_point(r));
+    store_slips(factor, state);
+    bool any = false;
     for (unsigned int c = 0; c < all.size(); ++c)
       {
         const auto active = numbered.local_rows_of(c, state.active);
@@ -352,11 +260,63 @@ namespace lamella
         pair(c, state, factor);
       }
     if (any)
-      {
-        numbered = GapConstraints(all);
-        transfer.transfer_to(all, state);
-      }
+      renumber(points, state);
     return any;
+  }
+
+
+
+  void
+  MovingContacts::store_slips(const LoadFactor &factor, State &state) const
+  {
+    FrictionState &of = state.friction;
+    for (unsigned int r = 0; r < of.shear.size(); ++r)
+      {
+        const auto [c, k]      = numbered.contact_of_row(r);
+        FrictionHistory &point = of.history[numbered.material_point(r)];
+        point.position         = place_of(all[c].points[k]);
+        point.slid = slip_in_step(numbered[r], r, state, factor).norm();
+      }
+  }
+
+
+
+  void
+  MovingContacts::renumber(
+    const std::vector<std::pair<unsigned int, unsigned int>> &before,
+    State                                                    &state)
+  {
+    numbered = GapConstraints(all);
+    std::map<std::pair<unsigned int, unsigned int>, unsigned int> row_of;
+    for (unsigned int r = 0; r < before.size(); ++r)
+      row_of[before[r]] = r;
+    std::vector<unsigned int> from, active;
+    for (unsigned int r = 0; r < numbered.size(); ++r)
+      {
+        const auto known = row_of.find(numbered.material_point(r));
+        from.push_back(known == row_of.end() ? numbers::invalid_unsigned_int :
+                                               known->second);
+        if (std::binary_search(state.active.begin(),
+                               state.active.end(),
+                               from.back()))
+          active.push_back(r);
+      }
+    const auto move = [&from](auto &values) {
+      auto moved = values;
+      moved.assign(from.size(), {});
+      for (unsigned int r = 0; r < from.size(); ++r)
+        if (from[r] != numbers::invalid_unsigned_int)
+          moved[r] = values[from[r]];
+      values = std::move(moved);
+    };
+    state.active = active;
+    move(state.force);
+    if (state.friction.empty())
+      return;
+    for (auto *values : {&state.friction.shear,
+                         &state.friction.direction,
+                         &state.friction.before})
+      move(*values);
   }
 
 

@@ -294,10 +294,7 @@ namespace lamella
   // 4. after convergence, surfaces in contact without a row are paired anew,
   //    otherwise the tangent is checked for stability.
   bool
-  Newton::step(const LoadFactor         &to,
-               const MultiplierTransfer &transfer,
-               const bool                predicted,
-               Equilibrium              &at)
+  Newton::step(const LoadFactor &to, const bool predicted, Equilibrium &at)
   {
     State            &state  = at.state;
     const BlockVector before = state.u;
@@ -338,7 +335,7 @@ namespace lamella
               {
                 contacts.check_kept(before, at.factor, state, to);
                 check_stability(before, last, state, to);
-                update_friction(transfer, to, state);
+                end_step(contacts.rows(), to, true, state);
                 at.factor   = to;
                 at.rounding = balances && at.residual > 0. ? 0. : change;
                 return true;
@@ -357,36 +354,23 @@ namespace lamella
 
 
 
-  // Slip and dissipation of the step, from the forces at both of its ends.
-  void
-  Newton::update_friction(const MultiplierTransfer &began,
-                          const LoadFactor         &to,
-                          State                    &state) const
-  {
-    State then = state;
-    began.transfer_to(contacts.interfaces(), then);
-    end_moved_step(contacts.rows(), then, to, state);
-  }
-
-
-
-  // A failed attempt restores the state and the contact forces of the start.
+  // A failed attempt restores the state and the pairing of the start.
   bool
   Newton::attempt(const LoadFactor &to, Equilibrium &at)
   {
-    const Equilibrium        before = at;
-    const MultiplierTransfer transfer(contacts.interfaces(), before.state);
-    const auto               back = [&] {
+    const Equilibrium before   = at;
+    const auto        pairings = contacts.memory();
+    const auto        back     = [&] {
       const unsigned int iterations = at.state.iterations;
       at                            = before;
       at.state.iterations           = iterations;
-      transfer.transfer_to(contacts.interfaces(), at.state);
+      contacts.restore(pairings, at.state.u, at.factor);
     };
     for (const bool predicted : {true, false})
       {
         try
           {
-            if (step(to, transfer, predicted, at))
+            if (step(to, predicted, at))
               return true;
             last_failure = "The last iteration left " +
                            to_text(at.residual, 2) +

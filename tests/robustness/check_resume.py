@@ -180,6 +180,10 @@ LARGE = {
     "friction": ("tests/scenes/large_slide.prm",
                  ["Contact faces/Friction=0.3", "Theory=TBT", "Contact faces/Search distance=2"],
                  (3, 6), 8),
+    # Points that leave the contact and come back.
+    "dragged": ("tests/scenes/large_friction_drag.prm",
+                ["Supports=drag, bottom", "Load weight/Pressure=1.25", "Support drag/Factors=0, 1, 0, 1",
+                 "Contact foot/Slave side=second"], (3,), 4),
     "follower": ("tests/scenes/large_follower.prm", ["Rotations=auto"], (2,), 4)}
 
 

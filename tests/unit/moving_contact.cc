@@ -591,12 +591,18 @@ BOOST_AUTO_TEST_CASE(bodies_that_turn_together_do_not_slip)
           (unit() + rotation(1.3)) * Tensor<1, 3>({0.1, 0.5, 0.});
         BlockVector slid = turned;
         slid.block(0) += affine(*bodies[0], {}, way);
-        contact.move(slid, 0.);
-        for (const GapConstraint &row : contact.rows())
-          for (const SlipConstraint &slip : row.slips)
-            if (!row.parts.empty())
+        // So do points that have left the other surface, and in a new pairing
+        // those that have come over it.
+        const auto check_slips = [&] {
+          for (const GapConstraint &row : contact.rows())
+            for (const SlipConstraint &slip : row.slips)
               BOOST_TEST(std::abs(slip.slip(slid, 0.) + way * slip.tangent) <
                          1e-10);
+        };
+        contact.move(slid, 0.);
+        check_slips();
+        contact.pair(slid, 0.);
+        check_slips();
       }
 }
 

@@ -101,8 +101,7 @@ namespace lamella
     move(const BlockVector &u, const LoadFactor &factor);
 
     /// Begins a load step at the displacements @p u and load factor @p factor
-    /// of the last move(). Slips are measured from this configuration, or from
-    /// the pairing of a point if that is later.
+    /// of the last move(). Slips are measured from this configuration.
     void
     begin_step(const BlockVector &u, const LoadFactor &factor);
 
@@ -237,12 +236,12 @@ namespace lamella
     void
     set_constraint_positions();
     /// Returns the mortar integrals of all constraints on @p sides over the
-    /// contact points @p on, with slips from @p held, if any.
+    /// contact points @p on, with slips from @p reference, if any.
     std::vector<GapIntegrals>
     integrate(const ContactSides        &sides,
               const MasterPoints         master_points,
               std::vector<GapPoint>     &on,
-              SlipReferencePoints *const held = nullptr) const;
+              const SlipReference *const reference = nullptr) const;
     /// Adds to @p row the part of an obstacle under a given force for its
     /// displacement along the vector @p direction.
     void
@@ -342,10 +341,9 @@ namespace lamella
     LoadFactor  pairing_factor;
     /// Mortar integrals at the last move(); empty before motion or slips.
     std::vector<GapIntegrals> integrals;
-    /// Configuration and slip reference points at the begin of the load step.
-    BlockVector         step_begin_u;
-    LoadFactor          step_begin_factor;
-    SlipReferencePoints held;
+    /// Displacements and slip reference at the begin of the load step.
+    BlockVector   step_begin_u;
+    SlipReference step_begin;
     /// Initial overlap removed from the gaps by `adjust`, by node position.
     std::map<std::array<double, 3>, double> removed_overlap;
   };

@@ -46,10 +46,19 @@ namespace lamella
       double               dissipated = 0.; ///< Energy dissipated by friction.
     };
 
+    /// Energy dissipated at a material point that has no constraint any more.
+    struct Dissipation
+    {
+      dealii::Point<3> place;       ///< Undeformed position, scene axes.
+      double           energy = 0.; ///< Energy dissipated by friction.
+    };
+
     /// Creates the traction of the contact points @p rows on the slave surface
-    /// @p surface, or point forces if @p surface is null.
+    /// @p surface, or point forces if @p surface is null. @p left are points
+    /// without a constraint that have dissipated energy.
     ContactTraction(std::shared_ptr<const SlaveSurface> surface,
-                    std::vector<Row>                    rows);
+                    std::vector<Row>                    rows,
+                    std::vector<Dissipation>            left = {});
 
     /// Creates the traction of @p contact with the normal @p forces and, with
     /// friction, the shear forces @p shears, one for each gap constraint.
@@ -107,6 +116,13 @@ namespace lamella
       return all;
     }
 
+    /// Returns points without a constraint that have dissipated energy.
+    const std::vector<Dissipation> &
+    left() const
+    {
+      return points_left;
+    }
+
     /// Returns the slave surface; null if unknown.
     const std::shared_ptr<const SlaveSurface> &
     surface() const
@@ -130,6 +146,7 @@ namespace lamella
 
     std::shared_ptr<const SlaveSurface> traction_surface;
     std::vector<Row>                    all;
+    std::vector<Dissipation>            points_left;
   };
 } // namespace lamella
 

@@ -100,6 +100,9 @@ namespace lamella
     double friction = 0.; ///< Coulomb friction coefficient.
     /// Slips along two tangents; empty without friction.
     std::vector<SlipConstraint> slips = {};
+    /// Number of the slave node in MeshSurface::grid_nodes(). It identifies the
+    /// material point when the surfaces are paired anew.
+    unsigned int slave_node = 0;
 
     /// Returns the gap at @p u and @p factor [length]; negative if penetrating.
     double
@@ -274,6 +277,14 @@ namespace lamella
     /// it.
     std::pair<unsigned int, unsigned int>
     contact_of_row(const unsigned int row) const;
+
+    /// Returns the material point of constraint @p row: the index of its
+    /// contact and GapConstraint::slave_node.
+    std::pair<unsigned int, unsigned int>
+    material_point(const unsigned int row) const
+    {
+      return {contact_of_row(row).first, rows[row]->slave_node};
+    }
 
     /// Returns the entries for @p contact of @p values, one per constraint.
     template <typename T>

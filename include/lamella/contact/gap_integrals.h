@@ -25,7 +25,7 @@ namespace lamella
     double               area = 0.;
     double               gap  = 0.; ///< Average gap [length].
     dealii::Tensor<1, 3> normal;    ///< Average normal, not of length 1.
-    /// Average slip in the load step [length]; zero without reference points.
+    /// Average slip in the load step [length]; zero without a reference.
     dealii::Tensor<1, 3> slip_increment;
     /// Averages for one trace node with trace function psi and the normal n.
     struct OfNode
@@ -60,8 +60,9 @@ namespace lamella
   /// is exact if x_2 - x_1 is along n. x_1, n_1 are the point and outward
   /// normal of the slave, x_2, n_2 of the master.
   ///
-  /// If reference points @p held of the beginning of the load step are given,
-  /// computes slips, and adds reference points for newly facing points.
+  /// Slips are measured from the beginning @p reference of the load step. A
+  /// constraint without any projection has the slip of its points at the begin
+  /// of the step (slip_past_edge()).
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides    &sides,
                  const bool             on_second,
@@ -70,7 +71,7 @@ namespace lamella
                  const MasterPoints     master_points,
                  const double           search_radius,
                  std::vector<GapPoint> &points,
-                 SlipReferencePoints   *held = nullptr);
+                 const SlipReference   *reference = nullptr);
 
   /// Returns slip_reference_point() of each of the contact points @p points,
   /// which are projected on @p sides. Arguments as in integrate_gaps().

@@ -121,6 +121,12 @@ namespace lamella
     Location
     grid_location(const unsigned int node) const;
 
+    /// Returns the number in grid_nodes() of the node at @p location, on the
+    /// side of a sharp edge with the outward normal closest to @p normal.
+    unsigned int
+    grid_node(const Location             &location,
+              const dealii::Tensor<1, 3> &normal) const;
+
     /// A node on a side of a larger facet (SurfaceTopology::HangingNode).
     using HangingNode = SurfaceTopology::HangingNode;
 

@@ -61,8 +61,9 @@ namespace lamella
   struct WeightedGap
   {
     dealii::Point<3> position, ///< Slave point of the gap.
-      opposite;    ///< Point of the master surface opposite the slave point.
-    Location node; ///< Element and unit coordinates of the slave point.
+      opposite; ///< Point of the master surface opposite the slave point.
+    Location     node; ///< Element and unit coordinates of the slave point.
+    unsigned int slave_node = 0; ///< Number in MeshSurface::grid_nodes().
     /// Unit normal n, outward from the slave side; for a weighted gap its
     /// average. The contact force on the master side is along n.
     dealii::Tensor<1, 3> normal;

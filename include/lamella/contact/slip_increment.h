@@ -8,6 +8,7 @@
 #include <lamella/contact/pairing.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -44,6 +45,14 @@ namespace lamella
   /// point is unpaired.
   using SlipReferencePoints = std::vector<std::optional<SlipReferencePoint>>;
 
+  /// Begin of a load step, from which slips are measured.
+  struct SlipReference
+  {
+    /// Surfaces at the beginning of the step; null before the first step.
+    std::unique_ptr<const ContactSides> sides;
+    SlipReferencePoints                 points; ///< Facing points there.
+  };
+
   /// Returns the slip reference point of the contact point @p point, which
   /// faces the master point @p at on the surfaces @p sides.
   SlipReferencePoint
@@ -66,6 +75,27 @@ namespace lamella
                     const SlipReferencePoint &then,
                     const GapPoint           &now,
                     const MasterPoint        &at);
+
+  /// Returns the slip in a load step of a contact point that faced the master
+  /// surface at the reference @p then, but has left it past an edge,
+  ///   s = P (x_o(O_0) - x_c(C_0)),
+  /// with the slave normal n now.
+  dealii::Tensor<1, 3>
+  slip_past_edge(const ContactSides       &sides,
+                 const bool                on_second,
+                 const SlipReferencePoint &then);
+
+  /// Returns the slip in a load step of a contact point @p now that has come
+  /// over the master surface from past an edge. With the surfaces @p began at
+  /// the beginning of the step and the tangents t_a of the slave surface,
+  ///   s = sum over a of (x_c(C) - x_o(O)) . t_a at the beginning, times t_a at
+  /// @p at, on the surfaces @p sides now.
+  dealii::Tensor<1, 3>
+  slip_from_past_edge(const ContactSides &began,
+                      const ContactSides &sides,
+                      const bool          on_second,
+                      const GapPoint     &now,
+                      const MasterPoint  &at);
 } // namespace lamella
 
 #endif

@@ -142,8 +142,9 @@ namespace lamella
   /// Returns the pressure and shear traction of @p contact for the results
   /// @p rows of its contact points at the end of a load step.
   ContactTraction
-  traction_of(const ContactSummary          &contact,
-              const std::vector<ContactRow> &rows);
+  traction_of(const ContactSummary                     &contact,
+              const std::vector<ContactRow>            &rows,
+              std::vector<ContactTraction::Dissipation> left = {});
 
   /// Thresholds for the reference of relative errors (ResultNumbers::scale_of).
   struct GoalRules

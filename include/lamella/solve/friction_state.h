@@ -5,15 +5,41 @@
 
 #include <lamella/contact/gap_constraints.h>
 
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace lamella
 {
-  /// Friction variables of an equilibrium state: one entry per gap constraint,
-  /// vectors in scene axes. Empty without friction and before the first load
-  /// step. Coulomb's law in a load step, with displacements u, slip s, initial
-  /// slip s_0, normal force lambda_n, shear force lambda_t, friction
-  /// coefficient mu:
+  /// History of contact with friction at a material point of a slave surface.
+  /// It stays with the point when surfaces are paired anew.
+  struct FrictionHistory
+  {
+    /// Undeformed position of the point in scene axes, known if it is dropped.
+    dealii::Point<3> position;
+    /// True if the point had a constraint, but has none in the present pairing.
+    bool is_dropped = false;
+    /// Normal force at the start of the load step.
+    double force = 0.;
+    /// Shear force along both tangents at the start of the load step.
+    dealii::Tensor<1, 2> shear;
+    /// Gap plus compliance times normal force at the start of the load step.
+    double gap = 0.;
+    /// Slip length in the load step up to the last pairing in which the point
+    /// had a constraint [length].
+    double slid = 0.;
+    /// Slip length, summed over all load steps.
+    double length = 0.;
+    /// Energy dissipated in all load steps: per step, friction coefficient
+    /// times slip length times mean normal force.
+    double dissipated = 0.;
+  };
+
+  /// Friction variables of an equilibrium state: constraint forces with one
+  /// entry per gap constraint, vectors in scene axes, and the history of the
+  /// material points. Empty without friction and before the first load step.
+  /// Coulomb's law in a load step, with displacements u, slip s, initial slip
+  /// s_0, normal force lambda_n, shear force lambda_t, friction coefficient mu:
   ///   v = s(u) + a lambda_t - s_0,   |lambda_t| <= mu lambda_n,
   ///   v = 0 where |lambda_t| < mu lambda_n,
   ///   lambda_t = -mu lambda_n v / |v| where v is not zero.
@@ -27,13 +53,9 @@ namespace lamella
     /// Slip of each constraint, active or not, at the start of the load step,
     /// including the elastic slip of a penalty [length].
     std::vector<dealii::Tensor<1, 3>> before;
-    /// Slip length of each constraint, summed over all load steps.
-    std::vector<double> length;
-    /// Energy dissipated by each constraint in all load steps: per step,
-    /// friction coefficient times slip length times mean normal force.
-    std::vector<double> dissipated;
-    /// Gap of each constraint plus compliance times normal force [length].
-    std::vector<double> contact_gap;
+    /// History of each material point that has or had a constraint, by
+    /// GapConstraints::material_point().
+    std::map<std::pair<unsigned int, unsigned int>, FrictionHistory> history;
     /// Error of the energy balance of friction [energy], summed over all
     /// constraints and load steps. With mean forces of the step, each step adds
     ///   - (mean contact force) . (change of gap and slip) - dissipated energy.
@@ -46,9 +68,12 @@ namespace lamella
       return shear.empty();
     }
 
-    /// Returns the energy dissipated by friction, summed over all constraints.
+    /// Returns the energy dissipated by friction, summed over all points.
     double
     all_dissipated() const;
+    /// Returns the energy dissipated by friction in the contact @p contact.
+    double
+    dissipated_in(const unsigned int contact) const;
 
     /// Returns the friction variables of the unloaded scene: initial gaps of
     /// the constraints @p rows; zero forces, slips and energies.

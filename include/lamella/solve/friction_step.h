@@ -67,21 +67,15 @@ namespace lamella
                  const State         &state,
                  const LoadFactor    &factor);
 
-  /// Updates the friction variables of @p state at the end of a load step with
-  /// small displacements, which began at the state @p before.
+  /// Updates the friction history of @p state at the end of a load step. If the
+  /// constraints @p rows follow the bodies, @p moves is true: slips are
+  /// measured from the beginning of the step, and points may have lost their
+  /// constraint.
   void
   end_step(const GapConstraints &rows,
-           const State          &before,
            const LoadFactor     &factor,
+           const bool            moves,
            State                &state);
-
-  /// Updates the friction variables of @p state at the end of a load step with
-  /// moving contacts, which began at the state @p before.
-  void
-  end_moved_step(const GapConstraints &rows,
-                 const State          &before,
-                 const LoadFactor     &factor,
-                 State                &state);
 } // namespace lamella
 
 #endif

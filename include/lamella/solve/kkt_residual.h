@@ -85,13 +85,21 @@ namespace lamella
       return direction.size() > 0 && direction[k].norm() > 0.;
     }
 
+    /// Returns the friction history of @p row, a constraint of this contact.
+    const FrictionHistory &
+    history(const GapConstraint &row) const
+    {
+      return friction.history.at({contact, row.slave_node});
+    }
+
     dealii::ArrayView<const double> normal; ///< Normal forces, compression > 0.
     /// Shear forces on the second side, in scene axes.
     dealii::ArrayView<const dealii::Tensor<1, 3>> shear;
     /// Unit vectors along the shear forces of slipping constraints, else zero.
     dealii::ArrayView<const dealii::Tensor<1, 3>> direction;
-    dealii::ArrayView<const double> length;     ///< Slip lengths of all steps.
-    dealii::ArrayView<const double> dissipated; ///< Dissipated energies.
+    /// Friction history of the material points of all contacts.
+    const FrictionState &friction;
+    unsigned int         contact; ///< Index of the contact.
   };
 
   /// Returns the resultants of @p contact and its residuals at the

@@ -6,54 +6,12 @@
 #include <lamella/contact/contact.h>
 #include <lamella/solve/contact_solver.h>
 
-#include <array>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace lamella
 {
-  /// Transfers contact forces and friction variables to new constraints when
-  /// surfaces are paired anew: to those at the same points of the slave body.
-  class MultiplierTransfer
-  {
-  public:
-    MultiplierTransfer() = default;
-    /// Stores the contact forces and friction variables of @p state.
-    MultiplierTransfer(const std::vector<ContactInterface> &contacts,
-                       const State                         &state);
-
-    /// Sets the contact forces and friction variables of @p state for the
-    /// constraints of @p contacts; zero without a stored value at the point.
-    void
-    transfer_to(const std::vector<ContactInterface> &contacts,
-                State                               &state) const;
-
-  private:
-    /// Contact index, cell index, and unit coordinates in the cell.
-    using Key = std::array<double, 5>;
-    /// Returns the key of the contact point @p point of contact @p c.
-    static Key
-    key(const unsigned int c, const ContactInterface::Point &point);
-
-    /// Normal force and friction variables (FrictionState) of a constraint.
-    struct StoredMultiplier
-    {
-      double               force = 0.;
-      dealii::Tensor<1, 3> shear, direction, before;
-      double               length = 0., dissipated = 0.;
-    };
-    /// Keeps the dissipated energy of points without new constraint in @p of.
-    void
-    preserve_dissipation(const std::vector<ContactInterface> &contacts,
-                         FrictionState                       &of) const;
-
-    /// Contact forces and friction variables by position on the slave body: of
-    /// all constraints with friction, else of the active constraints only.
-    std::map<Key, StoredMultiplier> places;
-  };
-
   /// An end face of a body that needs an `edge to surface` contact.
   struct EndInContact
   {
@@ -186,6 +144,15 @@ namespace lamella
     /// Returns true if the bodies of contact @p c have any contact force.
     bool
     has_contact_force(const unsigned int c, const State &state) const;
+    /// Stores the slips of the step in the history of @p state, before surfaces
+    /// are paired anew.
+    void
+    store_slips(const LoadFactor &factor, State &state) const;
+    /// Renumbers the constraints after a pairing: those of the material points
+    /// @p before keep the forces and friction variables of @p state.
+    void
+    renumber(const std::vector<std::pair<unsigned int, unsigned int>> &before,
+             State                                                    &state);
     /// Pairs the surfaces of the contact of index @p c at @p state anew.
     void
     pair(const unsigned int c, const State &state, const LoadFactor &factor);

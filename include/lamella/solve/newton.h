@@ -168,21 +168,11 @@ namespace lamella
     double
     largest_rotation(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Updates the friction history at the end of a step to @p state at load
-    /// factor @p to; @p began are the forces at its beginning.
-    void
-    update_friction(const MultiplierTransfer &began,
-                    const LoadFactor         &to,
-                    State                    &state) const;
-
-    /// Performs one step from @p at to load factor @p to, with the contact
-    /// forces @p transfer at its beginning and, if @p predicted, with predicted
-    /// stresses. Returns true on convergence; counts iterations in @p at.
+    /// Performs one step from @p at to load factor @p to, if @p predicted with
+    /// predicted stresses. Returns true on convergence; counts iterations in @p
+    /// at.
     bool
-    step(const LoadFactor         &to,
-         const MultiplierTransfer &transfer,
-         const bool                predicted,
-         Equilibrium              &at);
+    step(const LoadFactor &to, const bool predicted, Equilibrium &at);
 
     /// Performs step() with stress prediction and, if that fails, without.
     bool
