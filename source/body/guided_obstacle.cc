@@ -12,33 +12,6 @@ namespace lamella
 {
   using namespace dealii;
 
-  namespace
-  {
-    // A rigid translation has no second-order effects.
-    class NoSecondOrder : public SecondOrder
-    {
-    public:
-      void
-      add_load(Vector &) const override
-      {}
-      double
-      solve(const Vector &) override
-      {
-        return 0.;
-      }
-      void
-      add_geometric_forces(const Vector &, Vector &) const override
-      {}
-      double
-      largest_short_wave_ratio() const override
-      {
-        return 0.;
-      }
-    };
-  } // namespace
-
-
-
   GuidedObstacle::GuidedObstacle(const std::string  &name,
                                  const Tensor<1, 3> &guide,
                                  const Body         &pressed)
@@ -57,22 +30,6 @@ namespace lamella
 
 
 
-  DofIndex
-  GuidedObstacle::n_dofs() const
-  {
-    return 1;
-  }
-
-
-
-  bool
-  GuidedObstacle::is_nodal() const
-  {
-    return true;
-  }
-
-
-
   IndexSet
   GuidedObstacle::owned_dofs() const
   {
@@ -84,16 +41,8 @@ namespace lamella
 
 
 
-  Point<3>
-  GuidedObstacle::dof_position(const DofIndex) const
-  {
-    return center();
-  }
-
-
-
   std::vector<Vector>
-  GuidedObstacle::rigid_motions() const
+  GuidedObstacle::rigid_motions(const Vector &) const
   {
     std::vector<Vector> motions(6, Vector(1));
     for (unsigned int c = 0; c < 3; ++c)
@@ -103,24 +52,10 @@ namespace lamella
 
 
 
-  BoundingBox<3>
-  GuidedObstacle::bounding_box() const
-  {
-    return pressed.bounding_box();
-  }
-
-
-
-  void
-  GuidedObstacle::add_internal_forces(const Vector &, Vector &) const
-  {}
-
-
-
   std::unique_ptr<SecondOrder>
   GuidedObstacle::second_order(const Vector &) const
   {
-    return std::make_unique<NoSecondOrder>();
+    return std::make_unique<SecondOrder>();
   }
 
 
@@ -147,7 +82,8 @@ namespace lamella
 
   std::vector<std::vector<LinearFunctional>>
   GuidedObstacle::rows(const std::vector<Location> &locations,
-                       const Quantity               quantity,
+                       const Vector &,
+                       const Quantity quantity,
                        const Frame) const
   {
     std::vector<LinearFunctional> one(quantity == Quantity::displacement ? 3 :
@@ -159,48 +95,8 @@ namespace lamella
 
 
 
-  Point<3>
-  GuidedObstacle::position(const Location::Place &) const
-  {
-    return center();
-  }
-
-
-
-  PlyAndAxes
-  GuidedObstacle::ply_at(const Location::Place &) const
-  {
-    return {};
-  }
-
-
-
-  std::vector<std::string>
-  GuidedObstacle::surfaces() const
-  {
-    return {};
-  }
-
-
-
   SurfaceTopology
   GuidedObstacle::surface_topology(const std::string &) const
-  {
-    return {};
-  }
-
-
-
-  SurfacePoint
-  GuidedObstacle::surface_point(const SurfaceFacet &, const Point<2> &) const
-  {
-    return {};
-  }
-
-
-
-  Cells
-  GuidedObstacle::cells() const
   {
     return {};
   }
@@ -216,11 +112,4 @@ namespace lamella
     return Body::solver_of(terms, constraints, SolverKind::automatic, monitor);
   }
 
-
-
-  void
-  GuidedObstacle::for_each_stiffness_block(
-    const bool,
-    const std::function<void(const StiffnessBlock &)> &) const
-  {}
 } // namespace lamella

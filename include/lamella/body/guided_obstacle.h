@@ -25,21 +25,31 @@ namespace lamella
     std::string
     theory() const override;
     DofIndex
-    n_dofs() const override;
+    n_dofs() const override
+    {
+      return 1;
+    }
     /// Returns true: the DoF is no amplitude of a section function.
     bool
-    is_nodal() const override;
+    is_nodal() const override
+    {
+      return true;
+    }
     dealii::IndexSet
     owned_dofs() const override;
-    dealii::Point<3>
-    dof_position(const DofIndex) const override;
+    DofInfo
+    dof(const DofIndex) const override
+    {
+      return {center()};
+    }
     std::vector<Vector>
-    rigid_motions() const override;
+    rigid_motions(const Vector &) const override;
     /// Returns the bounding box of the pressed body.
     dealii::BoundingBox<3>
-    bounding_box() const override;
-    void
-    add_internal_forces(const Vector &, Vector &) const override;
+    bounding_box() const override
+    {
+      return pressed.bounding_box();
+    }
     std::unique_ptr<SecondOrder>
     second_order(const Vector &) const override;
     const std::vector<Ply> &
@@ -50,33 +60,48 @@ namespace lamella
     /// Returns displacements only; strains and stresses have no entries.
     std::vector<std::vector<LinearFunctional>>
     rows(const std::vector<Location> &locations,
-         const Quantity               quantity,
-         const Frame                  frame = Frame::scene) const override;
+         const Vector                &u,
+         const Quantity               quantity = Quantity::displacement,
+         const Frame                  frame    = Frame::scene) const override;
     dealii::Point<3>
-    position(const Location::Place &) const override;
+    position(const Location::Place &) const override
+    {
+      return center();
+    }
     PlyAndAxes
-    ply_at(const Location::Place &) const override;
+    ply_at(const Location::Place &) const override
+    {
+      return {};
+    }
     std::vector<std::string>
-    surfaces() const override;
+    surfaces() const override
+    {
+      return {};
+    }
     SurfaceTopology
     surface_topology(const std::string &) const override;
     SurfacePoint
-    surface_point(const SurfaceFacet &,
-                  const dealii::Point<2> &) const override;
+    surface_point(const SurfaceFacet &, const dealii::Point<2> &) const override
+    {
+      return {};
+    }
     Cells
-    cells() const override;
+    cells() const override
+    {
+      return {};
+    }
+    void
+    for_each_stiffness_block(const Vector &,
+                             const Vector &,
+                             const bool,
+                             const BlockCallback &) const override
+    {}
     /// Uses a direct solver also if @p requested is `cg`.
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
               const SolverKind      requested,
               const SolverMonitor  &monitor) const override;
-
-  protected:
-    void
-    for_each_stiffness_block(
-      const bool,
-      const std::function<void(const StiffnessBlock &)> &) const override;
 
   private:
     const dealii::Tensor<1, 3> guide;

@@ -27,8 +27,8 @@ namespace lamella
   /// (Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1,
   /// 5.1). It includes buckling of columns with shear, lateral-torsional
   /// buckling, wrinkling of faces and buckling of walls, if the theory has the
-  /// mode shapes. The body must outlive this object. All functions are
-  /// collective.
+  /// mode shapes. This class is that of a rigid body, without effects. The body
+  /// must outlive this object. All functions are collective.
   class SecondOrder
   {
   public:
@@ -36,20 +36,28 @@ namespace lamella
 
     /// Subtracts the load of the quadratic strain e_2, f -= int B^T C e_2 dV.
     virtual void
-    add_load(Vector &f) const = 0;
+    add_load(Vector & /*f*/) const
+    {}
 
     /// Computes the total stress; @p v is the displacement due to add_load().
     /// Returns the strain energy of the membrane stress.
     virtual double
-    solve(const Vector &v) = 0;
+    solve(const Vector & /*v*/)
+    {
+      return 0.;
+    }
 
     /// Adds the geometric stiffness K_G times @p w to @p f, after solve().
     virtual void
-    add_geometric_forces(const Vector &w, Vector &f) const = 0;
+    add_geometric_forces(const Vector & /*w*/, Vector & /*f*/) const
+    {}
 
     /// Returns the largest short_wave_ratio() in the body, after solve().
     virtual double
-    largest_short_wave_ratio() const = 0;
+    largest_short_wave_ratio() const
+    {
+      return 0.;
+    }
   };
 
   /// Returns the largest ratio, over the axes x, y and z, of the compressive
