@@ -3,15 +3,15 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/linear/dense_lu.h>
-#include <lamella/solve/complementarity.h>
 #include <lamella/solve/condensed_strategy.h>
+#include <lamella/solve/dense_interface_system.h>
 
 #include <algorithm>
 #include <set>
 
 // Static condensation of the bodies onto the contact forces, a dual active-set
 // method. Row generation in solve(), round by round:
-// 1. solve the complementarity (or Coulomb) problem of the working set on its
+// 1. solve the contact problem of the working set on its
 //    compliance C = B K^-1 B^T;
 // 2. evaluate all gaps g = g_state + B du;
 // 3. add the deepest penetrations outside the set, remove idle rows;
@@ -190,51 +190,6 @@ namespace lamella
 
 
 
-  // Without friction: a linear complementarity problem.
-  void
-  CondensedStrategy::solve_working_set(const ContactProblem            &problem,
-                                       const std::vector<unsigned int> &part,
-                                       ContactSolution &solution)
-  {
-    if (!problem.slip.empty())
-      return solve_with_friction(problem, part, solution);
-    // Proximal point about lambda_bar with the metric d - a (Rockafellar,
-    // 1976):
-    //   s = g_state + C (lambda - lambda_state) + a lambda +
-    //       (d - a) (lambda - lambda_bar).
-    const std::size_t      n = part.size();
-    ComplementarityProblem small{compliance.among(part),
-                                 std::vector<double>(n),
-                                 problem.closed};
-    std::vector<bool>      start(n);
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        const unsigned int r = part[i];
-        const double       d = compliance_of_law(r);
-        small.q[i] =
-          problem.gap[r] - (d - law_compliance(rows[r])) * problem.estimate[r];
-        for (std::size_t j = 0; j < n; ++j)
-          small.q[i] -= small.matrix[j * n + i] * problem.force[part[j]];
-        small.matrix[i * n + i] += d;
-        start[i] =
-          std::binary_search(solution.active.begin(), solution.active.end(), r);
-      }
-    const ComplementaritySolution found = solve_complementarity(small, start);
-
-    std::vector<double> change(n);
-    solution.active.clear();
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        solution.force[part[i]] = found.lambda[i];
-        change[i]               = found.lambda[i] - problem.force[part[i]];
-        if (found.active[i])
-          solution.active.push_back(part[i]);
-      }
-    solution.du = compliance.displacement(part, change);
-  }
-
-
-
   // Velocities of all points under the forces of the state, by components.
   CoulombProblem
   CondensedStrategy::coulomb_problem(const ContactProblem            &problem,
@@ -269,13 +224,37 @@ namespace lamella
 
 
 
-  // Coulomb's law is solved on the compliance of all points of the working set;
-  // du then follows from the change of all normal and shear forces.
-  void
-  CondensedStrategy::solve_with_friction(const ContactProblem &problem,
-                                         const std::vector<unsigned int> &part,
-                                         ContactSolution &solution)
+  // Proximal point about lambda_bar with the metric d - a (Rockafellar, 1976):
+  //   s = g_state + C (lambda - lambda_state) + a lambda +
+  //       (d - a) (lambda - lambda_bar).
+  InterfaceSolution
+  CondensedStrategy::frictionless(const ContactProblem            &problem,
+                                  const std::vector<unsigned int> &part,
+                                  const CoulombProblem            &small,
+                                  const PointVectors              &start) const
   {
+    DenseInterfaceSystem system(small.compliance, small.q, small.about);
+    InterfacePoints      points = system.points(small.friction);
+    for (std::size_t i = 0; i < part.size(); ++i)
+      {
+        points.compliance[i] =
+          compliance_of_law(part[i]) - law_compliance(rows[part[i]]);
+        points.shift[i][0] = points.compliance[i] * problem.estimate[part[i]];
+      }
+    points.closed = problem.closed;
+    return solve_interface(system, points, start, {});
+  }
+
+
+
+  // The laws are solved on the compliance of all points of the working set; du
+  // then follows from the change of all normal and shear forces.
+  void
+  CondensedStrategy::solve_working_set(const ContactProblem            &problem,
+                                       const std::vector<unsigned int> &part,
+                                       ContactSolution &solution)
+  {
+    const bool          rubs = !problem.slip.empty();
     std::vector<double> before;
     PointVectors        start;
     for (const unsigned int r : part)
@@ -283,15 +262,20 @@ namespace lamella
         before.push_back(problem.force[r]);
         for (unsigned int a = 0; a < rows[r].slips.size(); ++a)
           before.push_back(problem.shear[r][a]);
-        start.push_back(problem.first_forces[r]);
+        Tensor<1, 3> force;
+        force[0] = solution.force[r];
+        start.push_back(rubs ? problem.first_forces[r] : force);
       }
     const CoulombProblem    small = coulomb_problem(problem, part, before);
-    const InterfaceSolution found = solve_coulomb(small, start);
+    const InterfaceSolution found = rubs ?
+                                      solve_coulomb(small, start) :
+                                      frictionless(problem, part, small, start);
     check_law(found);
 
     solution.is_unstable = found.stability < 0;
     solution.active.clear();
-    solution.direction.assign(rows.size(), {});
+    if (rubs)
+      solution.direction.assign(rows.size(), {});
     for (std::size_t i = 0; i < part.size(); ++i)
       solution.store(part[i], found.states[i], found.force[i]);
     std::vector<double> change = small.compliance.by_rows(found.force);

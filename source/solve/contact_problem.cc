@@ -50,11 +50,14 @@ namespace lamella
   {
     const bool closed = state != PointState::open;
     force[r]          = closed ? std::max(0., lambda[0]) : 0.;
-    shear[r]          = closed ? dealii::Tensor<1, 2>({lambda[1], lambda[2]}) :
-                                 dealii::Tensor<1, 2>();
-    direction[r]      = {};
     if (closed)
       active.push_back(r);
+    if (shear.empty())
+      return;
+    shear[r]     = {};
+    direction[r] = {};
+    if (closed)
+      shear[r] = dealii::Tensor<1, 2>({lambda[1], lambda[2]});
     if (state == PointState::slip && shear[r].norm() > 0.)
       direction[r] = shear[r] / shear[r].norm();
   }

@@ -76,6 +76,7 @@ namespace lamella
   {
     const unsigned int  n = W.n_rows();
     std::vector<double> A(std::size_t(n) * n);
+    factorized_for.clear();
     for (unsigned int i = 0; i < D.size(); ++i)
       L[i] = cholesky_factor(D[i]);
     for (unsigned int q = 0; q < W.n_points(); ++q)
@@ -140,52 +141,104 @@ namespace lamella
 
 
 
+  int
+  DenseInterfaceSystem::solve(const std::vector<LinearizedLaw> &laws,
+                              const std::vector<Row>           &rows,
+                              std::vector<double>              &x)
+  {
+    const std::size_t   n = rows.size();
+    std::vector<double> A(n * n);
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        const auto [q, b] = rows[j];
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const auto [p, a]        = rows[i];
+            const LinearizedLaw &law = laws[p];
+            double               sum = p == q ? law.A[a][b] : 0.;
+            for (unsigned int k = 0; k < W.size(p); ++k)
+              sum += law.B[a][k] * W(W.first[p] + k, W.first[q] + b);
+            A[j * n + i] = sum * scale(rows[j]) / scale(rows[i]);
+          }
+      }
+    const DenseLU factor(std::move(A), n);
+    if (!factor.is_singular())
+      factor.solve(x);
+    return factor.sign_of_determinant();
+  }
+
+
+
+  // The factor is kept while the closed points and their compliance stay.
+  void
+  DenseInterfaceSystem::solve_sticking(const std::vector<LinearizedLaw> &laws,
+                                       const std::vector<Row>           &rows,
+                                       std::vector<double>              &x)
+  {
+    const std::size_t                            n = rows.size();
+    std::vector<std::pair<unsigned int, double>> matrix_rows;
+    for (const Row &row : rows)
+      matrix_rows.emplace_back(W.first[row.point] + row.component,
+                               laws[row.point].A[row.component][row.component]);
+    if (!factor || factorized_for != matrix_rows)
+      {
+        std::vector<double> A(n * n);
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double *const column =
+              W.matrix.data() + std::size_t(matrix_rows[j].first) * W.n_rows();
+            const double u = scale(rows[j]);
+            for (std::size_t i = j; i < n; ++i)
+              A[j * n + i] = column[matrix_rows[i].first] * u * scale(rows[i]);
+            A[j * n + j] += matrix_rows[j].second;
+          }
+        factor.emplace(std::move(A), n, "The compliance of the contact rows");
+        factorized_for = matrix_rows;
+      }
+    factor->solve(x);
+  }
+
+
+
   // Open points have no unknowns.
   InterfaceStep
   DenseInterfaceSystem::solve(const std::vector<LinearizedLaw> &laws,
                               const PointVectors               &force)
   {
-    struct Row
-    {
-      unsigned int point, component;
-    };
     std::vector<Row> rows;
     InterfaceStep    result;
-    result.force = force;
+    bool             slips = false;
+    result.force           = force;
     for (unsigned int p = 0; p < laws.size(); ++p)
-      if (laws[p].is_open)
-        result.force[p] = {};
-      else
-        for (unsigned int a = 0; a < W.size(p); ++a)
-          rows.push_back({p, a});
-    const std::size_t   n       = rows.size();
-    const PointVectors  lengths = lengths_of(result.force);
-    std::vector<double> A(n * n), x(n);
-    for (std::size_t i = 0; i < n; ++i)
       {
-        const auto [p, a]          = rows[i];
-        const LinearizedLaw &law   = laws[p];
-        const double         scale = unit[p][a > 0];
-        x[i] = (law.residual[a] - law.B[a] * (lengths[p] - v[p])) / scale;
-        for (std::size_t j = 0; j < n; ++j)
-          {
-            const auto [q, b] = rows[j];
-            double entry      = p == q ? law.A[a][b] : 0.;
-            for (unsigned int k = 0; k < W.size(p); ++k)
-              entry += law.B[a][k] * W(W.first[p] + k, W.first[q] + b);
-            A[j * n + i] = entry * unit[q][b > 0] / scale;
-          }
+        slips = slips || laws[p].state == PointState::slip;
+        if (laws[p].state == PointState::open)
+          result.force[p] = {};
+        else
+          for (unsigned int a = 0; a < W.size(p); ++a)
+            rows.push_back({p, a});
       }
-    const DenseLU factor(std::move(A), n);
-    result.sign = factor.sign_of_determinant();
-    if (factor.is_singular())
+    const PointVectors  lengths = lengths_of(result.force);
+    std::vector<double> x;
+    for (const Row &row : rows)
+      {
+        const LinearizedLaw &law = laws[row.point];
+        x.push_back(
+          (law.residual[row.component] -
+           law.B[row.component] * (lengths[row.point] - v[row.point])) /
+          scale(row));
+      }
+    if (slips)
+      result.sign = solve(laws, rows, x);
+    else if (!rows.empty())
+      solve_sticking(laws, rows, x);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result.force[rows[i].point][rows[i].component] += scale(rows[i]) * x[i];
+    result.is_solved = result.sign != 0 &&
+                       std::isfinite(inner_product(result.force, result.force));
+    if (!result.is_solved)
       return result;
-    factor.solve(x);
-    for (std::size_t i = 0; i < n; ++i)
-      result.force[rows[i].point][rows[i].component] +=
-        unit[rows[i].point][rows[i].component > 0] * x[i];
-    result.is_solved = std::isfinite(inner_product(result.force, result.force));
-    step             = lengths_of(result.force);
+    step = lengths_of(result.force);
     for (unsigned int i = 0; i < v.size(); ++i)
       step[i] -= v[i];
     result.change = step;

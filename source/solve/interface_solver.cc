@@ -80,7 +80,7 @@ namespace lamella
         G = Tensor<2, 3>(at.response.tangent) +
             outer_product(at.response.bound_derivative, at.bound.gradient);
       LinearizedLaw law;
-      law.is_open  = at.response.state == PointState::open;
+      law.state    = at.response.state;
       law.B        = G * at.D;
       law.A        = one - G + points.compliance[i] * law.B;
       law.residual = at.missed(lambda);

@@ -5,7 +5,6 @@
 // law itself, line by line, and not the map that was solved.
 
 #include <lamella/linear/dense_lu.h>
-#include <lamella/solve/complementarity.h>
 #include <lamella/solve/coulomb.h>
 #include <lamella/solve/dense_interface_system.h>
 #include <lamella/solve/interior_point.h>
@@ -153,21 +152,6 @@ BOOST_AUTO_TEST_CASE(one_point_by_hand)
   BOOST_TEST((slip.force[0] - Tensor<1, 3>({0.5, -0.09, -0.12})).norm() <
              1e-12);
   BOOST_TEST(slip.stability == 1);
-}
-
-
-
-BOOST_AUTO_TEST_CASE(without_friction_it_is_complementarity)
-{
-  CoulombProblem         problem = random_problem(30, 1, 1e4, 0., 3);
-  const auto             found   = solve_coulomb(problem, PointVectors(30));
-  ComplementarityProblem other{problem.compliance.matrix,
-                               problem.compliance.by_rows(problem.q)};
-  const auto             expected =
-    solve_complementarity(other, std::vector<bool>(30, false)).lambda;
-  for (unsigned int i = 0; i < 30; ++i)
-    BOOST_TEST(std::abs(found.force[i][0] - expected[i]) <
-               1e-9 * largest_component(found.force));
 }
 
 

@@ -24,8 +24,8 @@ namespace lamella
   /// penalty enters as a compliance d, so a hard penalty loses no digits.
   ///
   /// The active set is found by constraint generation. Each round solves the
-  /// complementarity problem of the working set exactly
-  /// (solve_complementarity()) and evaluates the gaps of all other constraints.
+  /// contact problem of the working set exactly (solve_interface(),
+  /// solve_coulomb()) and evaluates the gaps of all other constraints.
   /// Constraints that penetrate most are added: at most eight, or as many as
   /// the set has if it has more. Constraints without penalty whose gap closes
   /// without a force are added once, at the end. If most of the working set is
@@ -40,7 +40,7 @@ namespace lamella
                       const GapConstraints  &rows);
 
     /// Finds the active set and the increment of @p problem. Also throws the
-    /// exceptions of solve_complementarity().
+    /// exceptions of check_law().
     ContactSolution
     solve(const ContactProblem &problem, const Monitor &monitor) override;
 
@@ -112,21 +112,23 @@ namespace lamella
 
     /// Solves @p problem on the constraints @p part (ascending), starting from
     /// their active set in @p solution. Other constraints keep their forces.
-    /// Sets du, the forces of @p part and the active set of @p solution.
+    /// Sets du, the forces of @p part and the active set of @p solution. With
+    /// friction, there is no numerical compliance.
     void
     solve_working_set(const ContactProblem            &problem,
                       const std::vector<unsigned int> &part,
                       ContactSolution                 &solution);
 
-    /// Solves @p problem as solve_working_set(), but with Coulomb's law
-    /// (solve_coulomb()) and without numerical compliance. Throws NumericsError
-    /// if no stable forces satisfy the law.
-    void
-    solve_with_friction(const ContactProblem            &problem,
-                        const std::vector<unsigned int> &part,
-                        ContactSolution                 &solution);
-    /// Returns the friction problem of the constraints @p part, with gaps and
-    /// slips at the contact forces @p forces.
+    /// Returns the solution of @p small, the problem of the frictionless
+    /// constraints @p part, with the numerical compliance d, from the forces
+    /// @p start.
+    InterfaceSolution
+    frictionless(const ContactProblem            &problem,
+                 const std::vector<unsigned int> &part,
+                 const CoulombProblem            &small,
+                 const PointVectors              &start) const;
+    /// Returns the problem of the constraints @p part, with gaps and slips at
+    /// the contact forces @p forces.
     CoulombProblem
     coulomb_problem(const ContactProblem            &problem,
                     const std::vector<unsigned int> &part,

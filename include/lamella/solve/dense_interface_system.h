@@ -6,7 +6,9 @@
 #include <lamella/linear/dense_cholesky.h>
 #include <lamella/solve/interface_system.h>
 
+#include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace lamella
@@ -45,9 +47,32 @@ namespace lamella
     }
 
   private:
+    /// Component of a point.
+    struct Row
+    {
+      unsigned int point, component;
+    };
+
     /// Returns q + W (@p force - about).
     PointVectors
     lengths_of(const PointVectors &force) const;
+    double
+    scale(const Row &row) const
+    {
+      return unit[row.point][row.component > 0];
+    }
+    /// Solves A dlambda + B dv = r with dv = W dlambda for the components
+    /// @p rows; @p x is r, then dlambda, both scaled. Returns the sign of the
+    /// determinant, 0 if the matrix is singular.
+    int
+    solve(const std::vector<LinearizedLaw> &laws,
+          const std::vector<Row>           &rows,
+          std::vector<double>              &x);
+    /// Solves (A / D + W) dlambda = r / D where no point slips, B = D.
+    void
+    solve_sticking(const std::vector<LinearizedLaw> &laws,
+                   const std::vector<Row>           &rows,
+                   std::vector<double>              &x);
 
     const PointCompliance &W;
     PointVectors           q, about, v, step;
@@ -55,8 +80,10 @@ namespace lamella
     std::vector<std::array<double, 2>> unit;
     /// Lower triangular factors L of each point, D = L L^T.
     std::vector<dealii::Tensor<2, 3>> L;
-    /// Cholesky factor of 1 + L^T W L.
+    /// Cholesky factor of 1 + L^T W L, or of the matrix of solve_sticking().
     std::optional<DenseCholesky> factor;
+    /// Matrix rows and diagonals A / D of the latter factor.
+    std::vector<std::pair<unsigned int, double>> factorized_for;
   };
 } // namespace lamella
 

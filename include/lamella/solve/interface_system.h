@@ -23,8 +23,9 @@ namespace lamella
   /// the law.
   struct LinearizedLaw
   {
-    /// True for the law lambda = 0 of an open point: A = 1, B = 0, r = -lambda.
-    bool                 is_open = true;
+    /// State of the point: A = 1, B = 0, r = -lambda for an open one, A = D d,
+    /// B = D for a sticking one, with the compliance d and stiffness D.
+    PointState           state = PointState::open;
     dealii::Tensor<2, 3> A,        ///< Factor of the change of force.
       B;                           ///< Factor of the change of gap and slips.
     dealii::Tensor<1, 3> residual; ///< Right-hand side r.
