@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/arithmetic.h>
 #include <lamella/solve/coulomb.h>
 #include <lamella/solve/dense_interface_system.h>
 
 #include <algorithm>
-#include <limits>
 
 // Coulomb's law on a dense compliance W, which may be singular: proximal points
 // about the last forces with a small compliance, which makes the problem
@@ -20,30 +18,6 @@ namespace lamella
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// Returns @p points with the compliance @p share of the largest diagonal
-    /// entry of @p W at each point, about the forces @p lambda.
-    InterfacePoints
-    softened(InterfacePoints        points,
-             const PointCompliance &W,
-             const double           share,
-             const PointVectors    &lambda)
-    {
-      for (unsigned int i = 0; i < W.n_points(); ++i)
-        {
-          double most = 0.;
-          for (unsigned int r = W.first[i]; r < W.first[i + 1]; ++r)
-            most = std::max(most, W(r, r));
-          points.compliance[i] = share * most;
-          points.shift[i]      = share * most * lambda[i];
-        }
-      return points;
-    }
-  } // namespace
-
-
-
   InterfaceSolution
   solve_coulomb(const CoulombProblem &problem,
                 const PointVectors   &start,
@@ -57,18 +31,15 @@ namespace lamella
                                     problem.about);
     const InterfacePoints  exact = system.points(problem.friction);
     InterfaceSolution      best;
-    best.force              = start;
-    best.error              = std::numeric_limits<double>::max();
-    PointVectors lambda     = start;
-    unsigned int iterations = 0, idle = 0;
-    double       compliance = rules.compliance;
+    best.force          = start;
+    PointVectors lambda = start;
+    unsigned int idle   = 0;
+    double       share  = rules.compliance;
     for (unsigned int round = 0; round < rules.max_rounds; ++round)
       {
-        const InterfacePoints soft = softened(exact, W, compliance, lambda);
-        InterfaceSolution     found =
-          solve_interface(system, soft, lambda, {}, rules.interface);
-        const double left = found.error;
-        iterations += found.iterations;
+        InterfaceSolution found = solve_interface(
+          system, softened(exact, share, lambda), lambda, {}, rules.interface);
+        const double left = found.error, before = best.error;
         lambda = found.force;
         system.move_to(lambda);
         const LawError error = law_error(exact, lambda, system.lengths());
@@ -76,26 +47,22 @@ namespace lamella
         found.states         = error.states;
         if (round > 0)
           found.by = best.by;
-        const double before = best.error;
-        idle                = found.error < best.error ? 0 : idle + 1;
-        if (found.error < best.error)
-          best = found;
+        best.offer(found);
+        idle               = found.error < before ? 0 : idle + 1;
         const bool is_slow = found.error > rules.slow * before,
-                   is_last = compliance == rules.least_compliance;
+                   is_last = share == rules.least_compliance;
         // Small forces gain digits after the tolerance is met.
         if (best.error < rules.interface.digits ||
             (best.error < rules.interface.tolerance && is_slow) ||
             (is_last && (left > rules.failed || idle == rules.idle)))
           break;
         if (is_slow)
-          compliance =
-            std::max(rules.least_compliance, rules.slow * compliance);
+          share = std::max(rules.least_compliance, rules.slow * share);
       }
-    best.iterations = iterations;
     if (best.stability < 0)
       best.stability =
         stability_at(system,
-                     softened(exact, W, rules.stability_compliance, best.force),
+                     softened(exact, rules.stability_compliance, best.force),
                      best.force);
     return best;
   }

@@ -148,10 +148,10 @@ namespace lamella
                 const PointVectors  &v,
                 const InterfaceStep &step,
                 const unsigned int   iteration) const;
-      /// Reports the error @p now of an iteration, with the gaps and slips
-      /// @p v.
-      void
-      report(const LawError &now, const PointVectors &v) const;
+      /// Returns and reports the solution after the full @p step from the gaps
+      /// and slips @p v.
+      InterfaceSolution
+      after(const InterfaceStep &step, PointVectors v) const;
 
       InterfaceSystem       &system;
       const InterfacePoints &points;
@@ -196,21 +196,31 @@ namespace lamella
 
 
 
-    void
-    InterfaceNewton::report(const LawError &now, const PointVectors &v) const
+    InterfaceSolution
+    InterfaceNewton::after(const InterfaceStep &step, PointVectors v) const
     {
+      for (unsigned int i = 0; i < v.size(); ++i)
+        v[i] += step.change[i];
+      const LawError    error = law_error(points, step.force, v);
+      InterfaceSolution now;
+      now.force      = step.force;
+      now.states     = error.states;
+      now.error      = error.largest;
+      now.stability  = step.sign;
+      now.iterations = 1;
       if (!monitor)
-        return;
+        return now;
       Round round;
       for (unsigned int i = 0; i < v.size(); ++i)
         {
           round.active += now.states[i] != PointState::open;
-          if (!(now.of_point[i] > rules.tolerance))
+          if (!(error.of_point[i] > rules.tolerance))
             continue;
           round.changed.push_back(i);
           round.violation = std::max(round.violation, v[i].norm());
         }
       monitor(round);
+      return now;
     }
 
 
@@ -224,46 +234,29 @@ namespace lamella
     {
       InterfaceSolution best;
       best.force            = lambda;
-      best.error            = std::numeric_limits<double>::max();
       unsigned int polished = 0;
       for (unsigned int k = 0; k < most + polished; ++k)
         {
           const PointVectors  v = system.lengths();
           const InterfaceStep step =
             system.solve(linearized(points, lambda, v), lambda);
-          ++best.iterations;
           if (!step.is_solved)
             break;
-          PointVectors end = v;
-          for (unsigned int i = 0; i < end.size(); ++i)
-            end[i] += step.change[i];
-          const LawError now    = law_error(points, step.force, end);
-          const double   before = best.error;
-          if (now.largest < best.error)
-            {
-              best.error     = now.largest;
-              best.force     = step.force;
-              best.states    = now.states;
-              best.stability = step.sign;
-            }
-          report(now, end);
-          if (best.error < rules.tolerance)
-            {
-              const bool betters =
-                before > rules.tolerance || 10. * now.largest < before;
-              system.advance(1.);
-              if (best.error < rules.digits ||
-                  polished == rules.extra_iterations || !betters)
-                break;
-              ++polished;
-              lambda = step.force;
-              continue;
-            }
-          const double t =
-            k < rules.damped_from ? 1. : shortened(lambda, v, step, k);
+          const double            before = best.error;
+          const InterfaceSolution now    = after(step, v);
+          best.offer(now);
+          const bool   is_solved = best.error < rules.tolerance;
+          const double t         = is_solved || k < rules.damped_from ?
+                                     1. :
+                                     shortened(lambda, v, step, k);
           system.advance(t);
           for (unsigned int i = 0; i < lambda.size(); ++i)
             lambda[i] += t * (step.force[i] - lambda[i]);
+          const bool betters =
+            before > rules.tolerance || 10. * now.error < before;
+          if (is_solved && (best.error < rules.digits || !betters ||
+                            polished++ == rules.extra_iterations))
+            break;
         }
       return best;
     }
@@ -298,31 +291,19 @@ namespace lamella
       constexpr unsigned tries = 8;
       InterfaceSolution  best;
       best.force          = start;
-      best.error          = std::numeric_limits<double>::max();
       PointVectors lambda = start;
       double       share  = rules.first_compliance;
       for (unsigned int k = 0; k < rules.max_regularized_rounds &&
                                share <= 10. * rules.first_compliance;
            ++k)
         {
-          InterfacePoints soft = points;
-          for (unsigned int i = 0; i < lambda.size(); ++i)
-            {
-              const double d = share / points.stiffness[i][0];
-              soft.compliance[i] += d;
-              soft.shift[i] += d * lambda[i];
-            }
-          InterfaceNewton other(system, soft, monitor, rules);
+          const InterfacePoints soft = softened(points, share, lambda);
+          InterfaceNewton       other(system, soft, monitor, rules);
           system.move_to(lambda);
           InterfaceSolution found = other.solve(lambda, rules.iterations);
-          best.iterations += found.iterations;
           if (found.error > rules.solved)
-            {
-              const InterfaceSolution again = other.after_interior_point();
-              best.iterations += again.iterations;
-              if (again.error < found.error)
-                found = again;
-            }
+            found.offer(other.after_interior_point());
+          best.iterations += found.iterations;
           if (found.error > rules.solved)
             {
               share *= rules.increase_factor;
@@ -330,11 +311,7 @@ namespace lamella
             }
           lambda = found.force;
           system.move_to(lambda);
-          found                         = solve(lambda, tries);
-          const unsigned int iterations = best.iterations + found.iterations;
-          if (found.error < best.error)
-            best = found;
-          best.iterations = iterations;
+          best.offer(solve(lambda, tries));
           if (best.error < rules.tolerance)
             break;
           share = std::max(least, share * rules.decrease_factor);
@@ -342,6 +319,23 @@ namespace lamella
       return best;
     }
   } // namespace
+
+
+
+  InterfacePoints
+  softened(InterfacePoints     points,
+           const double        share,
+           const PointVectors &force)
+  {
+    for (unsigned int i = 0; i < force.size(); ++i)
+      {
+        const auto  &stiffness = points.stiffness[i];
+        const double d         = share / std::min(stiffness[0], stiffness[1]);
+        points.compliance[i] += d;
+        points.shift[i] += d * force[i];
+      }
+    return points;
+  }
 
 
 
@@ -413,16 +407,10 @@ namespace lamella
   {
     InterfaceNewton   newton(system, points, monitor, rules);
     InterfaceSolution best;
-    best.error       = std::numeric_limits<double>::max();
     best.force       = start;
     const auto is_it = [&](const char *const by, InterfaceSolution found) {
-      const unsigned int iterations = best.iterations + found.iterations;
-      if (found.error < best.error)
-        {
-          best    = std::move(found);
-          best.by = by;
-        }
-      best.iterations = iterations;
+      found.by = by;
+      best.offer(found);
       return best.error < rules.tolerance;
     };
     system.move_to(start);

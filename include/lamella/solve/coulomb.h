@@ -30,9 +30,9 @@ namespace lamella
   /// Tolerances and limits of solve_coulomb().
   struct CoulombRules
   {
-    /// Compliance of each point, relative to the largest diagonal entry of W
-    /// at the point, so that the problem is definite and its sets of points do
-    /// not change by rounding; proximal iterations remove its effect.
+    /// Compliance of each point (softened()), so that the problem is definite
+    /// and its sets of points do not change by rounding; proximal iterations
+    /// remove its effect.
     double compliance = 1e-8;
     /// Smallest compliance, and its factor after a proximal iteration that
     /// leaves more than this fraction of the error.

@@ -6,6 +6,7 @@
 #include <lamella/solve/contact_problem.h>
 #include <lamella/solve/interface_system.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -39,14 +40,33 @@ namespace lamella
     /// Relative error of the law, the largest component of lambda - P(lambda -
     /// D v) over that of lambda or D v, with forces lambda, lengths v
     /// and stiffness D of the points. Components are scaled by 1 / sqrt D.
-    double error = 0.;
+    double error = std::numeric_limits<double>::max();
     /// Sign of the determinant of the matrix that maps contact forces to the
     /// gaps and sticking slips of closed points: -1 for an unstable solution,
     /// which no load path reaches; 1 if no point is closed.
     int          stability = 1;
     std::string  by;             ///< Method that found the solution.
     unsigned int iterations = 0; ///< Number of linear systems solved.
+
+    /// Replaces this solution by @p found if that has a smaller error, and adds
+    /// up the iterations.
+    void
+    offer(const InterfaceSolution &found)
+    {
+      const unsigned int sum = iterations + found.iterations;
+      if (found.error < error)
+        *this = found;
+      iterations = sum;
+    }
   };
+
+  /// Returns @p points with a compliance in addition, the fraction @p share of
+  /// the inverse stiffness of each point, which acts on the change of the
+  /// forces @p force.
+  InterfacePoints
+  softened(InterfacePoints     points,
+           const double        share,
+           const PointVectors &force);
 
   /// Error of the laws at contact forces with their gaps and slips.
   struct LawError
