@@ -123,7 +123,8 @@ namespace lamella
 
 
 
-    // Divides the sums by the areas A_i.
+    // Divides the sums by the areas A_i. A row whose points have all left has
+    // no gap; its slip is the mean of theirs, up to the edge.
     std::vector<GapIntegrals>
     Sums::take()
     {
@@ -258,6 +259,9 @@ namespace lamella
 
 
 
+  // The slip of a point in the load step depends on whether it faces the master
+  // surface now, and whether it did at the beginning of the step:
+  // both: from there to here; only now: from the edge; only then: to the edge.
   std::vector<GapIntegrals>
   integrate_gaps(const ContactSides        &sides,
                  const bool                 on_second,

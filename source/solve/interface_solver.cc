@@ -287,7 +287,6 @@ namespace lamella
     InterfaceSolution
     InterfaceNewton::by_compliance(const PointVectors &start)
     {
-      constexpr double   least = 1e-12;
       constexpr unsigned tries = 8;
       InterfaceSolution  best;
       best.force          = start;
@@ -314,7 +313,7 @@ namespace lamella
           best.offer(solve(lambda, tries));
           if (best.error < rules.tolerance)
             break;
-          share = std::max(least, share * rules.decrease_factor);
+          share = std::max(rules.tolerance, share * rules.decrease_factor);
         }
       return best;
     }
