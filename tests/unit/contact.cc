@@ -528,7 +528,10 @@ BOOST_AUTO_TEST_CASE(entries_of_a_contact)
 BOOST_AUTO_TEST_CASE(entries_of_an_obstacle)
 {
   const auto read = [](const Settings &settings) {
-    return parsed<ObstacleParameters>("Obstacle o", settings, std::string("o"));
+    return parsed<ObstacleParameters>("Obstacle o",
+                                      settings,
+                                      std::string("o"),
+                                      3u);
   };
   const auto plane = read({{"Shape", "plane"},
                            {"Through", "1, 2, 3"},
