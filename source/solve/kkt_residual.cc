@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/solve/complementarity.h>
 #include <lamella/solve/kkt_residual.h>
 
 #include <algorithm>
