@@ -8,6 +8,7 @@
 #include <lamella/adapt/boundary_layer_cache.h>
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/node_fields.h>
+#include <lamella/body/body_solver.h>
 #include <lamella/section/embedding.h>
 #include <lamella/shape/shapes.h>
 
@@ -811,8 +812,7 @@ namespace
     };
     std::vector<Entry> entries;
     Vector             d(structure.n_dofs());
-    structure.bodies()[0]
-      ->assembled_stiffness(constraints)
+    assembled_stiffness(*structure.bodies()[0], constraints)
       ->for_each_entry(
         [&](const DofIndex row, const DofIndex column, const double value) {
           if (value == 0. || constraints.is_constrained(row) ||
