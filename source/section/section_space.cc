@@ -165,20 +165,6 @@ namespace lamella
 
 
 
-  void
-  SectionSpace::append_modes(std::vector<double> &work) const
-  {
-    const unsigned int n = base->n_fields();
-    AssertDimension(work.size(), n);
-    for (unsigned int j = 0; j < n_modes(); ++j)
-      {
-        const double *const mode = this->mode(j);
-        work.push_back(std::inner_product(mode, mode + n, work.begin(), 0.));
-      }
-  }
-
-
-
   bool
   SectionSpace::is_dense(const std::vector<unsigned int> &list) const
   {

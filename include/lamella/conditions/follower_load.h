@@ -47,9 +47,6 @@ namespace lamella
                              const BlockCallback &use) const = 0;
   };
 
-  /// Loads of a body with finite rotations.
-  using FollowerLoads = std::vector<std::unique_ptr<FollowerLoad>>;
-
   /// Returns true if @p load is a couple or a follower pressure.
   bool
   is_follower_load(const Load &load);

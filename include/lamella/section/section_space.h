@@ -122,11 +122,6 @@ namespace lamella
     void
     expand(std::vector<double> &coefficients) const;
 
-    /// Appends the generalized forces on the modes to the forces @p work on the
-    /// section functions; this is the transpose of expand().
-    void
-    append_modes(std::vector<double> &work) const;
-
     /// Returns displacements as coefficients of the section functions. Column k
     /// of @p q has the amplitudes of the functions @p list in displacement k.
     dealii::LAPACKFullMatrix<double>
