@@ -2,7 +2,7 @@
 
 #include <lamella/adapt/boundary_layer_cache.h>
 #include <lamella/base/processes.h>
-#include <lamella/section/embedding.h>
+#include <lamella/section/warping.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/interaction_notes.h>
+#include <lamella/adapt/local_interactions.h>
 #include <lamella/adapt/plan.h>
 #include <lamella/adapt/section_fields.h>
 #include <lamella/adapt/theory_pieces.h>

@@ -3,7 +3,7 @@
 // What follows of how the facets of a surface hang together: its facets, its
 // points, and those that fix the displacement.
 
-#include <lamella/base/gauss_lobatto_grid.h>
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/body.h>
 #include <lamella/body/cell_grid.h>
 #include <lamella/body/surface_node.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/base/gauss_lobatto_grid.h>
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/contact/body_ends.h>
 #include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/slave_surface.h>

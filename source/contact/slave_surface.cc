@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/gauss_lobatto_grid.h>
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/base/inverse_map.h>
 #include <lamella/body/surface_topology.h>
 #include <lamella/contact/slave_surface.h>

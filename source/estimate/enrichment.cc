@@ -2,7 +2,7 @@
 
 #include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
-#include <lamella/scene/histories.h>
+#include <lamella/scene/scene.h>
 
 #include <algorithm>
 #include <set>

@@ -2,7 +2,7 @@
 
 #include <lamella/estimate/goal_dual.h>
 #include <lamella/recover/box_points.h>
-#include <lamella/scene/histories.h>
+#include <lamella/scene/scene.h>
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/local_errors.h>
 #include <lamella/estimate/surpluses.h>
-#include <lamella/scene/histories.h>
+#include <lamella/scene/scene.h>
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 
 #include <lamella/base/text.h>
 #include <lamella/report/console.h>
-#include <lamella/report/fields_table.h>
 #include <lamella/report/goals_table.h>
+#include <lamella/report/tables.h>
 
 #include <cmath>
 #include <map>

@@ -3,8 +3,8 @@
 #include <lamella/base/text.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/report/console.h>
-#include <lamella/report/fields_table.h>
 #include <lamella/report/plies_table.h>
+#include <lamella/report/tables.h>
 
 #include <algorithm>
 #include <ostream>

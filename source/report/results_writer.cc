@@ -4,12 +4,11 @@
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
-#include <lamella/report/fields_of_nodes.h>
 #include <lamella/report/goals_table.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_stiffness.h>
-#include <lamella/report/section_table.h>
 #include <lamella/report/summary.h>
+#include <lamella/report/tables.h>
 #include <lamella/report/vtu.h>
 
 #include <filesystem>

@@ -7,7 +7,7 @@
 #include <lamella/report/console.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_stiffness.h>
-#include <lamella/report/section_table.h>
+#include <lamella/report/tables.h>
 #include <lamella/report/validation.h>
 #include <lamella/run/run_scene.h>
 

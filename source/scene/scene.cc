@@ -2,10 +2,8 @@
 
 #include <lamella/base/entry.h>
 #include <lamella/base/patterns.h>
-#include <lamella/scene/friction_rules.h>
-#include <lamella/scene/histories.h>
 #include <lamella/scene/rotation_rules.h>
-#include <lamella/scene/size_check.h>
+#include <lamella/scene/scene_checks.h>
 #include <lamella/scene/stacks.h>
 #include <lamella/scene/subsection_kinds.h>
 #include <lamella/shape/corner_layers.h>
@@ -462,4 +460,31 @@ namespace lamella
     return meshes;
   }
 
+
+
+  std::string
+  first_with_factors(const Scene &scene)
+  {
+    for (const Support &support : scene.supports)
+      if (support.history > 0)
+        return "Support " + support.name;
+    for (const Load &load : scene.loads)
+      if (load.history > 0)
+        return "Load " + load.name;
+    for (const auto &obstacle : scene.obstacles)
+      if (obstacle->history > 0)
+        return "Obstacle " + obstacle->name;
+    return "";
+  }
+
+
+
+  const ContactPair *
+  first_with_friction(const Scene &scene)
+  {
+    for (const ContactPair &contact : scene.contacts)
+      if (contact.friction > 0.)
+        return &contact;
+    return nullptr;
+  }
 } // namespace lamella

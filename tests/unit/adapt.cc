@@ -9,7 +9,7 @@
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/node_fields.h>
 #include <lamella/body/body_solver.h>
-#include <lamella/section/embedding.h>
+#include <lamella/section/warping.h>
 #include <lamella/shape/shapes.h>
 
 #include <boost/test/unit_test.hpp>

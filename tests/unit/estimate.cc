@@ -2,9 +2,9 @@
 
 // Bars of errors as arithmetic, and the richer models that they come from.
 
+#include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/error_bar.h>
-#include <lamella/estimate/model_key.h>
 
 #include <boost/test/unit_test.hpp>
 

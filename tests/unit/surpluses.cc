@@ -3,7 +3,7 @@
 // Surpluses: what the highest functions of a model do, against models that are
 // solved without them; and bars that are made of two levels.
 
-#include <lamella/base/gauss_lobatto_grid.h>
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/beam_surplus.h>
 #include <lamella/estimate/coarser_model_estimate.h>

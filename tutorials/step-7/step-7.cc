@@ -13,7 +13,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/run/simulation.h>
-#include <lamella/trade/trade_findings.h>
+#include <lamella/trade/trade.h>
 #include <lamella/trade/variants.h>
 
 #include <deal.II/base/table_handler.h>

@@ -69,6 +69,22 @@ namespace lamella
   std::vector<LocalInteraction>
   heated_free_ends(const Beam                          &beam,
                    const std::vector<LocalInteraction> &interactions);
+
+  /// Adds to @p notes a message for each of @p interactions whose local
+  /// deformation of the section the Saint-Venant theory (SV) of @p beam cannot
+  /// represent: contacts, and temperatures that vary along the axis.
+  void
+  add_missing_field_notes(const Beam                          &beam,
+                          const std::vector<LocalInteraction> &interactions,
+                          std::vector<std::string>            &notes);
+
+  /// Adds to @p notes a message for each of @p interactions that constrains
+  /// only some displacements of a section of a heated @p beam. There,
+  /// boundary-layer modes exclude thermal loads, so stresses are inaccurate.
+  void
+  add_guide_heat_notes(const Beam                          &beam,
+                       const std::vector<LocalInteraction> &interactions,
+                       std::vector<std::string>            &notes);
 } // namespace lamella
 
 #endif

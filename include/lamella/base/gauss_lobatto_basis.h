@@ -3,6 +3,8 @@
 #ifndef lamella_base_gauss_lobatto_basis_h
 #define lamella_base_gauss_lobatto_basis_h
 
+#include <deal.II/base/point.h>
+
 #include <vector>
 
 namespace lamella
@@ -56,6 +58,20 @@ namespace lamella
     /// Factors 1 / prod_j (x_i - x_j) of the polynomials, j != i.
     std::vector<double> scales;
   };
+
+  /// Returns the points (s_i, t_j) of the tensor-product grid of the bases @p s
+  /// and @p t on the unit square. The first index varies fastest.
+  std::vector<dealii::Point<2>>
+  grid_points(const GaussLobattoBasis &s, const GaussLobattoBasis &t);
+
+  /// Evaluates the products L_i(s) L_j(t) of the polynomials @p s and @p t at
+  /// the point @p st, and stores them in @p values, ordered as by
+  /// grid_points().
+  void
+  evaluate_on_grid(const GaussLobattoBasis &s,
+                   const GaussLobattoBasis &t,
+                   const dealii::Point<2>  &st,
+                   std::vector<double>     &values);
 } // namespace lamella
 
 #endif

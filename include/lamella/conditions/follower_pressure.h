@@ -6,7 +6,7 @@
 #include <lamella/body/facet_map.h>
 #include <lamella/conditions/current_points.h>
 #include <lamella/conditions/follower_load.h>
-#include <lamella/conditions/traction.h>
+#include <lamella/conditions/load.h>
 
 #include <deal.II/lac/full_matrix.h>
 

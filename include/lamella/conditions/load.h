@@ -9,6 +9,7 @@
 #include <lamella/conditions/region.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -120,6 +121,31 @@ namespace lamella
   add_weight(const dealii::Tensor<1, 3> &acceleration,
              const Bodies               &bodies,
              BlockVector                &f);
+
+  /// Values of a load at load factor 1: the traction at points of a surface,
+  /// the force per length of a line, or the force at a point.
+  class Traction
+  {
+  public:
+    /// Parses the expressions of @p load. Throws InputError if one is invalid.
+    explicit Traction(const Load &load);
+    ~Traction();
+    Traction(Traction &&) noexcept; ///< Moves the parsed expressions.
+
+    /// Returns the load at @p x, scene axes; for a pressure p it is -p n with
+    /// the outward unit @p normal n. Throws InputError if it is not finite.
+    dealii::Tensor<1, 3>
+    operator()(const dealii::Point<3>     &x,
+               const dealii::Tensor<1, 3> &normal) const;
+
+    /// Returns true if the load is the same at all points of a plane surface.
+    bool
+    is_constant() const;
+
+  private:
+    struct Values;
+    std::unique_ptr<Values> values;
+  };
 } // namespace lamella
 
 #endif

@@ -63,6 +63,15 @@ namespace lamella
     std::ostream     &out;
     ModelCache       &cache;
   };
+
+  /// Returns a string that identifies the model of @p scene: the text of all
+  /// entries as read (Scene::resolved), and with all digits the members that
+  /// may have changed since: theory, axis segments, axis, refinement and
+  /// stabilization of bodies, divisions of sections, and contact laws. Models
+  /// with equal strings have equal results at the last load factor. Without a
+  /// member of these structures, this function does not compile.
+  std::string
+  key_of(const Scene &scene);
 } // namespace lamella
 
 #endif

@@ -9,6 +9,7 @@
 #ifndef lamella_estimate_estimation_h
 #define lamella_estimate_estimation_h
 
+#include <lamella/adapt/plan_rules.h>
 #include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/error_bar.h>
@@ -121,6 +122,26 @@ namespace lamella
     /// Reason why there is no finer model; empty if there is one.
     std::string failure;
   };
+
+  /// Returns a lower bound of the number of multiplications for the Cholesky
+  /// factorizations of @p run, the sum of z^2 / n for factors with n columns
+  /// and z nonzeros. Returns 0 if there are none (`cg`, strategy `full`).
+  double
+  operations(const Simulation &run);
+
+  /// Returns the estimated number of multiplications for error bars by finer
+  /// models (Estimation), in which SV-10 replaces Lagrange expansions LE-N. It
+  /// is the sum of
+  /// - factorization: c m^3 per axis node with m section functions, c =
+  ///   CostRules::of_block, and CostRules::axes times the nodes of the run;
+  /// - proper orthogonal decomposition of the responses to harmonic loads;
+  /// - solutions on short end segments for the boundary-layer modes.
+  ///
+  /// Returns infinity unless SV-10 can replace LE-N in all bodies.
+  double
+  operations_of_bars(const Simulation &run,
+                     const PlanRules  &rules = {},
+                     const CostRules  &cost  = {});
 } // namespace lamella
 
 #endif

@@ -4,8 +4,8 @@
 #define lamella_recover_face_tractions_h
 
 #include <lamella/body/body.h>
+#include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>
-#include <lamella/conditions/traction.h>
 #include <lamella/contact/contact_traction.h>
 #include <lamella/contact/gap_constraints.h>
 

@@ -4,11 +4,14 @@
 #define lamella_recover_results_h
 
 #include <lamella/base/units.h>
+#include <lamella/body/body.h>
 #include <lamella/contact/contact.h>
 #include <lamella/linear/linear_solver.h>
-#include <lamella/recover/failure_trial.h>
 #include <lamella/recover/goal_result.h>
+#include <lamella/solve/checks.h>
 #include <lamella/solve/phase.h>
+
+#include <deal.II/base/point.h>
 
 #include <map>
 #include <memory>
@@ -18,6 +21,121 @@
 
 namespace lamella
 {
+  /// Value of FieldRow::ply for a mean over several plies; tables show 0.
+  constexpr unsigned int several_plies = dealii::numbers::invalid_unsigned_int;
+
+  /// Displacement, strains and stresses at a point of a body in one ply.
+  struct FieldRow
+  {
+    std::string body; ///< Name of the body.
+    /// Ply, from 0 at the bottom (tables count from 1), or `several_plies`.
+    unsigned int ply = 0;
+    /// Position in the undeformed scene [length]; for a box its center.
+    dealii::Point<3> position;
+    FieldSample      sample; ///< Displacement, strains and stresses there.
+  };
+
+  /// Fields at one point of an output line (`subsection Line NAME`).
+  struct LineRow
+  {
+    double   s = 0.; ///< Arc length from the start of the line [length].
+    FieldRow fields; ///< Fields at the point in one ply.
+  };
+
+  /// Fields at one point of an output cut (`subsection Cut NAME`), which has a
+  /// grid of points on each section cell.
+  struct CutRow
+  {
+    unsigned int cell = 0; ///< Index of the section cell.
+    unsigned int i    = 0; ///< Index of the point along the first side, from 0.
+    unsigned int j = 0;  ///< Index of the point along the second side, from 0.
+    FieldRow     fields; ///< Fields at the point in the ply of the cell.
+  };
+
+  /// Jumps of the traction at the ply interfaces that an output line crosses.
+  struct InterfaceJump
+  {
+    unsigned int interfaces = 0; ///< Number of ply interfaces on the line.
+    /// Largest jump of the traction sigma . d, with the unit vector d along the
+    /// line, divided by the largest stress component on the line. It is a
+    /// discretization error if the line is normal to the plies.
+    double of_stress = 0.;
+    /// Largest jump of the traction divided by the largest traction on the
+    /// line; 0 if the jump is within rounding.
+    double of_traction = 0.;
+  };
+
+  /// Relative errors of transverse stresses from integrated equilibrium
+  /// (`Stress = equilibrium`): the largest difference between the integrated
+  /// stresses and the traction on the upper face of the laminate, divided by
+  /// the largest transverse stress. A value is empty if the probe, line or cut
+  /// requests other stresses.
+  struct EquilibriumDefects
+  {
+    std::vector<std::optional<double>> probes; ///< Error of each probe.
+    std::vector<std::optional<double>> lines;  ///< Error of each line.
+    std::vector<std::optional<double>> cuts;   ///< Error of each cut.
+  };
+
+  /// Smallest reserve factor of a ply by one failure criterion, and its point
+  /// (doc/theory/strength.md).
+  struct PlyReserve
+  {
+    unsigned int body = 0;  ///< Index of the body in the scene, from 0.
+    unsigned int ply  = 0;  ///< Index of the ply, from 0 at the bottom.
+    std::string  criterion; ///< Name of the failure criterion in the scene.
+    std::string  mode;      ///< Failure mode, such as `fiber tension`.
+    /// Factor on mechanical stresses at which the ply fails; empty if the ply
+    /// does not fail at any factor.
+    std::optional<double> reserve;
+    /// Value of the failure criterion at the computed stresses; 1 at failure.
+    double index = 0.;
+    /// Position of the point in the undeformed scene [length].
+    dealii::Point<3> position;
+    /// Angle from axis 2 of the ply to the normal of the fracture plane,
+    /// positive towards axis 3 [degrees]; empty if unknown.
+    std::optional<double> angle;
+    /// Stress error: |element stress - recovered stress| / |recovered stress|.
+    double stress_discrepancy = 0.;
+  };
+
+  /// Smallest reserve factor of a ply in one cross-section of a beam.
+  struct ReserveAlong
+  {
+    unsigned int     body = 0; ///< Index of the body in the scene, from 0.
+    unsigned int     ply  = 0; ///< Index of the ply, from 0 at the bottom.
+    double           s = 0.; ///< Distance from the start of the axis [length].
+    dealii::Point<3> position; ///< Point of the undeformed axis [length].
+    /// Largest inverse reserve factor by element stresses in the cross-section;
+    /// empty if an excluded box of `subsection Strength` contains it.
+    std::optional<double> inverse_reserve;
+  };
+
+  /// Results at one load factor that the search for first ply failure tried.
+  struct FailureTrial
+  {
+    double load_factor = 0.; ///< Multiplier of all loads of the scene.
+    /// Smallest reserve factor of all plies; empty if no ply can fail.
+    std::optional<double> reserve;
+    Checks                checks; ///< Reactions, contact forces and residuals.
+    /// Fields at each probe, one entry per ply, as in StepResults::probes.
+    std::vector<std::vector<FieldRow>> probes;
+  };
+
+  /// Result of the search for the load factor of first ply failure, at which
+  /// the smallest reserve factor is 1.
+  struct FirstFailure
+  {
+    double safe    = 0.; ///< Largest load factor found at which no ply fails.
+    double failing = 0.; ///< Smallest load factor found at which a ply fails.
+    /// The ply that fails at `failing`; empty if no failure was found.
+    std::optional<PlyReserve> where;
+    /// Load factors tried in the search, except those without a solution.
+    std::vector<FailureTrial> trials;
+    /// Warnings about the solution at `failing`, one sentence each.
+    std::vector<std::string> warnings;
+  };
+
   /// Results of one contact constraint at the end of a load step.
   struct ContactRow
   {

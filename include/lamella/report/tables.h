@@ -3,7 +3,9 @@
 #ifndef lamella_report_tables_h
 #define lamella_report_tables_h
 
+#include <lamella/body/body.h>
 #include <lamella/recover/results.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <map>
 #include <string>
@@ -35,6 +37,43 @@ namespace lamella
   /// factor, forces and displacements as in history.csv.
   std::string
   failure_table(const Results &results);
+
+  /// Returns the CSV column names common to the tables of probes, lines and
+  /// cuts: `body,ply,x,y,z` and field components (field_names()); no newline.
+  std::string
+  fields_header();
+
+  /// Returns the values of @p row in the columns of fields_header(), without a
+  /// newline; plies are numbered from 1.
+  std::string
+  fields_line(const FieldRow &row);
+
+  /// Returns @p value with at most 15 significant digits, in any locale.
+  std::string
+  csv(const double value);
+
+  /// Returns the content of fields.csv: the number of section functions (terms
+  /// of the expansion over the cross-section) at each axis node of each beam. A
+  /// line per node has the columns
+  ///   body, node (from 1), s (distance from the first node), x, y, z
+  ///   (undeformed position), fields (number of section functions).
+  std::string
+  fields_of_nodes(const Bodies &bodies);
+
+  /// Returns the mesh of a section as CSV for plots. Each cell has a line with
+  /// number, ply (from 1), material and fiber angle [degrees], and a line for
+  /// each of its four sides, counter-clockwise. The line of a side has the name
+  /// of the boundary (empty inside) and points `x z;x z;...` in section axes:
+  /// two ends, and seven points between them if the side is curved.
+  std::string
+  section_table(const SectionMesh &section);
+
+  /// Writes section_table() to sections/NAME.csv in the folder @p directory.
+  /// Throws InputError on failure.
+  void
+  write_section(const std::string &directory,
+                const std::string &name,
+                const SectionMesh &section);
 } // namespace lamella
 
 #endif

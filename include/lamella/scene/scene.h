@@ -125,6 +125,16 @@ namespace lamella
   /// Throws InputError for invalid shapes or mesh files and distorted cells.
   SectionMeshes
   build_section_meshes(const Scene &scene);
+
+  /// Returns the subsection (such as `Load push`) of the first support, load or
+  /// obstacle of @p scene that has own load factors for the load steps (entry
+  /// `Factors`) instead of the common ones; empty if there is none.
+  std::string
+  first_with_factors(const Scene &scene);
+
+  /// Returns the first contact of @p scene with friction, or a null pointer.
+  const ContactPair *
+  first_with_friction(const Scene &scene);
 } // namespace lamella
 
 #endif

@@ -8,7 +8,7 @@
 #include <lamella/export/calculix_contact.h>
 #include <lamella/export/calculix_deck.h>
 #include <lamella/recover/box_points.h>
-#include <lamella/scene/histories.h>
+#include <lamella/scene/scene.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_scene_size_check_h
-#define lamella_scene_size_check_h
+#ifndef lamella_scene_scene_checks_h
+#define lamella_scene_scene_checks_h
 
+#include <lamella/base/entry.h>
 #include <lamella/scene/scene.h>
 
 namespace lamella
@@ -17,6 +18,13 @@ namespace lamella
   /// above 2e5 DoFs are checked; MemoryBudget checks all after meshing.
   void
   check_sizes(const Scene &scene);
+
+  /// Throws InputError for entries of @p scene that do not fit its friction:
+  /// - with friction, a tolerance of goals;
+  /// - without friction, `Substeps` other than 1 (a top-level entry in @p in);
+  /// - a goal or Trade quantity `dissipated` of a contact without friction.
+  void
+  check_friction(const Scene &scene, const Entries &in);
 } // namespace lamella
 
 #endif
