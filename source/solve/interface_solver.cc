@@ -338,13 +338,16 @@ namespace lamella
 
 
 
+  // A force of rounding is none: points that cannot move, between supports, get
+  // such forces of either sign.
   LawError
   law_error(const InterfacePoints &points,
             const PointVectors    &force,
             const PointVectors    &v)
   {
-    LawError result;
-    double   size = 0.;
+    LawError            result;
+    std::vector<double> pressed;
+    double              size = 0.;
     for (unsigned int i = 0; i < force.size(); ++i)
       {
         const Trial        at      = trial(points, i, force[i], v[i]);
@@ -359,9 +362,13 @@ namespace lamella
           }
         result.states.push_back(at.response.state);
         result.of_point.push_back(largest);
+        pressed.push_back(at.z[0] / std::sqrt(at.D[0][0]));
       }
-    for (double &error : result.of_point)
+    for (unsigned int i = 0; i < force.size(); ++i)
       {
+        if (pressed[i] <= arithmetic::rounding * size)
+          result.states[i] = PointState::open;
+        double &error  = result.of_point[i];
         error          = size > 0. ? error / size : 0.;
         result.largest = std::max(result.largest, error);
       }
