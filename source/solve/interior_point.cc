@@ -481,18 +481,19 @@ namespace lamella
     InteriorPoint::solve(const Monitor &monitor)
     {
       // Rounding errors of the products end their decrease.
-      constexpr double slow = 0.9, small = arithmetic::rounding_of_solutions;
+      constexpr double slow = 0.5, small = arithmetic::rounding_of_solutions;
       constexpr unsigned int patience = 5;
       begin();
-      unsigned int idle = 0;
+      unsigned int idle  = 0;
+      double       least = 1.;
       for (unsigned int k = 0;
            force_scale > 0. && k < parameters.max_iterations;
            ++k)
         {
-          const double before = normal_product;
           evaluate(k == 0);
           const double left = normal_product / (length_scale * force_scale);
-          idle = left < small && normal_product > slow * before ? idle + 1 : 0;
+          idle  = left < small && left > slow * least ? idle + 1 : 0;
+          least = std::min(least, left);
           if (left <= parameters.tolerance || idle == patience)
             break;
           step();

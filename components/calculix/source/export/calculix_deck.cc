@@ -90,22 +90,6 @@ namespace lamella
 
 
 
-    /// Throws InputError for obstacles under a given force.
-    void
-    check_obstacles(const Scene &scene)
-    {
-      for (const auto &obstacle : scene.obstacles)
-        if (obstacle->body)
-          throw InputError("Obstacle " + obstacle->name + "/Force",
-                           to_text(obstacle->force),
-                           "export.force-on-obstacle: obstacles of the "
-                           "exported file have prescribed displacements",
-                           "Solve the scene, and export it with u, the "
-                           "displacement of the obstacle that was found.");
-    }
-
-
-
     Deck::Deck(const Scene                 &scene,
                const std::string           &element,
                const std::optional<double> &contact_stiffness)
@@ -115,7 +99,6 @@ namespace lamella
       , contacts(scene, mesh, contact_stiffness)
     {
       check_histories(scene);
-      check_obstacles(scene);
       for (const Probe &probe : scene.probes)
         {
           probes.push_back({&probe,

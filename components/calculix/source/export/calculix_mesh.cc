@@ -126,10 +126,30 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Throws InputError for obstacles under a given force.
+    void
+    check_obstacles(const Scene &scene)
+    {
+      for (const auto &obstacle : scene.obstacles)
+        if (obstacle->body)
+          throw InputError("Obstacle " + obstacle->name + "/Force",
+                           to_text(obstacle->force),
+                           "export.force-on-obstacle: obstacles of the "
+                           "exported file have prescribed displacements",
+                           "Solve the scene, and export it with u, the "
+                           "displacement of the obstacle that was found.");
+    }
+  } // namespace
+
+
+
   CalculixMesh::CalculixMesh(const Scene &scene, const CalculixElement &element)
     : scene(scene)
     , element_type(element)
   {
+    check_obstacles(scene);
     Scene      solid  = with_solids(scene, element.degree());
     const auto meshes = build_section_meshes(solid);
     grade_axes(solid.bodies,
