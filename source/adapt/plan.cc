@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/plan.h>
-#include <lamella/adapt/singularities.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
 #include <lamella/body/beam.h>
 #include <lamella/linear/linear_solver.h>
+#include <lamella/section/corners.h>
 
 #include <algorithm>
 #include <cmath>

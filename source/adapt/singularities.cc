@@ -6,7 +6,7 @@
 #include <lamella/body/beam.h>
 #include <lamella/body/surface_names.h>
 #include <lamella/body/surface_topology.h>
-#include <lamella/shape/corner_layers.h>
+#include <lamella/section/corners.h>
 
 #include <algorithm>
 #include <array>
@@ -252,17 +252,5 @@ namespace lamella
       return "at a re-entrant corner of a section, and where plies that differ "
              "end at a side, stresses have no limit";
     return "";
-  }
-
-
-
-  std::vector<dealii::Point<2>>
-  corners_of(const Section &section)
-  {
-    const SectionMesh            &mesh = section.element().section_mesh();
-    std::vector<dealii::Point<2>> corners;
-    for (const unsigned int vertex : singular_corners(mesh))
-      corners.push_back(mesh.mesh.get_vertices()[vertex]);
-    return corners;
   }
 } // namespace lamella

@@ -6,7 +6,6 @@
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>
 #include <lamella/contact/contact_pair.h>
-#include <lamella/section/section.h>
 
 #include <string>
 #include <vector>
@@ -35,11 +34,6 @@ namespace lamella
                      const std::vector<Support>     &supports,
                      const std::vector<Load>        &loads,
                      const std::vector<ContactPair> &contacts);
-
-  /// Returns the positions (x, z) of the points of @p section with singular
-  /// stresses: re-entrant corners, and ends of ply interfaces on the boundary.
-  std::vector<dealii::Point<2>>
-  corners_of(const Section &section);
 } // namespace lamella
 
 #endif

@@ -73,6 +73,22 @@ namespace lamella
         texts.push_back(calculix_number(value));
       return joined(texts) + "\n";
     }
+
+
+
+    /// Throws InputError for obstacles under a given force.
+    void
+    check_obstacles(const Scene &scene)
+    {
+      for (const auto &obstacle : scene.obstacles)
+        if (obstacle->body)
+          throw InputError("Obstacle " + obstacle->name + "/Force",
+                           to_text(obstacle->force),
+                           "export.force-on-obstacle: obstacles of the "
+                           "exported file have prescribed displacements",
+                           "Solve the scene, and export it with u, the "
+                           "displacement of the obstacle that was found.");
+    }
   } // namespace
 
 
@@ -123,25 +139,6 @@ namespace lamella
     for (const unsigned int number : set)
       deck << number << (++n == set.size() || n % 16 == 0 ? ",\n" : ", ");
   }
-
-
-
-  namespace
-  {
-    /// Throws InputError for obstacles under a given force.
-    void
-    check_obstacles(const Scene &scene)
-    {
-      for (const auto &obstacle : scene.obstacles)
-        if (obstacle->body)
-          throw InputError("Obstacle " + obstacle->name + "/Force",
-                           to_text(obstacle->force),
-                           "export.force-on-obstacle: obstacles of the "
-                           "exported file have prescribed displacements",
-                           "Solve the scene, and export it with u, the "
-                           "displacement of the obstacle that was found.");
-    }
-  } // namespace
 
 
 
