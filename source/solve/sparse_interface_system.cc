@@ -72,9 +72,8 @@ namespace lamella
     // slenderness.
     constexpr double slender = 1e-4;
     InterfacePoints  points;
-    double           mean = 0.;
-    points.about          = problem.forces();
-    points.closed         = problem.closed;
+    points.about  = problem.forces();
+    points.closed = problem.closed;
     for (unsigned int r = 0; r < rows.size(); ++r)
       {
         const double d        = compliance(rows[r]),
@@ -83,17 +82,14 @@ namespace lamella
         points.n_slips.push_back(rows[r].slips.size());
         points.law.push_back(law_of(rows[r]));
         points.compliance.push_back(d);
+        points.stiffness.push_back({{soft, soft}});
         points.spring.push_back(soft);
-        mean += soft / rows.size();
         Tensor<1, 3> estimate;
         estimate[0] = problem.estimate[r];
         for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
           estimate[1 + t] = problem.shear[r][t];
         points.shift.push_back(proximal * estimate);
       }
-    // One for all, as local compliances differ between nodes of the axis and
-    // points between them.
-    points.stiffness.assign(rows.size(), {{mean, mean}});
     return points;
   }
 

@@ -8,7 +8,7 @@
 #include "fixtures.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/report/section_table.h>
+#include <lamella/report/tables.h>
 #include <lamella/section/theory_limits.h>
 #include <lamella/shape/corner_layers.h>
 #include <lamella/shape/parameters.h>
