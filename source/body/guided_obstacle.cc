@@ -111,5 +111,4 @@ namespace lamella
   {
     return Body::solver_of(terms, constraints, SolverKind::automatic, monitor);
   }
-
 } // namespace lamella

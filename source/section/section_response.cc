@@ -34,7 +34,7 @@ namespace lamella
 
 
 
-    /// What is freed with CHOLMOD's @p free.
+    /// Object of CHOLMOD, freed by its function @p free.
     template <typename T, typename Free>
     auto
     owned(T *object, cholmod_common &common, const Free &free)

@@ -307,7 +307,7 @@ namespace lamella
 
   namespace
   {
-    /// What @p columns move the point @p point by, one after the other.
+    /// Displacements of the point @p point due to @p columns, in turn.
     std::vector<Tensor<1, 3>>
     displacements(const SectionPoint &point, const FieldColumns &columns)
     {

@@ -254,7 +254,7 @@ namespace lamella
                                        const std::vector<unsigned int> &part,
                                        ContactSolution &solution)
   {
-    const bool          rubs = !problem.slip.empty();
+    const bool          has_friction = !problem.slip.empty();
     std::vector<double> before;
     PointVectors        start;
     for (const unsigned int r : part)
@@ -264,17 +264,17 @@ namespace lamella
           before.push_back(problem.shear[r][a]);
         Tensor<1, 3> force;
         force[0] = solution.force[r];
-        start.push_back(rubs ? problem.first_forces[r] : force);
+        start.push_back(has_friction ? problem.first_forces[r] : force);
       }
     const CoulombProblem    small = coulomb_problem(problem, part, before);
-    const InterfaceSolution found = rubs ?
+    const InterfaceSolution found = has_friction ?
                                       solve_coulomb(small, start) :
                                       frictionless(problem, part, small, start);
     check_law(found);
 
     solution.is_unstable = found.stability < 0;
     solution.active.clear();
-    if (rubs)
+    if (has_friction)
       solution.direction.assign(rows.size(), {});
     for (std::size_t i = 0; i < part.size(); ++i)
       solution.store(part[i], found.states[i], found.force[i]);

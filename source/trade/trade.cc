@@ -313,8 +313,8 @@ namespace lamella
 
 
 
-    /// Whether the theory of @p one holds that of @p other. Runs to a tolerance
-    /// hold those to a larger one, and no others.
+    /// Returns true if the theory of @p one contains that of @p other. Runs to
+    /// a tolerance hold those to a larger one, and no others.
     bool
     holds(const VariantResult &one, const VariantResult &other)
     {

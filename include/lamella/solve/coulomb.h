@@ -37,7 +37,7 @@ namespace lamella
     /// Smallest compliance, and its factor after a proximal iteration that
     /// leaves more than this fraction of the error.
     double least_compliance = 1e-10, slow = 0.1;
-    /// Its value for the stability test.
+    /// Compliance of each point for the stability test, in the same unit.
     double       stability_compliance = 1e-4;
     unsigned int max_rounds = 30; ///< Maximum number of proximal iterations.
     /// Proximal iterations end after this number without a smaller error.
