@@ -270,7 +270,7 @@ namespace lamella
     const InterfaceSolution found = has_friction ?
                                       solve_coulomb(small, start) :
                                       frictionless(problem, part, small, start);
-    check_law(found);
+    check_law(found, has_friction);
 
     solution.is_unstable = found.stability < 0;
     solution.active.clear();

@@ -107,7 +107,9 @@ namespace lamella
       tangent_operator, rows, numerical_compliance, problem, matrix);
     const InterfaceSolution found =
       solve_interface(system, system.points(), start, monitor, rules);
-    check_law(found);
+    check_law(found, rows.has_friction());
+    if (!(found.error < rules.tolerance))
+      system.move_to(found.force);
     ContactSolution   result;
     std::vector<bool> moved(system.displacement().n_blocks(), false);
     result.force.assign(rows.size(), 0.);

@@ -378,15 +378,22 @@ namespace lamella
 
 
   void
-  check_law(const InterfaceSolution &found)
+  check_law(const InterfaceSolution &found, const bool has_friction)
   {
     // Tolerance over the scale of the problem.
     constexpr double sound = 1e-6;
-    if (!(found.error <= sound))
-      throw NumericsError(
-        "solve.friction-not-converged: The contact iteration with friction "
-        "did not converge: Coulomb's law has the relative error " +
-        to_text(found.error, 2) + friction_remedy);
+    if (found.error <= sound)
+      return;
+    const std::string error = to_text(found.error, 2);
+    throw NumericsError(
+      has_friction ?
+        "solve.friction-not-converged: The contact iteration with friction did "
+        "not converge: Coulomb's law has the relative error " +
+          error + friction_remedy :
+        "solve.not-converged: The contact iteration did not converge: the "
+        "conditions of contact have the relative error " +
+          error +
+          ". Try a finer mesh at the contact edge, or Enforcement = penalty.");
   }
 
 

@@ -144,6 +144,18 @@ namespace lamella
       {
         return force[i][0] * length_scale > slack[i] * force_scale;
       }
+      /// Returns whether the shear force of point @p i is as large as its
+      /// bound, from which all iterates keep a small distance.
+      bool
+      is_slipping(const unsigned int i) const
+      {
+        constexpr double near = 0.02;
+        return has_shear[i] && room[i] < near * bound[i] * bound[i];
+      }
+      /// Completes the states of the last iterate: open points get no force,
+      /// slipping points the shear force of the bound.
+      void
+      complete();
       Round
       round() const;
 
@@ -464,6 +476,21 @@ namespace lamella
 
 
 
+    // Newton's method takes a slipping point with less than its bound for a
+    // sticking one if its slip is small.
+    void
+    InteriorPoint::complete()
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        if (!is_closed(i))
+          force[i] = {};
+        else if (is_slipping(i))
+          force[i] += (bound[i] / tangential_norm(force[i]) - 1.) *
+                      tangential_part(force[i]);
+    }
+
+
+
     Round
     InteriorPoint::round() const
     {
@@ -499,9 +526,7 @@ namespace lamella
           step();
           monitor(round());
         }
-      for (unsigned int i = 0; i < n; ++i)
-        if (!is_closed(i))
-          force[i] = {};
+      complete();
       return unscaled(force);
     }
   } // namespace

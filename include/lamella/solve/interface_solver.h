@@ -83,9 +83,10 @@ namespace lamella
             const PointVectors    &force,
             const PointVectors    &v);
 
-  /// Throws NumericsError if @p found violates the laws by more than 1e-6.
+  /// Throws NumericsError if @p found violates the laws, with friction or
+  /// without, by more than 1e-6.
   void
-  check_law(const InterfaceSolution &found);
+  check_law(const InterfaceSolution &found, const bool has_friction);
 
   /// Returns the sign of the determinant of Newton's matrix at the contact
   /// forces @p force (InterfaceSolution::stability).
