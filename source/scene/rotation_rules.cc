@@ -233,11 +233,6 @@ namespace lamella
   with_finite_rotations(Scene scene)
   {
     scene.solve.rotations = Rotations::large;
-    if (scene.solve.strategy == Strategy::full)
-      refuse("Contact strategy",
-             name_of(scene.solve.strategy),
-             rule,
-             "Take condensed.");
     for (BodyDescription &body : scene.bodies)
       {
         check_body(body);

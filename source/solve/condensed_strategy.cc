@@ -386,10 +386,32 @@ namespace lamella
 
 
 
+  // The problem about the displacements that balance the residual.
+  ContactSolution
+  CondensedStrategy::solve_balanced(ContactProblem problem,
+                                    const Monitor &monitor)
+  {
+    const BlockVector du = tangent_operator.solve(problem.residual);
+    problem.residual.reinit(0);
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      {
+        problem.gap[r] += rows[r].jump(du);
+        for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
+          problem.slip[r][t] += rows[r].slips[t].jump(du);
+      }
+    ContactSolution solution = solve(problem, monitor);
+    solution.du += du;
+    return solution;
+  }
+
+
+
   ContactSolution
   CondensedStrategy::solve(const ContactProblem &problem,
                            const Monitor        &monitor)
   {
+    if (problem.residual.size() > 0)
+      return solve_balanced(problem, monitor);
     ContactSolution solution;
     solution.du     = tangent_operator.of().zero();
     solution.force  = problem.force;

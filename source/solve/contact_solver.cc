@@ -97,11 +97,13 @@ namespace lamella
     ContactProblem            problem = first_problem(state, factor, previous);
     double                    before  = std::numeric_limits<double>::max();
     std::vector<unsigned int> last;
+    unsigned int              not_counted = 0;
     while (true)
       {
         const ContactSolution found =
           strategy->solve(problem, [&](const Round &round) {
-            watch(round, state.iterations);
+            not_counted += !round.counts;
+            watch(round, not_counted, state.iterations);
           });
         if (state.iterations == 0)
           return state;
@@ -120,7 +122,7 @@ namespace lamella
                correct_active_set(state, factor)) ||
                 multipliers_are_reliable(state, settled, factor))
           return state;
-        check_iterations(state.iterations,
+        check_iterations(state.iterations - not_counted,
                          sorted_union(sorted_union(missed.tensile,
                                                    missed.penetrating),
                                       missed.friction_violations));
@@ -628,7 +630,9 @@ namespace lamella
 
   // Counts rounds of the strategy and reports them.
   void
-  ContactSolver::watch(const Round &round, unsigned int &iterations) const
+  ContactSolver::watch(const Round       &round,
+                       const unsigned int not_counted,
+                       unsigned int      &iterations) const
   {
     ++iterations;
     progress("iteration " + std::to_string(iterations) + ": " +
@@ -638,7 +642,7 @@ namespace lamella
                 "" :
                 ", gaps off by up to " + to_text(round.violation, 3)));
     if (!round.changed.empty())
-      check_iterations(iterations, round.changed);
+      check_iterations(iterations - not_counted, round.changed);
   }
 
 

@@ -111,10 +111,11 @@ namespace lamella
 
 
 
-  void
+  bool
   DenseInterfaceSystem::move_to(const PointVectors &force)
   {
     v = lengths_of(force);
+    return true;
   }
 
 

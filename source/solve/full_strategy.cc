@@ -85,13 +85,47 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Returns the solution of @p problem with the forces @p found and the
+    /// displacement increment @p du.
+    ContactSolution
+    solution_of(const ContactProblem    &problem,
+                const GapConstraints    &rows,
+                const InterfaceSolution &found,
+                const BlockVector       &du)
+    {
+      const PointVectors before = problem.forces();
+      ContactSolution    result;
+      std::vector<bool>  moved(du.n_blocks(), problem.residual.size() > 0);
+      result.force.assign(rows.size(), 0.);
+      result.shear.assign(rows.size(), {});
+      result.direction.assign(rows.size(), {});
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        {
+          result.store(r, found.states[r], found.force[r]);
+          if (found.force[r] != before[r])
+            for (const BodyFunctional &part : rows[r].parts)
+              moved[part.body] = true;
+        }
+      result.is_unstable = found.stability < 0;
+      result.du          = du;
+      // Bodies without a change of forces have only rounding in du.
+      for (unsigned int b = 0; b < moved.size(); ++b)
+        if (!moved[b])
+          result.du.block(b) = 0.;
+      return result;
+    }
+  } // namespace
+
+
+
   // Newton's method from the forces of the previous load step; without them, or
   // if it does not converge soon, from the result of the interior point.
   ContactSolution
   FullStrategy::solve(const ContactProblem &problem, const Monitor &monitor)
   {
-    const PointVectors before = problem.forces();
-    PointVectors       start(rows.size());
+    PointVectors start(rows.size());
     if (!problem.first_forces.empty())
       start = problem.first_forces;
     else
@@ -101,7 +135,7 @@ namespace lamella
     rules.tolerance        = arithmetic::rounding_of_solutions;
     rules.extra_iterations = 0;
     if (largest_component(start) == 0.)
-      rules.first_iterations = 0;
+      rules.first_iterations = problem.residual.size() > 0 ? 1 : 0;
 
     SparseInterfaceSystem system(
       tangent_operator, rows, numerical_compliance, problem, matrix);
@@ -110,24 +144,6 @@ namespace lamella
     check_law(found, rows.has_friction());
     if (!(found.error < rules.tolerance))
       system.move_to(found.force);
-    ContactSolution   result;
-    std::vector<bool> moved(system.displacement().n_blocks(), false);
-    result.force.assign(rows.size(), 0.);
-    result.shear.assign(rows.size(), {});
-    result.direction.assign(rows.size(), {});
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      {
-        result.store(r, found.states[r], found.force[r]);
-        if (found.force[r] != before[r])
-          for (const BodyFunctional &part : rows[r].parts)
-            moved[part.body] = true;
-      }
-    result.is_unstable = found.stability < 0;
-    result.du          = system.displacement();
-    // Bodies without a change of forces have only rounding in du.
-    for (unsigned int b = 0; b < moved.size(); ++b)
-      if (!moved[b])
-        result.du.block(b) = 0.;
-    return result;
+    return solution_of(problem, rows, found, system.displacement());
   }
 } // namespace lamella

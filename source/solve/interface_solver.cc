@@ -426,9 +426,10 @@ namespace lamella
       best.offer(found);
       return best.error < rules.tolerance;
     };
-    system.move_to(start);
-    const LawError at_start = law_error(points, start, system.lengths());
-    if (largest_component(start) == 0. && at_start.largest == 0.)
+    const bool     is_equilibrium = system.move_to(start);
+    const LawError at_start       = law_error(points, start, system.lengths());
+    if (is_equilibrium && largest_component(start) == 0. &&
+        at_start.largest == 0.)
       {
         best.error  = 0.;
         best.states = at_start.states;

@@ -149,8 +149,8 @@ namespace lamella
       bool
       is_slipping(const unsigned int i) const
       {
-        constexpr double near = 0.02;
-        return has_shear[i] && room[i] < near * bound[i] * bound[i];
+        return has_shear[i] &&
+               tangential_norm(force[i]) > inside * inside * bound[i];
       }
       /// Completes the states of the last iterate: open points get no force,
       /// slipping points the shear force of the bound.
@@ -158,6 +158,9 @@ namespace lamella
       complete();
       Round
       round() const;
+
+      /// Largest shear force of an iterate over its bound.
+      static constexpr double inside = 0.995;
 
       InterfaceSystem              &system;
       const InterfacePoints        &points;
@@ -254,9 +257,9 @@ namespace lamella
     void
     InteriorPoint::evaluate(const bool is_first)
     {
-      constexpr double   inside = 0.995, least = arithmetic::rounding;
-      const double       last = normal_product;
-      const PointVectors v    = gaps();
+      constexpr double   least = arithmetic::rounding;
+      const double       last  = normal_product;
+      const PointVectors v     = gaps();
       residual.assign(n, {});
       has_shear.resize(n, false);
       bound.assign(n, 0.);
@@ -497,6 +500,7 @@ namespace lamella
       Round result;
       for (unsigned int i = 0; i < n; ++i)
         result.active += is_closed(i);
+      result.counts = false;
       result.changed.push_back(0);
       result.violation = (normal_product + shear_product) / force_scale;
       return result;

@@ -22,7 +22,11 @@ namespace lamella
                        const TangentOperator::BodyMonitor &monitor,
                        TimerOutput                        &timer)
     : structure(structure)
-    , newton(structure, contacts, parameters.solver, parameters.newton)
+    , newton(structure,
+             contacts,
+             parameters.solver,
+             parameters.newton,
+             parameters.strategy)
     , n_supports(n_supports)
     , parameters(parameters)
     , timer(timer)

@@ -53,12 +53,14 @@ namespace lamella
   Newton::Newton(const Structure        &structure,
                  const MovingContacts   &contacts,
                  const SolverKind        requested,
-                 const NewtonParameters &parameters)
+                 const NewtonParameters &parameters,
+                 const Strategy          strategy)
     : progress([](const std::string &) {})
     , structure(structure)
     , contacts(contacts)
     , requested(requested)
     , parameters(parameters)
+    , strategy(strategy)
   {}
 
 

@@ -56,10 +56,12 @@ namespace lamella
   ContactSolution
   Newton::solve_contact(ContactStrategy      &strategy,
                         const GapConstraints &rows,
+                        const BlockVector    &r,
                         const LoadFactor     &to,
                         State                &state) const
   {
     ContactProblem problem;
+    problem.residual = r;
     for (const GapConstraint &row : rows)
       problem.gap.push_back(row.gap(state.u, to));
     problem.force = problem.estimate = state.force;
@@ -69,7 +71,7 @@ namespace lamella
       add_friction(rows, state, to, problem);
     ContactSolution found =
       strategy.solve(problem, [this, rounds = 0u](const Round &round) mutable {
-        if (++rounds > parameters.max_iterations)
+        if (round.counts && ++rounds > parameters.max_iterations)
           throw NumericsError(
             "solve.not-converged: The contact did not converge in " +
             std::to_string(rounds - 1) +
@@ -215,29 +217,29 @@ namespace lamella
       tangent(state, correction, to, regularization);
     const auto       &shift    = regularization.shift;
     const BlockVector before   = state.u;
-    BlockVector       du       = about.solve(r);
+    BlockVector       du       = moved;
     bool              unstable = false;
-    du += moved;
-    if (!contacts.none())
+    if (contacts.none())
+      du += about.solve(r);
+    else
       {
         const GapConstraints rows = shift ? shift->rows() : contacts.rows();
-        const auto strategy = make_strategy(Strategy::condensed, about, rows);
+        const auto           solver =
+          make_strategy(choose_strategy(strategy, structure, rows),
+                        about,
+                        rows);
         // Gaps are linear in du, so states add up in the contact problem.
         if (shift)
           shift->remove_shift(sum_of(before, moved), to, state);
         state.u += du;
         const ContactSolution transfer =
-          solve_contact(*strategy, rows, to, state);
+          solve_contact(*solver, rows, r, to, state);
         du += transfer.du;
         unstable = transfer.is_unstable;
         if (shift)
           shift->apply_shift(sum_of(before, du), to, state);
-        du = correct_row_rotation(*strategy,
-                                  before,
-                                  du,
-                                  regularization.regularization_factor,
-                                  to,
-                                  state);
+        du = correct_row_rotation(
+          *solver, before, du, regularization.regularization_factor, to, state);
       }
     shorten(du);
     state.u = structure.retract(before, du);

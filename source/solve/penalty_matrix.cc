@@ -19,11 +19,12 @@ namespace lamella
   PenaltyMatrix::PenaltyMatrix(const TangentOperator &tangent_operator,
                                const GapConstraints  &rows,
                                const Symmetry         symmetry)
-    : structure(tangent_operator.of())
+    : tangent_operator(tangent_operator)
+    , structure(tangent_operator.of())
     , rows(rows)
     , symmetry(symmetry)
   {
-    assemble_stiffness(tangent_operator);
+    assemble_stiffness();
   }
 
 
@@ -34,7 +35,8 @@ namespace lamella
     const auto &blocks = structure.blocks();
     Constraints all;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      for (const auto &line : structure.reduction(b).constraints().get_lines())
+      for (const auto &line :
+           tangent_operator.reduction(b).constraints().get_lines())
         {
           const DofIndex dof = blocks.local_to_global(b, line.index);
           all.add_line(dof);
@@ -166,7 +168,7 @@ namespace lamella
 
 
   void
-  PenaltyMatrix::assemble_stiffness(const TangentOperator &tangent_operator)
+  PenaltyMatrix::assemble_stiffness()
   {
     const DofIndex n        = structure.n_dofs();
     constraints             = constraints_of_all();
@@ -346,13 +348,33 @@ namespace lamella
   PenaltyMatrix::solve(BlockVector f) const
   {
     Assert(is_factorized, ExcMessage("Nothing is factorized."));
-    structure.condense(f);
+    tangent_operator.condense(f);
     Vector x(f.size());
     std::copy(f.begin(), f.end(), x.begin());
     factor->solve(x);
     constraints.distribute(x);
     std::copy(x.begin(), x.end(), f.begin());
     return f;
+  }
+
+
+
+  BlockVector
+  PenaltyMatrix::apply(const BlockVector &w) const
+  {
+    BlockVector product(w);
+    product = 0.;
+    for_each_own_row(stiffness,
+                     [&](const DofIndex      row,
+                         const Dofs         &columns,
+                         const double *const values) {
+                       for (unsigned int k = 0; k < columns.size(); ++k)
+                         if (!constraints.is_constrained(row))
+                           product[row] += values[k] * w[columns[k]];
+                     });
+    for (unsigned int b = 0; b < product.n_blocks(); ++b)
+      sum_over_processes(product.block(b));
+    return product;
   }
 
 

@@ -4,9 +4,10 @@
 #include <lamella/solve/sparse_interface_system.h>
 
 // Newton step of the bodies with all contact forces eliminated:
-//   (K + B^T D B) du = B^T (lambda - lambda_state) - K du_k.
+//   (K + B^T D B) du = r + B^T (lambda - lambda_state) - K du_k.
 // The right-hand side is a residual at the iterate, K du from strains, so that
-// rounding of the factors does not accumulate.
+// rounding of the factors does not accumulate. In Newton's method for large
+// rotations, which corrects rounding errors, K du is from the matrix.
 namespace lamella
 {
   using namespace dealii;
@@ -69,9 +70,8 @@ namespace lamella
   SparseInterfaceSystem::points() const
   {
     // Bodies are softer in bending than at a point, by the square of the
-    // slenderness. The springs that start the interior point may be ten
-    // times stiffer (doc/verification/contact-solver.md).
-    constexpr double slender = 1e-4, spring = 10.;
+    // slenderness.
+    constexpr double slender = 1e-4, spring = 1e-3;
     InterfacePoints  points;
     points.about  = problem.forces();
     points.closed = problem.closed;
@@ -79,12 +79,13 @@ namespace lamella
       {
         const double d        = compliance(rows[r]),
                      proximal = d - law_compliance(rows[r]),
-                     soft     = slender / (matrix.local_compliance(r) + d);
+                     local    = 1. / (matrix.local_compliance(r) + d),
+                     soft     = slender * local;
         points.n_slips.push_back(rows[r].slips.size());
         points.law.push_back(law_of(rows[r]));
         points.compliance.push_back(d);
         points.stiffness.push_back({{soft, soft}});
-        points.spring.push_back(spring * soft);
+        points.spring.push_back(spring * local);
         Tensor<1, 3> estimate;
         estimate[0] = problem.estimate[r];
         for (unsigned int t = 0; t < rows[r].slips.size(); ++t)
@@ -155,16 +156,17 @@ namespace lamella
 
 
 
-  void
+  bool
   SparseInterfaceSystem::move_to(const PointVectors &force)
   {
     du   = 0.;
     K_du = 0.;
     if (force == problem.forces())
-      return;
+      return problem.residual.size() == 0;
     matrix.factorize({});
     solve(force);
     advance(1.);
+    return true;
   }
 
 
@@ -172,7 +174,8 @@ namespace lamella
   PointVectors
   SparseInterfaceSystem::solve(const PointVectors &force)
   {
-    BlockVector f = tangent_operator.of().zero();
+    BlockVector f = problem.residual.size() > 0 ? problem.residual :
+                                                  tangent_operator.of().zero();
     f -= K_du;
     add_contact_forces(rows, problem, force, f);
     step = (symmetric ? *symmetric : matrix).solve(std::move(f));
@@ -185,7 +188,8 @@ namespace lamella
   SparseInterfaceSystem::advance(const double t)
   {
     du.add(t, step);
-    K_du = tangent_operator.apply(du);
+    K_du = tangent_operator.applies_terms() ? tangent_operator.apply(du) :
+                                              matrix.apply(du);
   }
 
 

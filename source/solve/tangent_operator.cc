@@ -28,12 +28,17 @@ namespace lamella
 {
   using dealii::Tensor;
 
-  TangentOperator::TangentOperator(const Structure   &structure,
-                                   const BlockVector &u,
-                                   const LoadFactor  &factor)
+  TangentOperator::TangentOperator(
+    const Structure                            &structure,
+    const BlockVector                          &u,
+    const LoadFactor                           &factor,
+    const BlockVector                          &correction,
+    const std::vector<std::vector<SpringTerm>> &more)
     : structure(structure)
     , state(u)
     , factor(factor)
+    , correction(correction)
+    , more(more)
   {
     move_supports();
   }
@@ -244,26 +249,19 @@ namespace lamella
     const BlockVector                          &correction,
     const LoadFactor                           &factor,
     const std::vector<std::vector<SpringTerm>> &more)
-    : TangentOperator(structure, u, factor)
+    : TangentOperator(structure, u, factor, correction, more)
   {
-    const Vector none;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       {
         const Body &body = *structure.bodies()[b];
         if (monitor.begins)
           monitor.begins(body);
-        auto springs = structure.spring_terms(b);
-        if (!more.empty())
-          springs.insert(springs.end(), more[b].begin(), more[b].end());
         try
           {
-            solvers.push_back(make_solver(b,
-                                          requested,
-                                          correction.n_blocks() > 0 ?
-                                            correction.block(b) :
-                                            none,
-                                          springs,
-                                          of_body(body, monitor)));
+            solvers.push_back(body.solver_of(terms(b),
+                                             reduction(b).constraints(),
+                                             requested,
+                                             of_body(body, monitor)));
           }
         catch (const NotPositiveDefinite &error)
           {
@@ -276,40 +274,29 @@ namespace lamella
 
 
 
-  // Terms of internal forces, springs and follower loads in one matrix, with
-  // the Cholesky factor as the test for positive definiteness.
-  std::unique_ptr<LinearSolver>
-  TangentOperator::make_solver(const unsigned int             body,
-                               const SolverKind               requested,
-                               const Vector                  &correction,
-                               const std::vector<SpringTerm> &springs,
-                               const SolverMonitor           &monitor) const
-  {
-    const Body        &one         = *structure.bodies()[body];
-    const Vector      &u           = state.block(body);
-    const Constraints &constraints = reduction(body).constraints();
-    StiffnessTerms     terms = stiffness_terms(one, u, correction, springs);
-    terms.has_loads          = structure.has_follower_loads(body);
-    if (terms.has_loads)
-      terms.for_each_block =
-        [&, of_stresses = terms.for_each_block](const bool  with_values,
-                                                const auto &use) {
-          of_stresses(with_values, use);
-          structure.for_each_block_of_loads(body, factor, u, with_values, use);
-        };
-    return one.solver_of(terms, constraints, requested, monitor);
-  }
-
-
-
-  // Terms without follower loads and without prediction of stresses.
+  // Terms of internal forces, springs and follower loads in one matrix.
   StiffnessTerms
   TangentOperator::terms(const unsigned int body) const
   {
-    return stiffness_terms(*structure.bodies()[body],
-                           state.block(body),
-                           undisplaced,
-                           structure.spring_terms(body));
+    auto springs = structure.spring_terms(body);
+    if (!more.empty())
+      springs.insert(springs.end(), more[body].begin(), more[body].end());
+    StiffnessTerms terms =
+      stiffness_terms(*structure.bodies()[body],
+                      state.block(body),
+                      correction.n_blocks() > 0 ? correction.block(body) :
+                                                  undisplaced,
+                      springs);
+    terms.has_loads = structure.has_follower_loads(body);
+    if (terms.has_loads)
+      terms.for_each_block =
+        [this, body, of_stresses = terms.for_each_block](const bool with_values,
+                                                         const auto &use) {
+          of_stresses(with_values, use);
+          structure.for_each_block_of_loads(
+            body, factor, state.block(body), with_values, use);
+        };
+    return terms;
   }
 
 

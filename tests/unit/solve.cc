@@ -7,7 +7,9 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/solve/checks.h>
+#include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/parameters.h>
+#include <lamella/solve/penalty_matrix.h>
 #include <lamella/solve/solution_check.h>
 
 #include <boost/test/unit_test.hpp>
@@ -142,6 +144,49 @@ BOOST_AUTO_TEST_CASE(condensed_and_full_agree)
   BOOST_TEST(difference.linfty_norm() < 1e-10 * full.u.linfty_norm());
   for (unsigned int i = 0; i < full.force.size(); ++i)
     BOOST_TEST(std::abs(condensed.force[i] - full.force[i]) < 1e-10);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(strategies_balance_the_residual)
+{
+  // Nodal forces that the state does not balance press a part of the faces
+  // together.
+  const TwoCubes       scene(press, 0.3);
+  const GapConstraints rows(scene.contacts);
+  const auto           about = linearized(*scene.structure);
+  ContactProblem       problem;
+  problem.gap.assign(rows.size(), gap);
+  problem.force = problem.estimate = std::vector<double>(rows.size(), 0.);
+  problem.residual                 = scene.structure->zero();
+  for (unsigned int i = 0; i < problem.residual.size(); ++i)
+    problem.residual[i] = E * side * gap * std::sin(1. + i * i);
+
+  std::vector<ContactSolution> found;
+  for (const Strategy which : {Strategy::condensed, Strategy::full})
+    {
+      found.push_back(
+        make_strategy(which, *about, rows)->solve(problem, [](const Round &) {
+        }));
+      BlockVector left = about->apply(found.back().du);
+      left *= -1.;
+      left += problem.residual;
+      for (const unsigned int r : found.back().active)
+        add_force(rows[r], found.back().force[r], {}, left);
+      about->condense(left);
+      BOOST_TEST(left.linfty_norm() < 1e-9 * problem.residual.linfty_norm());
+    }
+  BOOST_TEST(found[0].active == found[1].active);
+  BOOST_TEST(found[0].active.size() > 0u);
+  BOOST_TEST(found[0].active.size() < rows.size());
+
+  // The product of the assembled matrix is the one from strains.
+  BlockVector       by_strains = about->apply(found[0].du);
+  const BlockVector by_matrix =
+    PenaltyMatrix(*about, rows, Symmetry::definite).apply(found[0].du);
+  about->condense(by_strains);
+  by_strains -= by_matrix;
+  BOOST_TEST(by_strains.linfty_norm() < 1e-12 * by_matrix.linfty_norm());
 }
 
 

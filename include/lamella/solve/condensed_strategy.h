@@ -73,6 +73,10 @@ namespace lamella
     }
 
   private:
+    /// Returns the solution of @p problem, which has a residual.
+    ContactSolution
+    solve_balanced(ContactProblem problem, const Monitor &monitor);
+
     /// Returns the regularization d of gap or slip @p number [length / force]:
     /// NumericalCompliance, or 1e-8 of it for the method `exact`; at least
     /// 1e-10 of the diagonal entry of C, so that C + d is positive definite.

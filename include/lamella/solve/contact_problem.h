@@ -33,6 +33,8 @@ namespace lamella
     std::vector<dealii::Tensor<1, 2>> shear = {};
     /// Forces (n, t_1, t_2) at which the friction iteration starts.
     std::vector<dealii::Tensor<1, 3>> first_forces = {};
+    /// Unbalanced forces of the state, in all DoFs; empty for none.
+    BlockVector residual = BlockVector();
     /// Tolerance [length]: gaps from -closed to 0 are rounding errors of zero.
     double closed = 0.;
 
@@ -95,6 +97,9 @@ namespace lamella
     /// for the `full` strategy also tensile ones.
     std::vector<unsigned int> changed;
     double violation = 0.; ///< Largest violation of the contact law [length].
+    /// True if the entry `Maximum iterations` counts the round; false for steps
+    /// of the interior point method, which has a limit of its own.
+    bool counts = true;
   };
 
   /// Data of a contact strategy that a restarted run needs in addition to the

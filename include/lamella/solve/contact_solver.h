@@ -287,9 +287,12 @@ namespace lamella
     std::string
     describe_overlap() const;
 
-    /// Counts and reports @p round, and calls check_iterations().
+    /// Counts and reports @p round, and calls check_iterations() without the @p
+    /// not_counted rounds.
     void
-    watch(const Round &round, unsigned int &iterations) const;
+    watch(const Round       &round,
+          const unsigned int not_counted,
+          unsigned int      &iterations) const;
 
     /// Throws NumericsError if @p iterations exceeds max_iterations. The
     /// message names three of the constraints @p changing.

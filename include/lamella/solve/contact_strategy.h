@@ -52,9 +52,10 @@ namespace lamella
     virtual ~ContactStrategy();
 
     /// Finds the active set and the increment of @p problem from its state,
-    ///   K du = B^T (lambda - lambda_state),  g = g_state + B du,
+    ///   K du = r + B^T (lambda - lambda_state),  g = g_state + B du,
     ///   lambda = max(0, ((d - a) lambda_bar - g) / d),
-    /// with gaps g, constraint rows B and contact forces lambda. This is the
+    /// with gaps g, constraint rows B, contact forces lambda and the residual
+    /// r of the state. This is the
     /// contact law with the compliance d instead of a, without effect if the
     /// estimate lambda_bar is lambda (NumericalCompliance). The solution is
     /// unique without friction. @p monitor is called after each round; its

@@ -36,7 +36,7 @@ namespace lamella
     InterfaceStep
     solve(const std::vector<LinearizedLaw> &laws,
           const PointVectors               &force) override;
-    void
+    bool
     move_to(const PointVectors &force) override;
     void
     advance(const double t) override;

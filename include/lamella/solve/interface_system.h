@@ -74,8 +74,10 @@ namespace lamella
     virtual void
     advance(const double t) = 0;
 
-    /// Sets the iterate to the equilibrium under the contact forces @p force.
-    virtual void
+    /// Sets the iterate to the equilibrium under the contact forces @p force,
+    /// or to the initial state if these are its forces. Returns false if that
+    /// is not an equilibrium.
+    virtual bool
     move_to(const PointVectors &force) = 0;
 
     /// Returns the iterate of gaps and slips v, without compliance of the law.

@@ -3,6 +3,7 @@
 #ifndef lamella_solve_interior_point_h
 #define lamella_solve_interior_point_h
 
+#include <lamella/base/arithmetic.h>
 #include <lamella/solve/contact_problem.h>
 #include <lamella/solve/interface_system.h>
 
@@ -15,7 +16,8 @@ namespace lamella
     /// The iteration ends if the mean product of gap and normal force falls
     /// below this fraction of the scales, or after `max_iterations`.
     /// Points with little force at little gap then have 1e-9 of both.
-    double       tolerance      = 1e-18;
+    double tolerance = 100. * arithmetic::rounding_of_solutions *
+                       arithmetic::rounding_of_solutions;
     unsigned int max_iterations = 60;  ///< Maximum number of steps.
     double       first_gap      = 0.1; ///< Initial gap of each point.
     double       first_force    = 0.1; ///< Initial normal force of each point.

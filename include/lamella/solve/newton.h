@@ -118,10 +118,12 @@ namespace lamella
                     const NewtonParameters &parameters = NewtonParameters());
 
     /// Creates a solver with @p contacts, which are left at the last state.
+    /// Their linearized problems are solved by @p strategy.
     Newton(const Structure        &structure,
            const MovingContacts   &contacts,
            const SolverKind        requested,
-           const NewtonParameters &parameters);
+           const NewtonParameters &parameters,
+           const Strategy          strategy = Strategy::condensed);
 
     /// Callback with a line of text per iteration; empty by default.
     Progress progress;
@@ -239,11 +241,12 @@ namespace lamella
     bool
     check_supports(const State &state, const LoadFactor &to) const;
 
-    /// Solves the contact problem of @p rows in @p state at load factor @p to
-    /// by @p strategy, and returns its solution.
+    /// Solves the contact problem of @p rows in @p state with the unbalanced
+    /// forces @p r at load factor @p to by @p strategy; returns its solution.
     ContactSolution
     solve_contact(ContactStrategy      &strategy,
                   const GapConstraints &rows,
+                  const BlockVector    &r,
                   const LoadFactor     &to,
                   State                &state) const;
 
@@ -351,6 +354,7 @@ namespace lamella
     std::string            last_failure, lost_contact;
     const SolverKind       requested;
     const NewtonParameters parameters;
+    const Strategy         strategy; ///< Of the linearized contact problems.
   };
 } // namespace lamella
 

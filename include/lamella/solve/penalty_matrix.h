@@ -45,7 +45,7 @@ namespace lamella
   /// The sparsity pattern of the Trilinos matrix includes all constraints that
   /// were ever active. MUMPS factorizes it on all processes whenever K^p
   /// changes. Each process owns the matrix rows of a contiguous range of DoFs.
-  /// Keeps references to structure and constraints. Collective.
+  /// Keeps references to its arguments. Collective.
   class PenaltyMatrix
   {
   public:
@@ -78,6 +78,11 @@ namespace lamella
     BlockVector
     solve(BlockVector f) const;
 
+    /// Returns the forces K @p w by the assembled stiffness without penalties,
+    /// zero in prescribed DoFs, for displacements that are zero there.
+    BlockVector
+    apply(const BlockVector &w) const;
+
     /// Returns the indices of the contact constraints that the sparsity pattern
     /// includes. A restart needs them for the same elimination order.
     std::vector<unsigned int>
@@ -100,7 +105,7 @@ namespace lamella
     constraints_of_all() const;
     /// Assembles the stiffness of bodies and springs in the free DoFs.
     void
-    assemble_stiffness(const TangentOperator &tangent_operator);
+    assemble_stiffness();
     /// Sets diagonal entries of eliminated DoFs to the largest diagonal entry.
     void
     fill_diagonal();
@@ -120,9 +125,10 @@ namespace lamella
     void
     update_penalty_ratio(const std::vector<PenaltyTerm> &terms);
 
-    const Structure     &structure;
-    const GapConstraints rows;
-    const Symmetry       symmetry;
+    const TangentOperator &tangent_operator;
+    const Structure       &structure;
+    const GapConstraints   rows;
+    const Symmetry         symmetry;
     /// Support constraints of all bodies.
     Constraints constraints;
     /// DoFs of this process, a contiguous range.

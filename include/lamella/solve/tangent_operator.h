@@ -35,7 +35,9 @@ namespace lamella
     /// without linear solvers, for FullStrategy.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
-                    const LoadFactor  &factor = LoadFactor());
+                    const LoadFactor  &factor     = LoadFactor(),
+                    const BlockVector &correction = BlockVector(),
+                    const std::vector<std::vector<SpringTerm>> &more = {});
 
     /// Creates the tangent at the displacements @p u, with linear solvers of
     /// the kind @p requested for the stiffness of each body in its free DoFs.
@@ -94,12 +96,22 @@ namespace lamella
     SupportError
     largest_support_error(const LoadFactor &at) const;
 
-    /// Returns the terms of the stiffness of @p body, springs included.
+    /// Returns the terms of the stiffness of @p body: internal forces with
+    /// predicted stresses, springs and follower loads, whose unsymmetric part
+    /// does not belong to the stiffness.
     StiffnessTerms
     terms(const unsigned int body) const;
+    /// Returns true if apply() is the product with the matrix of terms(): there
+    /// are neither predicted stresses nor follower loads or additional springs.
+    bool
+    applies_terms() const
+    {
+      return correction.n_blocks() == 0 && more.empty() &&
+             !structure.has_unsymmetric_loads();
+    }
 
     /// Returns the product of tangent stiffness and @p w in all DoFs, computed
-    /// from strains, springs included.
+    /// from strains, springs included (applies_terms()).
     BlockVector
     apply(const BlockVector &w) const;
 
@@ -130,14 +142,6 @@ namespace lamella
     void
     move_supports();
 
-    /// Returns the solver for the stiffness of @p body with its @p springs.
-    std::unique_ptr<LinearSolver>
-    make_solver(const unsigned int             body,
-                const SolverKind               requested,
-                const Vector                  &correction,
-                const std::vector<SpringTerm> &springs,
-                const SolverMonitor           &monitor) const;
-
     /// Returns the solution for the forces @p r with the symmetric tangent.
     BlockVector
     solve_symmetric(BlockVector r) const;
@@ -145,9 +149,13 @@ namespace lamella
     BlockVector
     unsymmetric_part(const BlockVector &w) const;
 
-    const Structure                           &structure;
-    const BlockVector                          state;
-    const LoadFactor                           factor;
+    const Structure  &structure;
+    const BlockVector state;
+    const LoadFactor  factor;
+    /// Last correction by Newton's method, for the prediction of stresses, and
+    /// additional springs of each body; both may be empty.
+    const BlockVector                          correction;
+    const std::vector<std::vector<SpringTerm>> more;
     std::vector<std::unique_ptr<LinearSolver>> solvers;
     /// Support equations linearized about the displacements, their values, and
     /// the elimination of DoFs by them. Empty for small rotations.
