@@ -155,37 +155,31 @@ namespace lamella
 
 
 
-  GoalResult
-  CoarserModelEstimate::goal(const unsigned int number) const
-  {
-    const NamedQuantity        &quantity = of_run.quantities()[number];
-    std::optional<SurplusParts> own;
-    if (derivatives[number] && surpluses != nullptr)
-      {
-        BlockVector z = dual.solve(*derivatives[number]).u;
-        if (const auto w = dual.lifting(quantity))
-          z -= *w;
-        own = surpluses->of(z);
-      }
-    const ErrorBar bar    = needs_coarser_models(number) ?
-                              by_models(quantity, own) :
-                              by_surpluses(quantity, *own);
-    GoalResult     result = of_run.with_error_bar(number, bar);
-    result.shares         = shares_of(quantity, bar, own);
-    if (own)
-      result.local = own->along_axis;
-    of_contact.add_to(quantity, result);
-    return result;
-  }
-
-
-
   std::vector<GoalResult>
   CoarserModelEstimate::goals() const
   {
     std::vector<GoalResult> results;
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
-      results.push_back(goal(k));
+      {
+        const NamedQuantity        &quantity = of_run.quantities()[k];
+        std::optional<SurplusParts> own;
+        if (derivatives[k] && surpluses != nullptr)
+          {
+            BlockVector z = dual.solve(*derivatives[k]).u;
+            if (const auto w = dual.lifting(quantity))
+              z -= *w;
+            own = surpluses->of(z);
+          }
+        const ErrorBar bar = needs_coarser_models(k) ?
+                               by_models(quantity, own) :
+                               by_surpluses(quantity, *own);
+        GoalResult    &result =
+          results.emplace_back(of_run.with_error_bar(k, bar));
+        result.shares = shares_of(quantity, bar, own);
+        if (own)
+          result.local = own->along_axis;
+        of_contact.add_to(quantity, result);
+      }
     return results;
   }
 } // namespace lamella

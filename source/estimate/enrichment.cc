@@ -24,15 +24,6 @@ namespace lamella
 
 
     void
-    halve_elements(AxisMesh &axis)
-    {
-      for (unsigned int &n : axis.elements)
-        n *= 2;
-    }
-
-
-
-    void
     enrich_fields(BodyDescription &body,
                   const BodySize  &size,
                   const PlanRules &rules)
@@ -272,7 +263,8 @@ namespace lamella
         if (source == Source::axis && !body.theory.is_solid())
           {
             limit_size(body, sizes[b], 2., rules);
-            halve_elements(body.axis);
+            for (unsigned int &n : body.axis.elements)
+              n *= 2;
           }
         else if (source == Source::fields && !body.theory.is_solid())
           enrich_fields(body, sizes[b], rules);

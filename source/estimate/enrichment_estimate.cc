@@ -182,28 +182,22 @@ namespace lamella
 
 
 
-  GoalResult
-  EnrichmentEstimate::goal(const unsigned int number) const
-  {
-    const NamedQuantity &quantity = of_run.quantities()[number];
-    GoalResult result = of_run.with_error_bar(number, error_bar_of(quantity));
-    for (const Other &other : others)
-      result.shares.emplace_back(name_of(other.source),
-                                 other.factor * change_by(other, quantity));
-    of_contact.add_to(quantity, result);
-    if (!local.empty())
-      result.local = local[number];
-    return result;
-  }
-
-
-
   std::vector<GoalResult>
   EnrichmentEstimate::goals() const
   {
     std::vector<GoalResult> results;
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
-      results.push_back(goal(k));
+      {
+        const NamedQuantity &quantity = of_run.quantities()[k];
+        GoalResult          &result   = results.emplace_back(
+          of_run.with_error_bar(k, error_bar_of(quantity)));
+        for (const Other &other : others)
+          result.shares.emplace_back(name_of(other.source),
+                                     other.factor * change_by(other, quantity));
+        of_contact.add_to(quantity, result);
+        if (!local.empty())
+          result.local = local[k];
+      }
     return results;
   }
 } // namespace lamella

@@ -43,14 +43,6 @@ namespace lamella
 
 
 
-  Model
-  Estimation::first_model() const
-  {
-    return {for_estimates(run), of_run->numbers(), sizes_of(run.model())};
-  }
-
-
-
   double
   Estimation::share_of(const Step &step, const NamedQuantity &quantity) const
   {
@@ -224,7 +216,8 @@ namespace lamella
       return {};
     out << "Error bars, from richer models of the scene:" << std::endl;
     of_run = std::make_unique<RunGoals>(run);
-    models = {first_model()};
+    models = {
+      Model{for_estimates(run), of_run->numbers(), sizes_of(run.model())}};
     // A failure of another model must not discard the results of the run.
     if (const Outcome outcome = outcome_of([this] { solve_hierarchy(); });
         outcome.status != 0)

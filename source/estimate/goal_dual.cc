@@ -150,22 +150,15 @@ namespace lamella
 
 
 
-  unsigned int
-  GoalDual::support_of(const NamedQuantity &goal) const
-  {
-    const auto &supports = model.results().supports;
-    return std::find(supports.begin(), supports.end(), goal.name) -
-           supports.begin();
-  }
-
-
-
   std::optional<BlockVector>
   GoalDual::lifting(const NamedQuantity &goal) const
   {
     if (goal.of != ObjectKind::support || goal.column[0] != 'f')
       return std::nullopt;
-    return influence(support_of(goal), goal.column[1] - 'x');
+    const auto &supports = model.results().supports;
+    return influence(std::find(supports.begin(), supports.end(), goal.name) -
+                       supports.begin(),
+                     goal.column[1] - 'x');
   }
 
 

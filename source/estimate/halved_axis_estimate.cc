@@ -68,9 +68,6 @@ namespace lamella
           }
       return scene;
     }
-
-
-
   } // namespace
 
 
@@ -210,31 +207,25 @@ namespace lamella
 
 
 
-  GoalResult
-  HalvedAxisEstimate::goal(const unsigned int number) const
-  {
-    const NamedQuantity &quantity = of_run.quantities()[number];
-    const double         value    = of_run.numbers().value(quantity);
-    ErrorBar             bar      = by_levels(quantity);
-    bar.bar           = std::max(bar.bar, of_run.rounding_of(quantity));
-    GoalResult result = of_run.with_error_bar(number, bar);
-    result.shares     = {{name_of(Source::axis), value - half.value(quantity)}};
-    if (chosen.degree > 0)
-      result.shares.emplace_back(
-        name_of(layerwise ? Source::section : Source::fields),
-        2. * (richer.value(quantity) - half.value(quantity)));
-    of_contact.add_to(quantity, result);
-    return result;
-  }
-
-
-
   std::vector<GoalResult>
   HalvedAxisEstimate::goals() const
   {
     std::vector<GoalResult> results;
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
-      results.push_back(goal(k));
+      {
+        const NamedQuantity &quantity = of_run.quantities()[k];
+        const double         value    = of_run.numbers().value(quantity);
+        ErrorBar             bar      = by_levels(quantity);
+        bar.bar = std::max(bar.bar, of_run.rounding_of(quantity));
+        GoalResult &result =
+          results.emplace_back(of_run.with_error_bar(k, bar));
+        result.shares = {{name_of(Source::axis), value - half.value(quantity)}};
+        if (chosen.degree > 0)
+          result.shares.emplace_back(
+            name_of(layerwise ? Source::section : Source::fields),
+            2. * (richer.value(quantity) - half.value(quantity)));
+        of_contact.add_to(quantity, result);
+      }
     return results;
   }
 } // namespace lamella

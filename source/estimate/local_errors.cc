@@ -49,7 +49,6 @@ namespace lamella
         sum += of_rows[k] * model.interfaces()[contact].points[k].normal;
       return sum.norm();
     }
-
   } // namespace
 
 
@@ -77,13 +76,15 @@ namespace lamella
     , fine(fine)
     , factor(fine.results().last().load_factor)
     , dual(fine, [this](const unsigned int support, const unsigned int c) {
-      return interpolate_to_fine(GoalDual::influence_of_support(
-        this->coarse.model().structure(), support, c));
+      return moved(this->coarse,
+                   GoalDual::influence_of_support(
+                     this->coarse.model().structure(), support, c),
+                   this->fine);
     })
   {
     const State          &state = fine.results().last().state;
     const State          &rough = coarse.results().last().state;
-    const BlockVector     u     = interpolate_to_fine(rough.u);
+    const BlockVector     u     = moved(coarse, rough.u, fine);
     const GapConstraints &rows  = fine.model().rows();
     std::vector<double>   forces(rows.size(), 0.);
     if (!state.force.empty() && !rough.force.empty())
@@ -104,22 +105,6 @@ namespace lamella
         mismatch[k] =
           -(rows[r].gap(u, factor) + law_compliance(rows[r]) * forces[r]);
       }
-  }
-
-
-
-  BlockVector
-  Localization::interpolate_to_fine(const BlockVector &u) const
-  {
-    return moved(coarse, u, fine);
-  }
-
-
-
-  BlockVector
-  Localization::interpolate_to_coarse(const BlockVector &u) const
-  {
-    return moved(fine, u, coarse);
   }
 
 
@@ -152,11 +137,15 @@ namespace lamella
 
 
 
-  LocalErrors
-  Localization::of_elements(const BlockVector &z) const
+  std::optional<LocalErrors>
+  Localization::errors(const NamedQuantity &goal, const double change) const
   {
-    BlockVector local = z;
-    local -= interpolate_to_fine(interpolate_to_coarse(z));
+    const auto functional = dual.derivative(goal);
+    if (!functional)
+      return std::nullopt;
+    const GoalDual::Pair z     = dual.solve(*functional);
+    BlockVector          local = z.u;
+    local -= moved(coarse, moved(fine, z.u, coarse), fine);
     LocalErrors result;
     const auto  all = beams_in(fine);
     for (unsigned int b = 0; b < all.size(); ++b)
@@ -166,20 +155,7 @@ namespace lamella
           share.scale(local.block(b));
           add_elements(b, share, result);
         }
-    return result;
-  }
-
-
-
-  std::optional<LocalErrors>
-  Localization::errors(const NamedQuantity &goal, const double change) const
-  {
-    const auto functional = dual.derivative(goal);
-    if (!functional)
-      return std::nullopt;
-    const GoalDual::Pair z      = dual.solve(*functional);
-    LocalErrors          result = of_elements(z.u);
-    const double         sum =
+    const double sum =
       std::accumulate(result.elements.begin(),
                       result.elements.end(),
                       0.,

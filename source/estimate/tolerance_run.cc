@@ -210,24 +210,16 @@ namespace lamella
 
 
 
-  bool
-  ToleranceRun::is_time_exceeded() const
-  {
-    // The decision has to be the same on all processes.
-    return scene.goals.budget_seconds > 0. &&
-           dealii::Utilities::MPI::max(wall.wall_time(), communicator()) >
-             scene.goals.budget_seconds;
-  }
-
-
-
   std::string
   ToleranceRun::reason_to_stop() const
   {
     const std::string reason = passes.reason_to_stop();
-    return reason.empty() && is_time_exceeded() ?
-             "the budget of " + to_text(scene.goals.budget_seconds) +
-               " s is spent" :
+    const double      budget = scene.goals.budget_seconds;
+    // The decision has to be the same on all processes.
+    return reason.empty() && budget > 0. &&
+               dealii::Utilities::MPI::max(wall.wall_time(), communicator()) >
+                 budget ?
+             "the budget of " + to_text(budget) + " s is spent" :
              reason;
   }
 

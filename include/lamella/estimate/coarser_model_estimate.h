@@ -85,8 +85,6 @@ namespace lamella
     shares_of(const NamedQuantity               &goal,
               const ErrorBar                    &bar,
               const std::optional<SurplusParts> &own) const;
-    GoalResult
-    goal(const unsigned int number) const;
 
     const Simulation &run;
     CoarserModelRules rules;

@@ -83,8 +83,6 @@ namespace lamella
     change_by(const Other &other, const NamedQuantity &goal) const;
     ErrorBar
     error_bar_of(const NamedQuantity &goal) const;
-    GoalResult
-    goal(const unsigned int number) const;
 
     const Simulation  &run;
     EnrichmentRules    rules;

@@ -68,9 +68,6 @@ namespace lamella
     unavailable_reason() const;
 
   private:
-    /// Returns the scene, results and sizes of the run, the coarsest model.
-    Model
-    first_model() const;
     struct Step
     {
       Source       source;   ///< Refined error source.

@@ -77,9 +77,6 @@ namespace lamella
   private:
     Pair
     zero() const;
-    /// Returns the index of the support whose force is @p goal.
-    unsigned int
-    support_of(const NamedQuantity &goal) const;
     /// Returns the derivative of a displacement, strain or stress at a probe.
     std::optional<Pair>
     at_probe(const NamedQuantity &goal) const;

@@ -86,8 +86,6 @@ namespace lamella
                const HalvedAxisPlan        &plan);
     void
     solve_levels(ComparisonModels &others, const Scene &scene);
-    GoalResult
-    goal(const unsigned int number) const;
     ErrorBar
     by_levels(const NamedQuantity &goal) const;
 

@@ -56,16 +56,6 @@ namespace lamella
     errors(const NamedQuantity &goal, const double change) const;
 
   private:
-    /// Returns the errors of elements for the dual displacements @p z.
-    LocalErrors
-    of_elements(const BlockVector &z) const;
-
-    /// Returns coarser displacements @p u at the nodes of the finer model.
-    BlockVector
-    interpolate_to_fine(const BlockVector &u) const;
-    BlockVector
-    interpolate_to_coarse(const BlockVector &u) const;
-
     /// Adds the errors of elements of @p body, sums of the products @p share.
     void
     add_elements(const unsigned int body,

@@ -72,9 +72,6 @@ namespace lamella
     /// Returns @p next with the error sources of the next pass refined.
     Scene
     refined_in_sources(Scene next, const PlanRules &plan_rules) const;
-    /// Returns true if the time budget is exceeded.
-    bool
-    is_time_exceeded() const;
     /// Writes the last results and the table of all passes into @p directory.
     void
     write_pass(const std::string &directory);
