@@ -35,6 +35,21 @@ namespace lamella
 
 
 
+    /// Name of the largest contribution to the error; empty if all are zero.
+    std::string
+    largest_share(const GoalResult &goal)
+    {
+      std::string largest;
+      for (const auto &[name, share] : goal.shares)
+        if (share != 0. &&
+            (largest.empty() ||
+             std::abs(share) > std::abs(share_of(goal, largest))))
+          largest = name;
+      return largest;
+    }
+
+
+
     std::string
     remedy(const std::string &source)
     {
@@ -85,6 +100,9 @@ namespace lamella
     private:
       std::vector<std::pair<std::string, std::vector<std::string>>> all;
     };
+
+
+
     /// @p value to @p digits, with the unit of @p goal.
     std::string
     number_text(const GoalResult &goal, const double value, const int digits)
@@ -104,19 +122,6 @@ namespace lamella
     return goal.is_near_zero() ?
              number_text(goal, value, 2) + " (" + share + ")" :
              share;
-  }
-
-
-
-  std::string
-  largest_share(const GoalResult &goal)
-  {
-    std::string largest;
-    for (const auto &[name, share] : goal.shares)
-      if (share != 0. && (largest.empty() ||
-                          std::abs(share) > std::abs(share_of(goal, largest))))
-        largest = name;
-    return largest;
   }
 
 

@@ -11,14 +11,6 @@
 
 namespace lamella
 {
-  std::string
-  plies_header()
-  {
-    return "step,body,ply,criterion,mode,reserve_factor,index,x,y,z,angle\n";
-  }
-
-
-
   namespace
   {
     std::string
@@ -45,14 +37,6 @@ namespace lamella
         text += "," + number(row.angle) + "\n";
       }
     return text;
-  }
-
-
-
-  std::string
-  plies_along_header()
-  {
-    return "step,body,ply,s,x,y,z,inverse_reserve_factor\n";
   }
 
 

@@ -122,22 +122,15 @@ namespace lamella
 
 
 
-  bool
-  ResultsFolder::still_exists() const
-  {
-    struct stat ours, there;
-    return !is_root_process() ||
-           (fstat(descriptor, &ours) == 0 &&
-            stat(folder.c_str(), &there) == 0 && ours.st_dev == there.st_dev &&
-            ours.st_ino == there.st_ino);
-  }
-
-
-
   void
   ResultsFolder::make_room()
   {
-    if (!true_on_all_processes(still_exists()))
+    struct stat ours, there;
+    const bool  still_exists =
+      !is_root_process() ||
+      (fstat(descriptor, &ours) == 0 && stat(folder.c_str(), &there) == 0 &&
+       ours.st_dev == there.st_dev && ours.st_ino == there.st_ino);
+    if (!true_on_all_processes(still_exists))
       throw InputError(
         "report.folder-removed: the folder of results was removed or renamed "
         "during the run. Run the scene again.")

@@ -24,16 +24,6 @@ namespace lamella
 
 
 
-  void
-  ResultsWriter::make_surfaces()
-  {
-    surfaces.clear();
-    for (const ContactInterface &contact : output_sources().contacts)
-      surfaces.emplace_back(contact, output_sources().structure);
-  }
-
-
-
   std::vector<StepResults>
   ResultsWriter::resume()
   {
@@ -79,13 +69,11 @@ namespace lamella
         write_file(place.path() + "/fields.csv",
                    fields_of_nodes(of.structure.bodies()));
         for (const auto &[name, section] : of.sections)
-          {
-            write_section(place.path(), name, *section);
-            write_section_stiffness(place.path(),
-                                    name,
-                                    section_stiffness(section),
-                                    results.units);
-          }
+          write_section(place.path(),
+                        name,
+                        *section,
+                        section_stiffness(section),
+                        results.units);
       }
     write_tables(results);
     write_progress(results);
@@ -131,7 +119,11 @@ namespace lamella
     // Of bodies that turn who faces whom is another matter in each step.
     if (surfaces.empty() || step.step == 1 ||
         of.structure.has_finite_rotations())
-      make_surfaces();
+      {
+        surfaces.clear();
+        for (const ContactInterface &contact : of.contacts)
+          surfaces.emplace_back(contact, of.structure);
+      }
     for (unsigned int k = 0; k < surfaces.size(); ++k)
       {
         const std::string name = "contact_" + of.contacts[k].name;

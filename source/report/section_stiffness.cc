@@ -4,6 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
 #include <lamella/report/section_stiffness.h>
+#include <lamella/report/tables.h>
 
 #include <nlohmann/json.hpp>
 
@@ -238,12 +239,14 @@ namespace lamella
 
 
   void
-  write_section_stiffness(const std::string      &directory,
-                          const std::string      &name,
-                          const SectionStiffness &section,
-                          const Units            &units)
+  write_section(const std::string      &directory,
+                const std::string      &name,
+                const SectionMesh      &mesh,
+                const SectionStiffness &section,
+                const Units            &units)
   {
-    write_file(directory + "/sections/" + name + ".json",
-               section_json(name, section, units));
+    const std::string path = directory + "/sections/" + name;
+    write_file(path + ".csv", section_table(mesh));
+    write_file(path + ".json", section_json(name, section, units));
   }
 } // namespace lamella

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
-#include <lamella/base/output_file.h>
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
 #include <lamella/report/plies_table.h>
@@ -57,6 +55,28 @@ namespace lamella
       for (unsigned int c = 0; c < n; ++c)
         text += "," + csv(v[c]);
       return text;
+    }
+
+
+
+    /// Names of columns common to the tables of probes, lines and cuts.
+    std::string
+    fields_header()
+    {
+      return "body,ply,x,y,z," + joined(field_names(), ",");
+    }
+
+
+
+    /// Values of @p row in these columns; plies are numbered from 1.
+    std::string
+    fields_line(const FieldRow &row)
+    {
+      std::string line =
+        row.body + "," + std::to_string(row.ply + 1) + components(row.position);
+      for (const double value : field_values(row.sample))
+        line.append(",").append(csv(value));
+      return line;
     }
 
 
@@ -165,8 +185,10 @@ namespace lamella
         "\n";
     if (!results.steps.empty() && !results.last().plies.empty())
       {
-        headers["plies.csv"]       = plies_header();
-        headers["plies_along.csv"] = plies_along_header();
+        headers["plies.csv"] =
+          "step,body,ply,criterion,mode,reserve_factor,index,x,y,z,angle\n";
+        headers["plies_along.csv"] =
+          "step,body,ply,s,x,y,z,inverse_reserve_factor\n";
       }
     return headers;
   }
@@ -248,27 +270,6 @@ namespace lamella
 
 
 
-  std::string
-  fields_header()
-  {
-    return "body,ply,x,y,z," + joined(field_names(), ",");
-  }
-
-
-
-  std::string
-  fields_line(const FieldRow &row)
-  {
-    std::string line = row.body + "," + std::to_string(row.ply + 1);
-    for (unsigned int c = 0; c < 3; ++c)
-      line.append(",").append(csv(row.position[c]));
-    for (const double value : field_values(row.sample))
-      line.append(",").append(csv(value));
-    return line;
-  }
-
-
-
   namespace
   {
     struct Node
@@ -310,10 +311,9 @@ namespace lamella
           {
             const dealii::Point<3> &place = nodes[k].position;
             text += body->name() + "," + std::to_string(k + 1) + "," +
-                    csv(place.distance(nodes.front().position));
-            for (unsigned int c = 0; c < 3; ++c)
-              text += "," + csv(place[c]);
-            text += "," + std::to_string(nodes[k].fields) + "\n";
+                    csv(place.distance(nodes.front().position)) +
+                    components(place) + "," + std::to_string(nodes[k].fields) +
+                    "\n";
           }
       }
     return text;
@@ -382,16 +382,5 @@ namespace lamella
                  "\n";
       }
     return table;
-  }
-
-
-
-  void
-  write_section(const std::string &directory,
-                const std::string &name,
-                const SectionMesh &section)
-  {
-    write_file(directory + "/sections/" + name + ".csv",
-               section_table(section));
   }
 } // namespace lamella

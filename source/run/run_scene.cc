@@ -247,10 +247,11 @@ namespace lamella
           section_stiffness(built.sections().at(name));
         print_stiffness(out, name, stiffness, scene.units);
         if (!directory.empty() && is_root_process())
-          {
-            write_section(directory, name, *built.sections().at(name));
-            write_section_stiffness(directory, name, stiffness, scene.units);
-          }
+          write_section(directory,
+                        name,
+                        *built.sections().at(name),
+                        stiffness,
+                        scene.units);
       }
     print_bodies(out, built.structure(), built.interfaces(), scene.units);
     built.print_plans(out);

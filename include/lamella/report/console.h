@@ -40,11 +40,6 @@ namespace lamella
   /// if @p results has no load step.
   void
   print_summary(std::ostream &out, const Results &results);
-
-  /// Prints displacements and stresses (scene axes) of at most 40 probes in the
-  /// last load step; for quantities of interest also error bars in percent.
-  void
-  print_probes(std::ostream &out, const Results &results);
 } // namespace lamella
 
 #endif

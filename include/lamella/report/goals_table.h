@@ -38,11 +38,6 @@ namespace lamella
   /// "0.0011 MPa" if the scale is 0.
   std::string
   share_text(const GoalResult &goal, const double value);
-
-  /// Returns the name of the largest contribution to the error of @p goal, such
-  /// as axis or contact (columns of goals_csv()); empty if all are zero.
-  std::string
-  largest_share(const GoalResult &goal);
 } // namespace lamella
 
 #endif

@@ -10,17 +10,10 @@
 
 namespace lamella
 {
-  /// Returns the header line of plies.csv: smallest reserve factor of each ply.
-  std::string
-  plies_header();
-
-  /// Returns the lines of plies.csv for load step @p step of @p results.
+  /// Returns the lines of plies.csv for load step @p step of @p results: the
+  /// smallest reserve factor of each ply.
   std::string
   plies_lines(const Results &results, const StepResults &step);
-
-  /// Returns the header line of plies_along.csv (reserve factors along axes).
-  std::string
-  plies_along_header();
 
   /// Returns the lines of plies_along.csv for load step @p step of @p results:
   /// the largest inverse reserve factor of each ply at points along the axis.

@@ -50,9 +50,6 @@ namespace lamella
     /// Locks the folder; `descriptor` is -1 if another process has the lock.
     void
     lock();
-    /// Returns true if the locked folder still exists at its path.
-    bool
-    still_exists() const;
 
     std::string folder;
     bool        is_new     = false; ///< True if this object created the folder.

@@ -85,9 +85,6 @@ namespace lamella
     /// Appends the results of the last load step to all tables.
     void
     write_tables(const Results &results);
-    /// Constructs the meshes of all contacts for the current pairs of points.
-    void
-    make_surfaces();
     /// Writes VTU files of bodies and contacts, and their collections.
     void
     write_vtu_files(const StepResults &step);

@@ -58,13 +58,14 @@ namespace lamella
                const SectionStiffness &section,
                const Units            &units);
 
-  /// Writes section_json() to sections/NAME.json in the folder @p directory.
-  /// Throws InputError on failure.
+  /// Writes section_table() of @p mesh and section_json() to sections/NAME.csv
+  /// and .json in the folder @p directory. Throws InputError on failure.
   void
-  write_section_stiffness(const std::string      &directory,
-                          const std::string      &name,
-                          const SectionStiffness &section,
-                          const Units            &units);
+  write_section(const std::string      &directory,
+                const std::string      &name,
+                const SectionMesh      &mesh,
+                const SectionStiffness &section,
+                const Units            &units);
 } // namespace lamella
 
 #endif

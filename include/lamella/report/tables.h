@@ -17,9 +17,9 @@ namespace lamella
 
   /// Returns the header lines of all tables (doc/reference/output.md) for the
   /// probes, lines, cuts, contacts and supports named in @p results. Columns:
-  ///   probes   step, probe, fields_header()
-  ///   lines    s (arc length), step, line, fields_header()
-  ///   cuts     step, cut, cell, i, j, fields_header()
+  ///   probes   step, probe, fields
+  ///   lines    s (arc length), step, line, fields
+  ///   cuts     step, cut, cell, i, j, fields
   ///   contacts step, both points, normal, area, initial_gap, gap, force,
   ///            pressure (force over area), active (1 if in contact)
   ///   history  step, load_factor, then three components of the force of each
@@ -37,16 +37,6 @@ namespace lamella
   /// factor, forces and displacements as in history.csv.
   std::string
   failure_table(const Results &results);
-
-  /// Returns the CSV column names common to the tables of probes, lines and
-  /// cuts: `body,ply,x,y,z` and field components (field_names()); no newline.
-  std::string
-  fields_header();
-
-  /// Returns the values of @p row in the columns of fields_header(), without a
-  /// newline; plies are numbered from 1.
-  std::string
-  fields_line(const FieldRow &row);
 
   /// Returns @p value with at most 15 significant digits, in any locale.
   std::string
@@ -67,13 +57,6 @@ namespace lamella
   /// two ends, and seven points between them if the side is curved.
   std::string
   section_table(const SectionMesh &section);
-
-  /// Writes section_table() to sections/NAME.csv in the folder @p directory.
-  /// Throws InputError on failure.
-  void
-  write_section(const std::string &directory,
-                const std::string &name,
-                const SectionMesh &section);
 } // namespace lamella
 
 #endif
