@@ -111,15 +111,6 @@ namespace lamella
 
 
 
-  bool
-  FirstFailureSearch::is_interval_narrow() const
-  {
-    const double end = *upper();
-    return std::abs(end - result.safe) <= accuracy * std::abs(end);
-  }
-
-
-
   FirstFailure
   FirstFailureSearch::find(const std::vector<StepResults> &steps)
   {
@@ -136,6 +127,11 @@ namespace lamella
           result.safe = step.load_factor.of_scene();
     for (unsigned int k = 0; k < n_doublings && !upper(); ++k)
       attempt(result.safe == 0. ? 1. : 2. * result.safe, load_step);
+    // It is at most 0.1 % wide.
+    const auto is_interval_narrow = [this] {
+      const double end = *upper();
+      return std::abs(end - result.safe) <= accuracy * std::abs(end);
+    };
     for (unsigned int k = 0;
          k < most_halvings && upper() && !is_interval_narrow();
          ++k)

@@ -199,7 +199,13 @@ namespace lamella
     if (last_has_state_only &&
         (!path->has_more() || built->structure().has_finite_rotations()))
       complete_last_step();
-    do_steps(observer);
+    const unsigned int all = scene().solve.load_factors.size();
+    while (path->has_more())
+      {
+        out << "Load step " << path->n_done() + 1 << " of " << all
+            << ", load factor " << path->next_factor().of_scene() << std::endl;
+        do_step(observer);
+      }
     if (const std::string note = recorder->note_on_idle_contacts();
         !note.empty())
       found.endnotes.push_back(note);
@@ -368,20 +374,6 @@ namespace lamella
     last.warnings         = std::move(kept.warnings);
     recorder->add_measures(found);
     last_has_state_only = false;
-  }
-
-
-
-  void
-  Simulation::do_steps(const Observer &observer)
-  {
-    const unsigned int all = scene().solve.load_factors.size();
-    while (path->has_more())
-      {
-        out << "Load step " << path->n_done() + 1 << " of " << all
-            << ", load factor " << path->next_factor().of_scene() << std::endl;
-        do_step(observer);
-      }
   }
 
 

@@ -41,7 +41,13 @@ namespace lamella
     const FaceTractions tractions =
       built.tractions_at(solved.state, solved.load_factor);
     built.sampler().sample(solved.state.u, results, tractions);
-    record_strength(results, tractions);
+    if (const StrengthSweep *const strength = built.strength())
+      {
+        StrengthSweep::Found found =
+          strength->sweep(results.state.u, tractions, thermal_part.get());
+        results.plies       = std::move(found.plies);
+        results.plies_along = std::move(found.along);
+      }
     results.warnings = warnings(solved, results);
     record_contacts(solved, previous, results);
     return results;
@@ -116,20 +122,6 @@ namespace lamella
             change.opened += !rows.back().touches() && touched;
           }
       }
-  }
-
-
-
-  void
-  StepRecorder::record_strength(StepResults         &results,
-                                const FaceTractions &tractions) const
-  {
-    if (built.strength() == nullptr)
-      return;
-    StrengthSweep::Found found =
-      built.strength()->sweep(results.state.u, tractions, thermal_part.get());
-    results.plies       = std::move(found.plies);
-    results.plies_along = std::move(found.along);
   }
 
 

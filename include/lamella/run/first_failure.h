@@ -61,9 +61,6 @@ namespace lamella
     /// Returns the lowest known load factor with failure or without a solution.
     std::optional<double>
     upper() const;
-    /// Returns true if the interval is at most 0.1 % wide.
-    bool
-    is_interval_narrow() const;
 
     TrySolve      try_load;
     std::ostream &out;

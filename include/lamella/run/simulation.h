@@ -177,9 +177,6 @@ namespace lamella
     /// Adds checks and contact results, not in restart data, to the last step.
     void
     complete_last_step();
-    /// Solves the remaining load steps.
-    void
-    do_steps(const Observer &observer);
     /// Solves the next load step and appends its results.
     void
     do_step(const Observer &observer);

@@ -94,9 +94,6 @@ namespace lamella
     record_contacts(const SolvedStep &solved,
                     const State      &previous,
                     StepResults      &results) const;
-    /// Adds the reserve factors of plies to @p results.
-    void
-    record_strength(StepResults &results, const FaceTractions &tractions) const;
     /// Returns warnings on the solution @p solved, on violated assumptions of
     /// contact, and on fields, equilibrium defects and plies in @p sampled.
     std::vector<std::string>
