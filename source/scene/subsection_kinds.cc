@@ -252,35 +252,15 @@ namespace lamella
 
     // ---- probes, lines, cuts and measures
 
+    /// Appends what @p Parameters read to the @p list of the scene.
+    template <typename Parameters, auto list>
     void
-    resolve_probe(SceneReading      &reading,
-                  const std::string &name,
-                  const Entries     &in)
+    resolve_on_bodies(SceneReading      &reading,
+                      const std::string &name,
+                      const Entries     &in)
     {
-      reading.scene.probes.push_back(
-        ProbeParameters::parse(in, name, reading.names.at("Bodies")));
-    }
-
-
-
-    void
-    resolve_line(SceneReading      &reading,
-                 const std::string &name,
-                 const Entries     &in)
-    {
-      reading.scene.lines.push_back(
-        LineParameters::parse(in, name, reading.names.at("Bodies")));
-    }
-
-
-
-    void
-    resolve_cut(SceneReading      &reading,
-                const std::string &name,
-                const Entries     &in)
-    {
-      reading.scene.cuts.push_back(
-        CutParameters::parse(in, name, reading.names.at("Bodies")));
+      (reading.scene.*list)
+        .push_back(Parameters::parse(in, name, reading.names.at("Bodies")));
     }
 
 
@@ -316,9 +296,18 @@ namespace lamella
       {"Loads", "Load", LoadParameters::declare, resolve_load},
       {"Obstacles", "Obstacle", ObstacleParameters::declare, resolve_obstacle},
       {"Contacts", "Contact", declare_contact, resolve_contact},
-      {"Probes", "Probe", ProbeParameters::declare, resolve_probe},
-      {"Lines", "Line", LineParameters::declare, resolve_line},
-      {"Cuts", "Cut", CutParameters::declare, resolve_cut},
+      {"Probes",
+       "Probe",
+       ProbeParameters::declare,
+       resolve_on_bodies<ProbeParameters, &Scene::probes>},
+      {"Lines",
+       "Line",
+       LineParameters::declare,
+       resolve_on_bodies<LineParameters, &Scene::lines>},
+      {"Cuts",
+       "Cut",
+       CutParameters::declare,
+       resolve_on_bodies<CutParameters, &Scene::cuts>},
       {"Measures", "Measure", MeasureParameters::declare, resolve_measure}};
     return all;
   }
