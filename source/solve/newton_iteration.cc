@@ -223,11 +223,8 @@ namespace lamella
       du += about.solve(r);
     else
       {
-        const GapConstraints rows = shift ? shift->rows() : contacts.rows();
-        const auto           solver =
-          make_strategy(choose_strategy(strategy, structure, rows),
-                        about,
-                        rows);
+        const GapConstraints rows   = shift ? shift->rows() : contacts.rows();
+        const auto           solver = make_strategy(strategy, about, rows);
         // Gaps are linear in du, so states add up in the contact problem.
         if (shift)
           shift->remove_shift(sum_of(before, moved), to, state);
