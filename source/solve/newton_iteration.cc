@@ -36,6 +36,26 @@ namespace lamella
 
 
 
+    /// Returns a strategy for @p rows, by choose_strategy() for their gaps at
+    /// the displacements @p u and load factor @p to, less the tolerance
+    /// @p closed.
+    std::unique_ptr<ContactStrategy>
+    strategy_at(const Strategy         which,
+                const TangentOperator &about,
+                const GapConstraints  &rows,
+                const BlockVector     &u,
+                const LoadFactor      &to,
+                const double           closed)
+    {
+      std::vector<GapConstraint> here(rows.begin(), rows.end());
+      for (GapConstraint &row : here)
+        row.initial_gap = row.gap(u, to) - closed;
+      return make_strategy(
+        choose_strategy(which, about.of(), GapConstraints(here)), about, rows);
+    }
+
+
+
     /// The operator 1 - A of GMRES, with A x = answer(x).
     struct WithRotatingConstraints
     {
@@ -224,7 +244,9 @@ namespace lamella
     else
       {
         const GapConstraints rows   = shift ? shift->rows() : contacts.rows();
-        const auto           solver = make_strategy(strategy, about, rows);
+        const double         closed = parameters.touching * structure.size();
+        const auto           solver =
+          strategy_at(strategy, about, rows, before, to, closed);
         // Gaps are linear in du, so states add up in the contact problem.
         if (shift)
           shift->remove_shift(sum_of(before, moved), to, state);

@@ -33,10 +33,11 @@ namespace lamella
     /// Compliance of each point (softened()), so that the problem is definite
     /// and its sets of points do not change by rounding; proximal iterations
     /// remove its effect.
-    double compliance = 1e-8;
-    /// Smallest compliance, and its factor after a proximal iteration that
-    /// leaves more than this fraction of the error.
-    double least_compliance = 1e-10, slow = 0.1;
+    double compliance       = 1e-8;
+    double least_compliance = 1e-10; ///< Smallest compliance.
+    /// Factor of the compliance after a proximal iteration that leaves more
+    /// than this fraction of the error.
+    double slow = 0.1;
     /// Compliance of each point for the stability test, in the same unit.
     double       stability_compliance = 1e-4;
     unsigned int max_rounds = 30; ///< Maximum number of proximal iterations.
