@@ -385,15 +385,16 @@ namespace lamella
     if (found.error <= sound)
       return;
     const std::string error = to_text(found.error, 2);
-    throw NumericsError(
-      has_friction ?
+    if (has_friction)
+      throw NumericsError(
         "solve.friction-not-converged: The contact iteration with friction did "
         "not converge: Coulomb's law has the relative error " +
-          error + friction_remedy :
-        "solve.not-converged: The contact iteration did not converge: the "
-        "conditions of contact have the relative error " +
-          error +
-          ". Try a finer mesh at the contact edge, or Enforcement = penalty.");
+        error + friction_remedy);
+    throw NumericsError(
+      "solve.not-converged: The contact iteration did not converge: the "
+      "conditions of contact have the relative error " +
+      error +
+      ". Try a finer mesh at the contact edge, or Enforcement = penalty.");
   }
 
 

@@ -47,6 +47,8 @@ namespace lamella
                 const LoadFactor      &to,
                 const double           closed)
     {
+      if (which != Strategy::automatic || !rows.has_friction())
+        return make_strategy(which, about, rows);
       std::vector<GapConstraint> here(rows.begin(), rows.end());
       for (GapConstraint &row : here)
         row.initial_gap = row.gap(u, to) - closed;

@@ -70,7 +70,7 @@ namespace lamella
   SparseInterfaceSystem::points() const
   {
     // Bodies are softer in bending than at a point, by the square of the
-    // slenderness.
+    // slenderness. Stacks of EBBT need stiffer springs at the start.
     constexpr double slender = 1e-4, spring = 1e-3;
     InterfacePoints  points;
     points.about  = problem.forces();
